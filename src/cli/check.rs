@@ -1,5 +1,6 @@
 //! `lobefit check`: do the files follow from their recipe?
 
+mod counts;
 mod records;
 mod scene;
 mod studies;
@@ -17,6 +18,7 @@ use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
+use counts::Counts;
 use records::Record;
 
 pub(super) const EXAMPLES: &str = "\
@@ -31,7 +33,9 @@ functions among them; pages are not compared. Exit code 1 where a file is missin
 texels break the error that its manifest states is never accepted, whatever --values says.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
-other code than the bake's, and functions that they lack, are noted, and do not fail. Studies (reports/studies/, by lobefit report)
+other code than the bake's, and functions that they lack, are noted, and do not fail. Records of machine code (reports/isa/, by lobefit
+cost --isa --record) must be whole; a function of other code is compiled again where lobefit-gpu is built and the compiler is that of
+the record, and a count that grew fails. Studies (reports/studies/, by lobefit report)
 must be of this version, if its package lobefit-studies is built; else a note says that they were not checked.";
 
 /// Largest file that is compared, bytes.
@@ -85,7 +89,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let found = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
-        Found::new(baked, options, &progress)
+        Found::new(baked, &input.scene.name, options, &progress)
     })?;
     drop(progress);
     // What breaks a promise is not written by a bake: there is nothing to compare with.
@@ -114,6 +118,7 @@ struct Found {
     of_studies: Vec<Difference>,
     of_records: Vec<Difference>,
     records: Vec<Record>,
+    counts: Vec<Counts>,
     /// Why nothing is known of the studies that are there.
     studies_unknown: Option<String>,
     /// What changed in the scene.
@@ -121,16 +126,19 @@ struct Found {
 }
 
 impl Found {
-    fn new(mut baked: Baked, options: &Options, progress: &Bar) -> Result<Found, CliError> {
+    fn new(mut baked: Baked, scene: &str, options: &Options, progress: &Bar) -> Result<Found, CliError> {
         let root = &options.against;
         let mut strays = strays(root, &baked)?;
         strays.retain(|stray| options.asks_for(&stray.name));
         let found = store::read_set(root, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let changes = scene::changes(&found, &baked.files);
-        let (mut records, mut of_records) = (Vec::new(), Vec::new());
+        let (mut records, mut counts, mut of_records) = (Vec::new(), Vec::new(), Vec::new());
         let mut studies = studies::Studies::default();
         if options.asks_for("reports/") {
             (records, of_records) = records::records(root, &baked)?;
+            let (found, grown) = counts::counts(root, &baked, scene)?;
+            counts = found;
+            of_records.extend(grown);
             studies = studies::studies(root)?;
         }
         let compared = compare(&baked, &found, &strays, options.values, progress);
@@ -142,6 +150,7 @@ impl Found {
             of_studies: studies.differences,
             of_records,
             records,
+            counts,
             studies_unknown: studies.unknown,
             changes,
         })
@@ -158,6 +167,7 @@ impl Found {
             scene_changes: &self.changes,
             differences: self.all().collect(),
             records: &self.records,
+            counts: &self.counts,
             studies_unknown: self.studies_unknown.as_deref(),
         }
     }
@@ -177,6 +187,7 @@ impl Found {
         let beside = self.of_studies.iter().chain(&self.of_records);
         lines.extend(beside.map(|difference| format!("{difference}\n")));
         lines.extend(self.records.iter().filter_map(Record::note));
+        lines.extend(self.counts.iter().filter_map(Counts::note));
         if let Some(reason) = &self.studies_unknown {
             lines.push(format!("note: reports/studies: not checked: {reason}\n"));
         }
@@ -191,8 +202,8 @@ impl Found {
         let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
         let records = match self.of_records.len() {
             0 => String::new(),
-            1 => "; 1 record of times is broken".into(),
-            broken => format!("; {broken} records of times are broken"),
+            1 => "; 1 fault in records of times and machine code".into(),
+            faults => format!("; {faults} faults in records of times and machine code"),
         };
         let studies = match self.of_studies.len() {
             0 => String::new(),
@@ -220,6 +231,9 @@ struct Verdict<'a> {
     /// Times on graphics processors, those of other code among them.
     #[serde(skip_serializing_if = "<[Record]>::is_empty")]
     records: &'a [Record],
+    /// Counts of machine instructions, and functions of other code among them.
+    #[serde(skip_serializing_if = "<[Counts]>::is_empty")]
+    counts: &'a [Counts],
     /// Why nothing is known of the studies that are there.
     #[serde(skip_serializing_if = "Option::is_none")]
     studies_unknown: Option<&'a str>,
@@ -240,6 +254,7 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("fits/hypotheses/")
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
+            || entry.kind == Kind::File && counts::placed(name)
             || entry.kind == Kind::File && name == BUILD_FILE
             || entry.kind == Kind::File && studies::placed(name);
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);

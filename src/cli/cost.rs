@@ -2,13 +2,12 @@
 
 mod record;
 
-pub(super) use record::RECORD_BYTES;
-pub use record::RecordPlace;
+pub use record::{RECORD_BYTES, RecordPlace};
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 
 use super::input::Input;
 use super::options::{SceneOption, ThreadsOption};
@@ -19,6 +18,7 @@ use crate::bake::{BakeError, Progress, Selection, recipe};
 use crate::plan::{self, Plan};
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
+use crate::timing::isa::Precision;
 use crate::timing::timings;
 
 /// Examples of the help.
@@ -31,9 +31,20 @@ Examples:
                                         and write it as a record, with its page mine.html beside it
   lobefit cost --page reports/gpu/mine.json
                                         write the page of a record again
+  lobefit cost --isa                    compile every emitted function for three families of AMD GPUs, and count instructions
+  lobefit cost --isa --from . --families vega10,gfx1036
+                                        for these families, of the bake in this folder
+  lobefit cost --isa --from . --assembly ggx_energy_compensation --families navi21
+                                        print the machine code of a function
+  lobefit cost --isa --record reports/isa/radv-22.3.6.json
+                                        write the counts as a record; its name begins with driver and version
+  lobefit cost --isa --against reports/isa/radv-22.3.6.json
+                                        fail (exit code 1) where a count grew
 
 Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
-other code than the bake's. --gpu is in the package lobefit-gpu: cargo build --release -p lobefit-gpu.";
+other code than the bake's, and compiles a function again whose code is not that of the record in reports/isa/. --gpu and --isa are in
+the package lobefit-gpu: cargo build --release -p lobefit-gpu. --isa needs Mesa's driver for AMD GPUs (Debian: mesa-vulkan-drivers
+libvulkan1), and no GPU.";
 
 /// The command that measures on the processor.
 const COMMAND: &str = "lobefit cost";
@@ -41,14 +52,18 @@ const COMMAND: &str = "lobefit cost";
 /// What is said where there is nothing to measure.
 pub const NOTHING: &[u8] = b"the scene calls for no effect: nothing to measure, nothing written\n";
 
+/// Families that machine code is made for where none are named: GCN, RDNA 2, RDNA 3.
+pub const FAMILIES: &str = "polaris10,navi21,gfx1100";
+
 /// Options of `cost`.
 #[derive(Args)]
+#[command(group(ArgGroup::new("recorded").args(["gpu", "isa"])))]
 pub struct Options {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneOption,
     /// Output folder, created if missing
-    #[arg(long, value_name = "DIR", default_value = ".", conflicts_with_all = ["gpu", "page"])]
+    #[arg(long, value_name = "DIR", default_value = ".", conflicts_with_all = ["recorded", "page"])]
     pub out: PathBuf,
     /// Time the emitted WGSL on a graphics processor instead; writes nothing without --record
     #[arg(long)]
@@ -59,11 +74,36 @@ pub struct Options {
     /// Fewer threads and repeats: for software drivers and for trying out
     #[arg(long, requires = "gpu")]
     pub reduced: bool,
-    /// Write the times to this file, whose name ends with .json, and their page beside it
-    #[arg(long, value_name = "FILE", requires = "gpu")]
+    /// Compile the emitted functions for families of GPUs instead, and count instructions
+    #[arg(long)]
+    pub isa: bool,
+    /// Families by the driver's names: tahiti, polaris10, vega10, navi10, navi21, gfx1100 and others
+    #[arg(
+        long,
+        value_name = "FAMILY",
+        value_delimiter = ',',
+        default_value = FAMILIES,
+        requires = "isa",
+        value_parser = clap::builder::NonEmptyStringValueParser::new()
+    )]
+    pub families: Vec<String>,
+    /// Numbers to compute with; packed code evaluates twice at once
+    #[arg(long, value_name = "PRECISION", value_delimiter = ',', requires = "isa", value_parser = Precision::WORDS)]
+    pub precisions: Vec<String>,
+    /// Print the machine code of this function
+    #[arg(long, value_name = "FUNCTION", requires = "isa", conflicts_with_all = ["record", "against", "json"])]
+    pub assembly: Option<String>,
+    /// Take the bake in this folder, in place of baking a scene
+    #[arg(long, value_name = "DIR", requires = "isa", conflicts_with = "scene")]
+    pub from: Option<PathBuf>,
+    /// Compare with this record of counts, for its families and precisions: exit code 1 where one grew
+    #[arg(long, value_name = "RECORD", requires = "isa", conflicts_with_all = ["record", "families", "precisions"])]
+    pub against: Option<PathBuf>,
+    /// Write the times or counts to this file, whose name ends with .json; beside times their page
+    #[arg(long, value_name = "FILE", requires = "recorded")]
     pub record: Option<PathBuf>,
     /// Write the page of a record again, and measure nothing
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["gpu", "scene", "json"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["recorded", "scene", "json"])]
     pub page: Option<PathBuf>,
     /// The worker threads.
     #[command(flatten)]
@@ -77,12 +117,12 @@ pub struct Options {
 }
 
 /// Runs the verb; `words` are those that follow it, for the package that drives graphics
-/// processors.
+/// processors and their compilers.
 pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliError> {
     if let Some(record) = &options.page {
         return record::page(options, record);
     }
-    if options.gpu {
+    if options.gpu || options.isa {
         return external::run("lobefit-gpu", words);
     }
     let input = input::load(&options.scene)?;

@@ -22,4 +22,4 @@ pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::{LocalDisk, LocalTemp};
 pub use read::{Entry, is_folder, list, read, read_set, read_stream};
-pub use write::write;
+pub use write::{temporary, write};

@@ -15,6 +15,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
     replace(&LocalDisk, path, bytes, PREFIX)
 }
 
+/// A new folder for what another program is to read, removed with the value.
+pub fn temporary() -> Result<tempfile::TempDir, StoreError> {
+    tempfile::tempdir().map_err(StoreError::writing(&std::env::temp_dir(), Operation::CreateFolder))
+}
+
 /// [`write`] on any disk. The destination's folder must be there.
 fn replace<D: Disk>(disk: &D, path: &Path, bytes: &[u8], prefix: &str) -> Result<bool, StoreError> {
     let Some(temp) = stage(disk, path, bytes, prefix)? else { return Ok(false) };

@@ -28,6 +28,12 @@ pub enum RecordError {
         /// What the reader says.
         reason: String,
     },
+    /// No record of `lobefit cost --isa`.
+    #[error("no record of lobefit cost --isa --record: {reason}")]
+    Counts {
+        /// What the reader says.
+        reason: String,
+    },
     /// A record of another version of this program.
     #[error(
         "schema_version {found}, this version reads {SCHEMA_VERSION}; measure again with lobefit cost --gpu --record"

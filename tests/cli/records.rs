@@ -13,6 +13,7 @@ use lobefit::report::{
     GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
 };
 use lobefit::scene::Scene;
+use lobefit::timing::isa::{IsaRecord, IsaRow};
 use lobefit::timing::record::{METHOD, missing, page, read, stale};
 use serde_json::{Value, json};
 
@@ -32,6 +33,50 @@ fn run_on(scene: &[u8], folder: &Path, arguments: &[&str]) -> (i32, String, Stri
     let output = lobefit(folder, arguments, scene);
     let text = String::from_utf8(output.stdout.clone()).expect("text");
     (output.status.code().expect("a code"), text, stderr(&output))
+}
+
+/// A function that is recorded to have been cheaper, in other code.
+#[test]
+fn check_fails_where_a_function_compiles_to_more_than_its_record_says() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    assert_eq!(run(at, &["bake", "-", "--quiet"]).0, 0);
+    let (code, printed, error) = run(at, &["cost", "--isa", "--from", ".", "--families", "navi21", "--json"]);
+    if error.contains("is not built") || error.contains("no driver radv") {
+        let required = std::env::var("LOBEFIT_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+        assert!(!required, "{error}; LOBEFIT_REQUIRE_TOOLS=1 asks for it");
+        return;
+    }
+    assert_eq!((code, error.as_str()), (0, ""));
+    let made = IsaRecord::read(printed.as_bytes()).expect("a record");
+    let (name, file) = ("ggx_norm_r1", format!("reports/isa/{}.json", made.compiler()));
+    std::fs::create_dir_all(at.join("reports/isa")).expect("a folder");
+    let put = |record: &IsaRecord| {
+        std::fs::write(at.join(&file), record.bytes().expect("JSON")).expect("written");
+        run(at, &["check", "-"])
+    };
+    let (code, text, _) = put(&made);
+    assert!(code == 0 && !text.contains("note:"), "{text}");
+
+    let mut old = made.clone();
+    let of = |row: &IsaRow| row.function == name;
+    old.rows.iter_mut().filter(|row| of(row)).for_each(|row| row.source = "0".repeat(64));
+    let (code, text, _) = put(&old);
+    let note = format!("note: {file}: 1 functions are of other code than the bake's ({name}); compile again");
+    assert!(code == 0 && text.contains(&note), "{text}");
+    old.rows.iter_mut().filter(|row| of(row)).for_each(|row| row.counts.vector -= 1);
+    let (code, text, _) = put(&old);
+    assert!(code == 1 && text.contains(&format!("{name} on navi21 in f32: vector 1, recorded 0")), "{text}");
+
+    old.version = "1.2.3".into();
+    let (code, text, _) = put(&old);
+    assert!(code == 0 && text.contains("not compared: compiled by "), "{text}");
+    old.scene = "another".into();
+    let (code, text, _) = put(&old);
+    assert!(code == 0 && !text.contains("note:"), "{text}");
+    std::fs::write(at.join(&file), "{}").expect("written");
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert!(code == 1 && text.contains("no record of lobefit cost --isa --record"), "{text}");
 }
 
 fn row(name: &str, function: Option<&str>, code: Option<String>) -> GpuRow {
@@ -157,7 +202,7 @@ fn check_fails_where_a_record_is_none_or_its_page_is_of_another() {
     let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
     assert_eq!(code, 1, "{text}");
     assert!(text.contains("make it with lobefit cost --page reports/gpu/device.json"), "{text}");
-    assert!(text.contains("1 record of times is broken"), "{text}");
+    assert!(text.contains("1 fault in records"), "{text}");
     let (code, text, error) = run_on(SMOOTH, at, &["cost", "--page", "reports/gpu/device.json"]);
     assert_eq!((code, error.as_str()), (0, ""), "{text}");
     assert_eq!(run_on(SMOOTH, at, &["check", "-"]).0, 0, "as the message says");

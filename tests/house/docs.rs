@@ -4,6 +4,8 @@
 use std::path::Path;
 
 use lobefit::emit::header::short;
+use lobefit::timing::correlation::Correlation;
+use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use serde_json::Value;
 
 use crate::common::{lobefit, stderr};
@@ -128,6 +130,41 @@ fn the_times_are_the_records() {
     };
     let wanted: Vec<String> = rows.filter(|row| shown(&row["kind"])).map(row).collect();
     assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+/// Vector and transcendental instructions, moves and latency on three families, in f32.
+#[test]
+fn the_machine_instructions_are_the_records() {
+    let page = read("docs/cost.md");
+    let section =
+        page.split("| operations | function | GCN").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let found: Vec<&str> = section.expect("it").lines().filter(|line| line.contains('`')).collect();
+    let records = ["-every-formula", ""].map(|of| read(&format!("reports/isa/radv-22.3.6{of}.json")));
+    let records = records.map(|text| IsaRecord::read(text.as_bytes()).expect("a record"));
+    let rows =
+        || records.iter().flat_map(|record| &record.rows).filter(|row| row.precision == Precision::F32);
+    let row = |line: &&str| {
+        let name = line.split('`').nth(1).expect("a name");
+        let ops = rows().find(|row| row.function == name).and_then(|row| row.ops).expect("operations");
+        let cell = |family| {
+            let row = rows().find(|row| row.function == name && row.family == family).expect("a row");
+            let Counts { vector, transcendental, moves, latency, .. } = row.counts;
+            format!("{vector} + {transcendental}, {moves}, {latency}")
+        };
+        format!("| {ops} | `{name}` | {} |", ["polaris10", "navi21", "gfx1100"].map(cell).join(" | "))
+    };
+    let wanted: Vec<String> = found.iter().map(row).collect();
+    assert!(found.len() > 8);
+    assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+    let pairs = |row: &IsaRow| Some((f64::from(row.ops?), row.counts.issued() as f64));
+    for family in ["navi21", "gfx1100"] {
+        let pairs: Vec<_> =
+            records[0].rows.iter().filter(|row| row.family == family).filter_map(pairs).collect();
+        let found = Correlation::of(&pairs).expect("functions");
+        let shown =
+            [format!("over the {} functions", found.count), format!("Pearson {:.3} with", found.values)];
+        assert!(shown.iter().all(|words| page.replace('\n', " ").contains(words)), "{shown:?}");
+    }
 }
 
 /// `what ignoring the azimuth costs`, rounded up to three digits, is the report's figure.

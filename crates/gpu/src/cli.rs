@@ -1,4 +1,4 @@
-//! `lobefit cost --gpu`: times of the emitted WGSL on a graphics processor.
+//! `lobefit cost --gpu` and `--isa`: times of the emitted WGSL on a graphics processor.
 
 use std::ffi::OsString;
 use std::fmt::Write;
@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde_json::json;
 
-use crate::{Work, measure};
+use crate::{Work, isa, measure};
 use lobefit::bake::Selection;
 use lobefit::cli::CliError;
 use lobefit::cli::cost::{self, NOTHING, RecordPlace};
@@ -18,7 +18,7 @@ use lobefit::plan;
 use lobefit::report::{GpuClock, GpuKind, GpuRecord, GpuRow};
 use lobefit::timing::record;
 
-/// Time the emitted WGSL on a graphics processor
+/// Time the emitted WGSL on a graphics processor, or count its machine instructions
 #[derive(Parser)]
 #[command(name = "lobefit cost", bin_name = "lobefit cost", version, after_help = cost::EXAMPLES)]
 struct Options {
@@ -26,13 +26,20 @@ struct Options {
     all: cost::Options,
 }
 
-/// Runs the verb on its arguments (the first is the program's name), `--gpu` among them.
+/// Runs the verb on its arguments (the first is the program's name), `--gpu` or `--isa` among them.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let [_, word, driver] = arguments.as_slice()
+        && word == isa::WORKER
+    {
+        return isa::worker(&driver.to_string_lossy());
+    }
     match Options::try_parse_from(arguments) {
+        Ok(options) if options.all.isa => output::finish(isa::verb(&options.all)),
         Ok(options) if options.all.gpu => output::finish(verb(&options.all)),
-        Ok(_) => {
-            output::finish(Err(CliError::Usage("--gpu is called for; `lobefit cost` does the rest".into())))
-        }
+        Ok(_) => output::finish(Err(CliError::Usage(
+            "--gpu or --isa is called for; `lobefit cost` does the rest".into(),
+        ))),
         Err(usage) => output::usage(&usage),
     }
 }

@@ -1,4 +1,4 @@
-//! Why nothing was measured on a graphics processor.
+//! Why nothing was measured on a graphics processor, or compiled for one.
 
 use lobefit::cli::{CliError, PackageError};
 use lobefit::report::ReportError;
@@ -57,12 +57,34 @@ pub enum GpuError {
         function: String,
     },
     /// The emitted code or manifest is not as this program writes it.
-    #[error("--gpu: {place}: {reason}")]
+    #[error("{place}: {reason}")]
     Bake {
         /// The file, or the function.
         place: String,
         /// What is wrong.
         reason: String,
+    },
+    /// There is no driver that compiles.
+    #[error("--isa: no driver {driver}: {reason}; {install}")]
+    NoDriver {
+        /// The driver.
+        driver: &'static str,
+        /// What the system said.
+        reason: String,
+        /// What to install.
+        install: &'static str,
+    },
+    /// A driver does not know a family, or failed at it.
+    #[error("--isa: {driver}: family {family}: {reason}; --families takes {families}")]
+    Family {
+        /// The driver.
+        driver: &'static str,
+        /// The family that was asked for.
+        family: String,
+        /// What the driver said.
+        reason: String,
+        /// Families that there are.
+        families: &'static str,
     },
     /// The page refused its data.
     #[error(transparent)]

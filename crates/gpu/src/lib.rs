@@ -1,4 +1,4 @@
-//! Time per evaluation of the emitted WGSL on a graphics processor.
+//! Time per evaluation of the emitted WGSL on a graphics processor, and its machine code.
 //!
 //! Every function that the manifest of a bake lists runs in a loop of a compute shader, and beside
 //! it the same loop without the function: what an evaluation takes is the difference. Both are
@@ -7,10 +7,14 @@
 //!
 //! The program `lobefit` runs the binary of this package for `lobefit cost --gpu`. Records of times
 //! are read, checked and shown without a driver, by [`lobefit::timing::record`].
+//!
+//! `lobefit cost --isa` compiles the same functions by drivers that need no GPU, and counts the
+//! instructions.
 
 mod cli;
 mod device;
 mod error;
+mod isa;
 mod jobs;
 mod measure;
 mod shader;

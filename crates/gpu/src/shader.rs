@@ -186,7 +186,7 @@ pub(super) fn planes(count: u32) -> Vec<f32> {
 }
 
 /// What a value of a type adds to the sum: all that it consists of.
-fn members(module: &naga::Module, ty: naga::Handle<naga::Type>, value: &str) -> Vec<String> {
+pub(super) fn members(module: &naga::Module, ty: naga::Handle<naga::Type>, value: &str) -> Vec<String> {
     match &module.types[ty].inner {
         naga::TypeInner::Vector { size, .. } => {
             let letters = ["x", "y", "z", "w"].into_iter().take(*size as usize);

@@ -54,7 +54,7 @@ const SCALARS: [(&str, f64, f64); 10] = [
     ("distance", 0.1, 4.0),
 ];
 
-const CORNERS: [&str; 3] = ["low", "high", "probe"];
+pub(super) const CORNERS: [&str; 3] = ["low", "high", "probe"];
 
 impl Variable {
     /// The argument of a name and type, in its range; none that this program emits has another.

@@ -51,7 +51,7 @@ impl Record {
 }
 
 /// The first of some names; none of none.
-fn some(names: &[String]) -> Option<String> {
+pub(super) fn some(names: &[String]) -> Option<String> {
     let more = if names.len() > 1 { ", ..." } else { "" };
     names.first().map(|first| format!("{}{more}", visible(first)))
 }

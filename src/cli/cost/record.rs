@@ -10,7 +10,7 @@ use crate::store::{self, Files, Folder};
 use crate::timing::record;
 
 /// Largest record that is read, bytes.
-pub(in crate::cli) const RECORD_BYTES: u64 = 16 << 20;
+pub const RECORD_BYTES: u64 = 16 << 20;
 
 /// A record and its page: the folder they lie in, and their names there.
 pub struct RecordPlace {

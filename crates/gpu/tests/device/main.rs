@@ -11,6 +11,7 @@ mod lookup_support;
 
 mod cli;
 mod cost;
+mod isa;
 mod lookups;
 mod shaders;
 mod sliced;

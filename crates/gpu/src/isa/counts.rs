@@ -1,0 +1,97 @@
+//! Kinds of instructions, by the names that disassemblers give them.
+
+use super::family::Machine;
+use lobefit::timing::isa::Counts;
+
+/// What a driver says that this program does not know.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LineError {
+    /// A line of the assembly.
+    #[error("no instruction that this version of lobefit knows: `{0}`")]
+    Line(String),
+    /// A statistic that is missing.
+    #[error("the driver states no `{0}`")]
+    Statistic(&'static str),
+}
+
+/// Beginnings of vector instructions of a quarter of the rate.
+const TRANSCENDENTAL: [&str; 7] = ["v_rcp_", "v_rsq_", "v_sqrt_", "v_exp_", "v_log_", "v_sin_", "v_cos_"];
+
+/// Beginnings of loads, stores and samples by vector addresses.
+const MEMORY: [&str; 7] = ["buffer_", "tbuffer_", "image_", "global_", "flat_", "scratch_", "ds_"];
+
+/// Beginnings of hints, waits and the end, which do no work.
+const HINTS: [&str; 8] = [
+    "s_waitcnt",
+    "s_nop",
+    "s_delay_alu",
+    "s_clause",
+    "s_endpgm",
+    "s_code_end",
+    "s_inst_prefetch",
+    "s_sendmsg",
+];
+
+/// Moves into a register, which are of literals where their source is a number of 32 bits.
+const MOVES: [&str; 3] = ["v_mov_b32", "s_mov_b32", "s_movk_i32"];
+
+/// What Mesa's driver for AMD GPUs says of a shader.
+pub(super) fn amd(machine: &Machine) -> Result<Counts, LineError> {
+    let statistic =
+        |name: &'static str| machine.statistics.get(name).copied().ok_or(LineError::Statistic(name));
+    let mut counts = Counts {
+        vgprs: statistic("VGPRs")?,
+        sgprs: statistic("SGPRs")?,
+        waves: statistic("Subgroups per SIMD")?,
+        spills: statistic("Spilled VGPRs")? + statistic("Spilled SGPRs")?,
+        bytes: statistic("Code size")?,
+        latency: statistic("Latency")?,
+        inverse_throughput: statistic("Inverse Throughput")?,
+        ..Counts::default()
+    };
+    let mut last: Vec<Kind> = Vec::new();
+    for line in machine.assembly.lines() {
+        // After a semicolon stand the bytes.
+        let code = line.split(';').next().unwrap_or_default().trim();
+        let times = match repeated(code) {
+            Some(times) => times,
+            None => {
+                // Two instructions that issue together are two.
+                last = code
+                    .split("::")
+                    .filter_map(|code| kind(code.trim()).transpose())
+                    .collect::<Result<_, _>>()?;
+                1
+            }
+        };
+        for of in &last {
+            *of(&mut counts) += times;
+        }
+    }
+    Ok(counts)
+}
+
+/// How many times more the line before stands here: `(then repeated 2 times)`.
+fn repeated(code: &str) -> Option<i64> {
+    code.strip_prefix("(then repeated ")?.strip_suffix(" times)")?.parse().ok()
+}
+
+/// The count that an instruction adds to.
+type Kind = fn(&mut Counts) -> &mut i64;
+
+/// The kind of an instruction; none of labels and hints.
+fn kind(code: &str) -> Result<Option<Kind>, LineError> {
+    let begins = |names: &[&str]| names.iter().any(|name| code.starts_with(name));
+    let literal = || code.rsplit(' ').next().is_some_and(|source| source.starts_with("0x"));
+    let label = code.starts_with("BB") && code.ends_with(':');
+    let kind: Kind = match code {
+        _ if code.is_empty() || label || begins(&HINTS) => return Ok(None),
+        _ if begins(&TRANSCENDENTAL) => |counts| &mut counts.transcendental,
+        _ if begins(&MOVES) && literal() => |counts| &mut counts.moves,
+        _ if code.starts_with("v_") => |counts| &mut counts.vector,
+        _ if code.starts_with("s_") => |counts| &mut counts.scalar,
+        _ if begins(&MEMORY) => |counts| &mut counts.memory,
+        _ => return Err(LineError::Line(code.into())),
+    };
+    Ok(Some(kind))
+}

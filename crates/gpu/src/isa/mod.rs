@@ -1,0 +1,165 @@
+//! Machine code of the emitted functions, as compilers of GPU drivers make it. No GPU is needed.
+
+mod cli;
+mod counts;
+mod family;
+mod shader;
+
+pub(crate) use cli::verb;
+pub(crate) use family::{WORKER, worker};
+
+use std::collections::BTreeMap;
+
+use family::{Driver, Machine, RADV, Source};
+use lobefit::bake::Progress;
+use lobefit::emit::include::Include;
+use lobefit::store::Files;
+use lobefit::timing::isa::{IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
+use shader::Shader;
+
+use crate::GpuError;
+
+/// How a record is made.
+const COMMAND: &str = "lobefit cost --isa --record FILE.json";
+
+/// A function to compile.
+struct Job {
+    function: String,
+    precision: Precision,
+    ops: Option<u32>,
+    hash: String,
+    /// Its shader and the shader without it among the sources.
+    sources: [usize; 2],
+}
+
+/// Everything to compile.
+#[derive(Default)]
+struct Jobs {
+    all: Vec<Job>,
+    sources: Vec<Source>,
+    /// Sources by their text.
+    known: BTreeMap<String, usize>,
+    left_out: Vec<IsaLeftOut>,
+}
+
+/// What the compiler made of everything.
+struct Compiled {
+    record: IsaRecord,
+    /// Function, family, precision and the code of the whole shader.
+    assembly: Vec<(String, String, Precision, String)>,
+}
+
+impl Jobs {
+    /// All functions of an include file, in those of the precisions that it can have.
+    fn of(include: &Include, files: &Files, precisions: &[Precision]) -> Result<Jobs, GpuError> {
+        let wrong = |e: naga::front::wgsl::ParseError| GpuError::Bake {
+            place: "fits/lobefit.wgsl".into(),
+            reason: e.emit_to_string(&include.text),
+        };
+        let module = naga::front::wgsl::parse_str(&include.text).map_err(wrong)?;
+        let mut names: Vec<&str> = module.functions.iter().filter_map(|(_, f)| f.name.as_deref()).collect();
+        names.sort_unstable();
+        let (mut jobs, ops) = (Jobs::default(), operations(files));
+        for name in names {
+            for precision in precisions {
+                jobs.add(include, &module, name, *precision)?;
+            }
+        }
+        for job in &mut jobs.all {
+            job.ops = ops.get(&job.function).copied();
+        }
+        Ok(jobs)
+    }
+
+    fn add(
+        &mut self,
+        include: &Include,
+        module: &naga::Module,
+        function: &str,
+        precision: Precision,
+    ) -> Result<(), GpuError> {
+        let place = |reason: &str| GpuError::Bake { place: function.into(), reason: reason.into() };
+        let (code, hash) = include
+            .code(function)
+            .zip(include.hash(function))
+            .ok_or_else(|| place("not in the include file"))?;
+        let Some(shader) = Shader::of(&code, module, function, precision)? else { return Ok(()) };
+        match self.source(&shader.with, precision) {
+            Ok(with) => {
+                let without = self.source(&shader.without, precision).map_err(|e| place(&e))?;
+                let (function, sources) = (function.into(), [with, without]);
+                self.all.push(Job { function, precision, ops: None, hash, sources });
+                Ok(())
+            }
+            Err(reason) if precision == Precision::F32 => Err(place(&reason)),
+            Err(reason) => {
+                let reason = reason.lines().next().unwrap_or_default().to_owned();
+                self.left_out.push(IsaLeftOut { function: function.into(), precision, reason });
+                Ok(())
+            }
+        }
+    }
+
+    /// The source of a text.
+    fn source(&mut self, text: &str, precision: Precision) -> Result<usize, String> {
+        if let Some(&known) = self.known.get(text) {
+            return Ok(known);
+        }
+        let words = shader::spirv(text)?;
+        self.known.insert(text.into(), self.sources.len());
+        self.sources.push(Source { words, half: precision != Precision::F32 });
+        Ok(self.sources.len() - 1)
+    }
+}
+
+/// Compiles every function of the files of a bake for families of GPUs; none where the bake emits no
+/// functions.
+///
+/// # Errors
+/// No driver, a family that it does not know, code or assembly that is not understood.
+fn compile(
+    files: &Files,
+    scene: String,
+    (families, precisions): (&[String], &[Precision]),
+    progress: &dyn Progress,
+) -> Result<Option<Compiled>, GpuError> {
+    let Some(include) = Include::of(files) else { return Ok(None) };
+    let jobs = Jobs::of(&include, files, precisions)?;
+    let (driver, mut version) = (&RADV, String::new());
+    let (mut rows, mut assembly) = (Vec::new(), Vec::new());
+    for family in families {
+        progress.stage(family);
+        let answer = driver.compile(family, &jobs.sources)?;
+        version = answer.version();
+        for job in &jobs.all {
+            let [Some(with), Some(without)] = job.sources.map(|at| answer.machines[at].as_ref()) else {
+                continue;
+            };
+            rows.push(row(driver, job, family, [with, without])?);
+            assembly.push((job.function.clone(), family.clone(), job.precision, with.assembly.clone()));
+        }
+    }
+    rows.sort_by(|a, b| a.function.cmp(&b.function));
+    let record = IsaRecord {
+        schema_version: VERSION,
+        command: COMMAND.into(),
+        scene,
+        driver: driver.name.into(),
+        version,
+        left_out: jobs.left_out,
+        rows,
+    };
+    Ok(Some(Compiled { record, assembly }))
+}
+
+fn row(driver: &Driver, job: &Job, family: &str, machines: [&Machine; 2]) -> Result<IsaRow, GpuError> {
+    let [with, without] = machines.map(|machine| driver.counts(&job.function, machine));
+    Ok(IsaRow {
+        function: job.function.clone(),
+        family: family.to_owned(),
+        precision: job.precision,
+        ops: job.ops,
+        counts: with?.above(&without?),
+        source: job.hash.clone(),
+    })
+}

@@ -1,0 +1,179 @@
+//! `lobefit cost --isa`: machine code of the emitted functions, by a driver that needs no GPU.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::common::{lobefit, names, stderr};
+use crate::emit_support::{missing, say};
+use crate::gpu_support::device::INSTALL;
+use lobefit::timing::isa::{IsaRecord, IsaRow, Precision};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn text(path: &str) -> String {
+    std::fs::read_to_string(root().join(path)).expect("committed")
+}
+
+/// Code, output and errors of the verb; none without a driver where the tests do not require one.
+fn run(folder: &Path, options: &[&str]) -> Option<(i32, String, String)> {
+    let output = lobefit(folder, &[&["cost", "--isa", "--from", "."], options].concat(), b"");
+    let error = stderr(&output);
+    if error.contains("no driver radv") {
+        missing(&error, INSTALL);
+        return None;
+    }
+    let printed = String::from_utf8(output.stdout).expect("text");
+    Some((output.status.code().expect("a code"), printed, error))
+}
+
+/// A folder with some code, and the committed manifest.
+fn baked(code: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir(folder.path().join("fits")).expect("made");
+    std::fs::write(folder.path().join("fits/lobefit.wgsl"), code).expect("written");
+    std::fs::write(folder.path().join("manifest.json"), text("manifest.json")).expect("written");
+    folder
+}
+
+fn record(printed: &str) -> IsaRecord {
+    IsaRecord::read(printed.as_bytes()).expect("a record")
+}
+
+fn find<'a>(record: &'a IsaRecord, function: &str, family: &str, precision: Precision) -> &'a IsaRow {
+    let mut rows = record.rows.iter().filter(|row| row.function == function && row.family == family);
+    rows.find(|row| row.precision == precision).unwrap_or_else(|| panic!("no {function} on {family}"))
+}
+
+#[test]
+fn the_committed_record_is_what_its_compiler_makes_on_every_run() {
+    let Some((code, printed, error)) = run(&root(), &["--json"]) else { return };
+    assert_eq!((code, error.as_str()), (0, ""));
+    assert_eq!(run(&root(), &["--json"]).expect("as before").1, printed, "two runs");
+    let now = record(&printed);
+    let folder = root().join("reports/isa");
+    let all =
+        names(&folder).into_iter().map(|name| std::fs::read_to_string(folder.join(name)).expect("text"));
+    let committed = all.map(|text| record(&text)).find(|record| record.scene == now.scene).expect("a record");
+    if committed.compiler() != now.compiler() {
+        say(&format!("compiled by {}, recorded by {}: not compared", now.compiler(), committed.compiler()));
+        return;
+    }
+    for row in &committed.rows {
+        let is = find(&now, &row.function, &row.family, row.precision);
+        if is.source == row.source {
+            assert_eq!(is, row, "lobefit cost --isa --from . --record reports/isa/{}.json", now.compiler());
+        } else {
+            say(&format!("{} is of other code than in the record", row.function));
+        }
+    }
+}
+
+/// What is in the code, and the texture's fetch, on all families, in all precisions.
+#[test]
+fn instructions_are_those_of_the_function_alone() {
+    let folder = baked(
+        "fn ratio(x: f32, y: f32) -> f32 {\n    return 1.0 / (x * y + 2.5);\n}
+fn fetched(table: texture_2d<f32>, linear: sampler, x: f32, y: f32) -> vec3<f32> {
+    return textureSampleLevel(table, linear, vec2<f32>(x, y), 0.0).xyz;\n}
+fn moved(place: vec3<f32>, low: vec3<f32>) -> vec3<f32> {\n    return place - low;\n}
+fn large(x: f32) -> f32 {\n    return x * 70000.0;\n}\n",
+    );
+    let Some((code, printed, error)) = run(folder.path(), &["--json"]) else { return };
+    assert_eq!((code, error.as_str()), (0, ""));
+    let record = record(&printed);
+    assert_eq!(record.families(), ["polaris10", "navi21", "gfx1100"]);
+    for family in record.families() {
+        let of = |function: &str| find(&record, function, family, Precision::F32).counts;
+        let ratio = of("ratio");
+        assert!(ratio.transcendental == 1 && (1..=2).contains(&ratio.vector), "{family}: {ratio:?}");
+        assert_eq!((ratio.memory, ratio.scalar, ratio.spills), (0, 0, 0), "{family}");
+        assert_eq!((of("fetched").memory, of("fetched").transcendental), (1, 0), "{family}");
+        assert_eq!((of("moved").vector, of("moved").memory), (3, 0), "{family}");
+        assert!(ratio.vgprs > 0 && ratio.waves > 0 && ratio.bytes >= 8 && ratio.latency > 0, "{family}");
+        // Two reciprocals, and one of everything else.
+        let packed = record.rows.iter().find(|row| {
+            (row.function.as_str(), row.family.as_str(), row.precision)
+                == ("ratio", family, Precision::F16Packed)
+        });
+        assert_eq!(packed.is_none(), family == "polaris10", "{family} has no f16");
+        assert!(
+            packed.is_none_or(|row| row.counts.transcendental == 2 && row.counts.vector <= ratio.vector + 2)
+        );
+    }
+    assert!(record.rows.iter().all(|row| row.precision == Precision::F32 || row.function != "large"));
+    assert_eq!(record.left_out.iter().filter(|out| out.function == "large").count(), 2, "70000 is no f16");
+    let listing = run(folder.path(), &["--assembly", "ratio", "--families", "navi21"]).expect("as before").1;
+    assert!(listing.starts_with("; ratio, navi21, f32\n") && listing.contains("v_rcp_f32"), "{listing}");
+}
+
+#[test]
+fn a_formula_that_is_dearer_by_a_multiply_add_is_named_with_its_family() {
+    let code = text("fits/lobefit.wgsl");
+    let folder = baked(&code);
+    let at = folder.path();
+    let Some((_, printed, _)) = run(at, &["--json", "--families", "navi21,polaris10"]) else { return };
+    std::fs::write(at.join("r.json"), &printed).expect("written");
+    let against =
+        |options: &[&str]| run(at, &[&["--against", "r.json"], options].concat()).expect("as before");
+    let (code_0, same, error) = against(&[]);
+    assert_eq!((code_0, error.as_str()), (0, ""));
+    assert!(same.ends_with(" rows compared, 0 counts grew\n"), "{same}");
+
+    let (before, function) = code.split_once("fn ggx_energy_compensation(").expect("emitted");
+    let dearer = function.replacen("return 1.0 + ", "return 1.0 + n_dot_v * 0.123 + ", 1);
+    assert_ne!(dearer, function);
+    std::fs::write(at.join("fits/lobefit.wgsl"), format!("{before}fn ggx_energy_compensation({dearer}"))
+        .expect("written");
+    let (code_1, grown, _) = against(&[]);
+    assert_eq!(code_1, 1, "{grown}");
+    for family in ["navi21", "polaris10"] {
+        let was = find(&record(&printed), "ggx_energy_compensation", family, Precision::F32).counts.vector;
+        let line = format!("ggx_energy_compensation on {family} in f32: vector ");
+        let line = grown.lines().find(|l| l.starts_with(&line)).unwrap_or_else(|| panic!("{line}: {grown}"));
+        assert!(line.ends_with(&format!(", recorded {was}")), "{line}");
+    }
+    // The factor of each channel calls it; nothing else does.
+    assert!(
+        grown.lines().all(|l| l.starts_with("ggx_energy_compensation") || l.contains(" grew")),
+        "{grown}"
+    );
+    let verdict: Value = serde_json::from_str(&against(&["--json"]).1).expect("JSON");
+    assert!(verdict["grown"].as_array().is_some_and(|all| !all.is_empty()));
+
+    let other = IsaRecord { version: "1.2.3".into(), ..record(&printed) };
+    std::fs::write(at.join("r.json"), other.bytes().expect("JSON")).expect("written");
+    let (code_2, noted, _) = against(&[]);
+    assert_eq!(code_2, 0, "{noted}");
+    assert!(noted.starts_with("note: recorded by radv-1.2.3, compiled by radv-"), "{noted}");
+}
+
+#[test]
+fn what_cannot_be_compiled_is_named() {
+    let folder = baked(&text("fits/lobefit.wgsl"));
+    let before = names(folder.path());
+    for (options, said) in [
+        (
+            &["--families", "geforce"][..],
+            "family geforce: radv: Unknown family: geforce; --families takes tahiti",
+        ),
+        (&["--assembly", "no_such"], "--assembly no_such: no function of this name is emitted"),
+        (&["--record", "counts.json"], "take a name that begins so"),
+        (&["--record", "radv.txt"], "a name that ends with .json is called for"),
+        (&["--against", "manifest.json"], "no record of lobefit cost --isa --record"),
+        (&["--precisions", "f64"], "f64"),
+        (&["--gpu"], "cannot be used with"),
+        (&["examples/cloth.json"], "cannot be used with"),
+    ] {
+        let Some((code, printed, error)) = run(folder.path(), options) else { return };
+        assert_eq!((code, printed.as_str()), (2, ""), "{options:?}: {error}");
+        assert!(error.contains(said), "{options:?}: {error}");
+        assert_eq!(names(folder.path()), before, "{options:?}");
+    }
+    std::fs::write(folder.path().join("fits/lobefit.wgsl"), "fn f(x: f32) -> f32 {\n    return y;\n}\n")
+        .expect("written");
+    let Some((code, _, error)) = run(folder.path(), &[]) else { return };
+    assert!(code == 2 && error.contains("fits/lobefit.wgsl: "), "{error}");
+}

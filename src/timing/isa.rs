@@ -1,0 +1,283 @@
+//! Records of what compilers made of the emitted functions: counts of machine instructions for
+//! families of GPUs. A record follows from the code and the compiler's version alone.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::{Deserialize, Serialize};
+
+use super::record::RecordError;
+use crate::emit::include::Include;
+use crate::emit::manifest::{Entries, Manifest};
+use crate::store::{Files, MANIFEST};
+
+/// Version of the form, and of the way of counting.
+pub const VERSION: u32 = 1;
+
+/// The folder of a bake in which records are looked for.
+pub const FOLDER: &str = "reports/isa";
+
+/// What a compiler made of the functions of a scene.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IsaRecord {
+    /// [`VERSION`].
+    pub schema_version: u32,
+    /// The command that makes it.
+    pub command: String,
+    /// Name of the scene.
+    pub scene: String,
+    /// The compiler's driver, by the name that it gives itself: `radv`.
+    pub driver: String,
+    /// The driver's version: `22.3.6`.
+    pub version: String,
+    /// What could not be compiled.
+    pub left_out: Vec<IsaLeftOut>,
+    /// By function, family and precision.
+    pub rows: Vec<IsaRow>,
+}
+
+/// A function on a family. Instructions, bytes and cycles are those of a shader that calls the
+/// function once, above those of the same shader without the call.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IsaRow {
+    /// The function's name in the emitted code.
+    pub function: String,
+    /// The family, by the driver's name of it.
+    pub family: String,
+    /// Of its numbers.
+    pub precision: Precision,
+    /// Operations by the model, where the manifest states them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ops: Option<u32>,
+    /// What was counted.
+    #[serde(flatten)]
+    pub counts: Counts,
+    /// Hash of the code that was compiled: [`Include::hash`].
+    pub source: String,
+}
+
+/// A function that is not valid in a precision.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IsaLeftOut {
+    /// The function.
+    pub function: String,
+    /// The precision.
+    pub precision: Precision,
+    /// What the compiler of WGSL says.
+    pub reason: String,
+}
+
+/// The numbers that a function computes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// 32 bits.
+    F32,
+    /// 16 bits.
+    F16,
+    /// 16 bits, two evaluations at once in vectors of two.
+    F16Packed,
+}
+
+impl Precision {
+    /// All of them.
+    pub const ALL: [Precision; 3] = [Precision::F32, Precision::F16, Precision::F16Packed];
+    /// The words of all.
+    pub const WORDS: [&str; 3] = ["f32", "f16", "f16-packed"];
+
+    /// The word that records have.
+    pub fn word(self) -> &'static str {
+        Precision::WORDS[self as usize]
+    }
+}
+
+/// What a compiled function costs. Kinds of instructions are disjoint; hints and waits are of no
+/// kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counts {
+    /// Vector instructions that are neither transcendental nor moves of literals.
+    pub vector: i64,
+    /// Reciprocals, roots, exponentials, logarithms, sines and cosines.
+    pub transcendental: i64,
+    /// Scalar instructions, loads of uniforms and descriptors among them.
+    pub scalar: i64,
+    /// Loads, stores and samples by vector addresses.
+    pub memory: i64,
+    /// Moves of literals into registers, vector and scalar.
+    pub moves: i64,
+    /// Vector registers of the whole shader.
+    pub vgprs: i64,
+    /// Scalar registers of the whole shader.
+    pub sgprs: i64,
+    /// Waves of the whole shader that a SIMD unit holds at once.
+    pub waves: i64,
+    /// Registers spilled, vector and scalar.
+    pub spills: i64,
+    /// Bytes of code.
+    pub bytes: i64,
+    /// Cycles from the beginning of a wave to its end, as the compiler estimates them.
+    pub latency: i64,
+    /// Cycles between the ends of two waves, as the compiler estimates them.
+    pub inverse_throughput: i64,
+}
+
+impl Counts {
+    /// Counts that must not grow unnoticed: instructions by kind, vector registers, spills.
+    /// Estimates follow from them.
+    pub fn held(&self) -> [(&'static str, i64); 7] {
+        [
+            ("vector", self.vector),
+            ("transcendental", self.transcendental),
+            ("scalar", self.scalar),
+            ("memory", self.memory),
+            ("moves", self.moves),
+            ("vgprs", self.vgprs),
+            ("spills", self.spills),
+        ]
+    }
+
+    /// Those of a shader above those of the same shader without the function; registers, waves and
+    /// spills stay those of the whole.
+    pub fn above(&self, without: &Counts) -> Counts {
+        Counts {
+            vector: self.vector - without.vector,
+            transcendental: self.transcendental - without.transcendental,
+            scalar: self.scalar - without.scalar,
+            memory: self.memory - without.memory,
+            moves: self.moves - without.moves,
+            bytes: self.bytes - without.bytes,
+            latency: self.latency - without.latency,
+            inverse_throughput: self.inverse_throughput - without.inverse_throughput,
+            ..*self
+        }
+    }
+
+    /// Vector instructions in those of full rate: a transcendental one has a quarter of it.
+    pub fn issued(&self) -> i64 {
+        self.vector + 4 * self.transcendental
+    }
+}
+
+/// A count that is larger than in a record.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Grown {
+    /// The function.
+    pub function: String,
+    /// The family.
+    pub family: String,
+    /// The precision.
+    pub precision: Precision,
+    /// Which count.
+    pub count: String,
+    /// In the record.
+    pub was: i64,
+    /// Compiled now.
+    pub is: i64,
+}
+
+/// What comparing with a record found.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// Driver and version of the record.
+    pub recorded: String,
+    /// Driver and version on this machine; counts of another are not compared.
+    pub compiled: String,
+    /// Rows that were compared.
+    pub rows: usize,
+    /// Counts that grew.
+    pub grown: Vec<Grown>,
+}
+
+impl IsaRecord {
+    /// A record from its bytes.
+    ///
+    /// # Errors
+    /// Bytes that are no such record, or one of another version.
+    pub fn read(bytes: &[u8]) -> Result<IsaRecord, RecordError> {
+        let foreign = |e: serde_json::Error| RecordError::Counts { reason: e.to_string() };
+        let value: serde_json::Value = serde_json::from_slice(bytes).map_err(foreign)?;
+        let found = &value["schema_version"];
+        if *found != VERSION {
+            let reason = format!("schema_version {found}, this version reads {VERSION}");
+            return Err(RecordError::Counts { reason });
+        }
+        serde_json::from_value(value).map_err(foreign)
+    }
+
+    /// Its bytes: JSON, a row a line.
+    ///
+    /// # Errors
+    /// Data that cannot be written as JSON.
+    pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
+        let whole = serde_json::to_string_pretty(&IsaRecord { rows: Vec::new(), ..self.clone() })?;
+        let rows = self.rows.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
+        let rows = format!("\"rows\": [\n    {}\n  ]", rows.join(",\n    "));
+        Ok((whole.replacen("\"rows\": []", &rows, 1) + "\n").into_bytes())
+    }
+
+    /// Driver and version: `radv-22.3.6`, as the name of a record begins.
+    pub fn compiler(&self) -> String {
+        format!("{}-{}", self.driver, self.version)
+    }
+
+    /// Its families, in order of first mention.
+    pub fn families(&self) -> Vec<&str> {
+        let mut families: Vec<&str> = Vec::new();
+        for row in &self.rows {
+            if !families.contains(&row.family.as_str()) {
+                families.push(&row.family);
+            }
+        }
+        families
+    }
+
+    /// Rows of functions whose code is not that of an include file, or which it lacks: names of the
+    /// functions.
+    pub fn stale(&self, include: &Include) -> BTreeSet<&str> {
+        let other = |row: &&IsaRow| include.hash(&row.function).is_none_or(|hash| hash != row.source);
+        self.rows.iter().filter(other).map(|row| row.function.as_str()).collect()
+    }
+
+    /// What grew from this record to what is compiled now. Another compiler is not compared.
+    pub fn compare(&self, now: &IsaRecord) -> Comparison {
+        let (recorded, compiled) = (self.compiler(), now.compiler());
+        let key = |row: &IsaRow| (row.function.clone(), row.family.clone(), row.precision);
+        let all: BTreeMap<_, _> = now.rows.iter().map(|row| (key(row), row)).collect();
+        let same = recorded == compiled;
+        let pairs = self.rows.iter().filter_map(|was| Some((was, *all.get(&key(was))?)));
+        let pairs: Vec<_> = pairs.filter(|_| same).collect();
+        let grown = pairs.iter().flat_map(|(was, is)| {
+            let counts = was.counts.held().into_iter().zip(is.counts.held());
+            let grown = counts.filter(|((_, was), (_, is))| is > was);
+            grown.map(|((count, before), (_, after))| Grown {
+                function: was.function.clone(),
+                family: was.family.clone(),
+                precision: was.precision,
+                count: count.into(),
+                was: before,
+                is: after,
+            })
+        });
+        Comparison { recorded, compiled, rows: pairs.len(), grown: grown.collect() }
+    }
+}
+
+impl std::fmt::Display for Grown {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Grown { function, family, precision, count, was, is } = self;
+        write!(f, "{function} on {family} in {}: {count} {is}, recorded {was}", precision.word())
+    }
+}
+
+/// Operations by the model of the functions that a bake's manifest states them of; none where the
+/// files hold no manifest.
+pub fn operations(files: &Files) -> BTreeMap<String, u32> {
+    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
+    let Entries { tables, fits, mips, lookups, calls, .. } =
+        manifest.map(|manifest| manifest.entries).unwrap_or_default();
+    let of = calls.into_iter().map(|entry| (entry.function, entry.cost.ops));
+    let of = of.chain(mips.into_iter().map(|entry| (entry.function, entry.ops)));
+    let of = of.chain(tables.into_iter().map(|entry| (entry.function, entry.cost.ops)));
+    let of = of.chain(lookups.into_iter().map(|entry| (entry.function, entry.cost.ops)));
+    of.chain(fits.into_iter().map(|entry| (entry.function, entry.cost.ops))).collect()
+}
