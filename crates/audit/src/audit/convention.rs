@@ -18,16 +18,6 @@ pub struct Convention {
     pub columns: Vec<Option<Column>>,
 }
 
-impl Convention {
-    /// Whether two differ in clamps alone.
-    pub fn like(&self, other: &Convention) -> bool {
-        self.lobe == other.lobe
-            && self.columns == other.columns
-            && self.axes.len() == other.axes.len()
-            && self.axes.iter().zip(&other.axes).all(|(a, b)| a.like(b))
-    }
-}
-
 /// What the user says of a table: everything else is tried.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fixed {

@@ -69,11 +69,10 @@ fn of_feeds(
             places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
         };
         let columns: Vec<Vec<f32>> = feeds.iter().map(column).collect();
-        for (k, tape) in function.components.iter().enumerate() {
-            let values = tape.evaluate(&columns, &[]).map_err(|e| AuditError::Evaluate {
-                function: function.name.clone(),
-                reason: e.to_string(),
-            })?;
+        let results = function
+            .evaluate(&columns)
+            .map_err(|e| AuditError::Evaluate { function: function.name.clone(), reason: e.to_string() })?;
+        for (k, values) in results.into_iter().enumerate() {
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let component = component(function, k);
             let name = if blended { format!("{component} {words}") } else { component };
@@ -95,7 +94,7 @@ fn of_feeds(
 
 /// Name of a scalar of the result.
 fn component(function: &ShaderFunction, k: usize) -> String {
-    match (function.results.get(k).map_or("", String::as_str), function.components.len()) {
+    match (function.results[k].as_str(), function.results.len()) {
         ("", 1) => "result".to_string(),
         ("", _) => k.to_string(),
         (name, _) => name.to_string(),

@@ -266,7 +266,7 @@ const NAMED: usize = 4;
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
-    let functions = foreign::read_functions(bytes, &file, None, options.function.as_deref())?;
+    let functions = foreign::read_functions(bytes, &file, options.function.as_deref())?;
     if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
         let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
         let others = function.left_out.len() - names.len();

@@ -11,8 +11,6 @@ pub const CHANNELS: usize = 64;
 pub const EXPANSION: u64 = 4096;
 /// Deepest nesting of brackets in a text.
 pub const DEPTH: usize = 64;
-/// Most axes and channel indices of an array in a text.
-pub const DIMENSIONS: usize = 8;
 /// Fewest values of an array in a text that was not asked for by name: shorter ones are constants
 /// of the code around.
 pub const ARRAY_MIN: usize = 8;
@@ -24,7 +22,7 @@ pub const SIDE_MIN: usize = 8;
 pub const SHADER: usize = 1 << 20;
 /// Deepest expression of a shader source: operators and brackets on the way to a term.
 pub const NESTING: usize = 1024;
-/// Most operations of a shader function, calls and loops expanded.
-pub const OPERATIONS: usize = 1 << 15;
-/// Most statements and expressions walked, calls and loops expanded.
-pub const STEPS: usize = 1 << 20;
+/// Most scalars of a variable of a shader.
+pub const ENTRIES: usize = 1 << 15;
+/// Most statements and expressions of a shader function at one point, calls and loops expanded.
+pub const STEPS: usize = 1 << 17;

@@ -18,5 +18,5 @@ mod text;
 
 pub use error::{ForeignError, Spot};
 pub use recognise::read_table;
-pub use shader::{ShaderFunction, ShaderLanguage, read_functions};
+pub use shader::{ShaderFunction, read_functions};
 pub use table::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};

@@ -36,7 +36,7 @@ fn of(name: &str) -> &'static dyn Quantity {
 }
 
 fn run(name: &str) -> Audit {
-    let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
+    let function = read_functions(FITS.as_bytes(), "fits.wgsl", Some(name)).unwrap().remove(0);
     let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
     let found =
         audit(&shipped, quantity::find("ggx-reflection").unwrap(), &Fixed::default(), &|_| ()).unwrap();
@@ -110,7 +110,7 @@ fn an_index_of_refraction_runs_from_1_to_2() {
       return select(-1.0, r * r + (1.0 - r * r) * pow(1.0 - cos_theta, 5.0), ior > 1.0) + 0.0 * alpha;
     }
     fn bare(m: f32, a: f32, x: f32) -> f32 { return 0.2 * (x - 1.0) + 0.5 * m * (1.0 - a); }";
-    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
+    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", Some(name)).unwrap().remove(0);
     let shipped = sampled(&read("glass"), of("ggx-glass"), &[], &[]).unwrap();
     assert!(shipped.channels[0].values.iter().all(|v| *v > 0.0), "an index of 1 or less was asked for");
     let fixed = Fixed { column: Some(Column::R), ..Fixed::default() };
@@ -120,7 +120,7 @@ fn an_index_of_refraction_runs_from_1_to_2() {
     // Words of a name tell, not letters within one; and only where the quantity has an index.
     let named = |name: &str, of: &dyn Quantity| {
         let text = text.replace("x: f32", &format!("{name}: f32")).replace("(x -", &format!("({name} -"));
-        let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("bare")).unwrap().remove(0);
+        let function = read_functions(text.as_bytes(), "g.wgsl", Some("bare")).unwrap().remove(0);
         let set = if of.name() == "ggx-glass" { vec![] } else { vec![("a".to_string(), 1.0)] };
         let values = sampled(&function, of, &set, &[]).unwrap().channels.remove(0).values;
         values.iter().all(|v| *v > 0.0)
@@ -154,7 +154,7 @@ fn an_index_may_be_given_the_other_way_round() {
       let p = (mu - eta * c) / (mu + eta * c);
       return select(-1.0 - eta * mu, 0.5 * (s * s + p * p), eta <= 1.0) + 0.0 * alpha;
     }";
-    let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("fresnel")).unwrap().remove(0);
+    let function = read_functions(text.as_bytes(), "g.wgsl", Some("fresnel")).unwrap().remove(0);
     let glass = of("ggx-glass");
     let inverse = sampled_inverse(&function, glass, &[]).unwrap().expect("eta is an index");
     assert!(inverse.channels[0].values.iter().all(|v| *v >= 0.0), "eta is at most 1");
@@ -170,7 +170,7 @@ fn an_index_may_be_given_the_other_way_round() {
     assert!(best.verdict.contains("the argument eta given eta (eta = 1/ior)"), "{}", best.verdict);
     assert!(best.tried.iter().any(|t| t.convention.axes[0].scale == Scale::Ior) || best.margin.is_finite());
     // A quantity without an index has no such argument.
-    let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some("pesce")).unwrap().remove(0);
+    let function = read_functions(FITS.as_bytes(), "fits.wgsl", Some("pesce")).unwrap().remove(0);
     assert_eq!(sampled_inverse(&function, of("ggx-reflection"), &[]), Ok(None));
 }
 
@@ -181,7 +181,7 @@ fn roughness_with_its_alpha_and_directions_are_arguments() {
       fn view(n: vec3<f32>, v: vec3<f32>, alpha: f32) -> f32 {
         return 1.0 - 0.4 * alpha * dot(n, v) + 9.0 * (length(v) - 1.0) + v.y;
       }";
-    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
+    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", Some(name)).unwrap().remove(0);
     let both = sampled(&read("both"), of("ggx-reflection"), &[], &[]).unwrap();
     assert_eq!(both.axes, ["roughness (and alpha its square)", "mu"]);
     let at = |i: usize| (i as f64 + 0.5) / 128.0;
@@ -199,9 +199,8 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
         ("lobefit.wgsl", include_str!("../../../../fits/lobefit.wgsl")),
         ("lobefit.glsl", include_str!("../../../../fits/lobefit.glsl")),
     ] {
-        let function = read_functions(text.as_bytes(), language, None, Some("ggx_energy_compensation"))
-            .unwrap()
-            .remove(0);
+        let function =
+            read_functions(text.as_bytes(), language, Some("ggx_energy_compensation")).unwrap().remove(0);
         // GLSL's lookups take combined samplers, which the front end cannot read; WGSL has textures
         // and samplers apart.
         assert_eq!(function.left_out.is_empty(), language.ends_with("wgsl"), "{:?}", function.left_out);
@@ -234,7 +233,7 @@ fn what_is_no_fit_is_told() {
         "{}",
         found.verdict
     );
-    let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
+    let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", Some(name)).unwrap().remove(0);
     let quantity = quantity::find("ggx-reflection").unwrap();
     let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();
     let error = audit(&bad, quantity, &Fixed::default(), &|_| ()).unwrap_err();

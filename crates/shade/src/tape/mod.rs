@@ -1,7 +1,6 @@
 //! A formula as a flat list of operations in single-assignment form, common sub-expressions once:
 //! what is evaluated, differentiated, bounded and counted.
 
-mod assemble;
 mod build;
 mod contract;
 mod cost;
@@ -12,7 +11,6 @@ mod interval;
 mod interval_evaluate;
 mod real;
 
-pub use assemble::Assembler;
 pub use build::fold;
 pub use evaluate::{BLOCK, Workspace};
 pub use interval::Interval;

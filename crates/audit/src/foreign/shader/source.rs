@@ -9,7 +9,6 @@ use super::cut::Cut;
 use super::items::{items, plain_arguments};
 use crate::foreign::text::{called, nesting};
 use crate::foreign::{ForeignError, Spot, limits};
-use lobefit_shade::Place;
 
 /// A shader source.
 #[derive(Clone, Debug)]
@@ -30,7 +29,7 @@ const DROPPED: usize = 64;
 
 impl Source {
     /// Checks the bytes of a file.
-    pub fn new(bytes: &[u8], file: &str, language: Option<ShaderLanguage>) -> Result<Source, ForeignError> {
+    pub fn new(bytes: &[u8], file: &str) -> Result<Source, ForeignError> {
         let file = file.to_string();
         if bytes.is_empty() {
             return Err(ForeignError::Empty { file });
@@ -54,7 +53,7 @@ impl Source {
         if deepest > limits::NESTING {
             return Err(too_large("operators and brackets around a term", deepest, limits::NESTING));
         }
-        let language = language.unwrap_or_else(|| guess(&file, &text));
+        let language = guess(&file, &text);
         let prelude = if language == ShaderLanguage::Glsl { prelude(&text) } else { "" };
         Ok(Source { file, text, language, prelude })
     }
@@ -118,11 +117,6 @@ impl Source {
     /// Line and column of a span.
     pub fn spot(&self, span: Span) -> Spot {
         Spot::of(&self.text, span.to_range().map_or(0, |r| self.own(r.start)))
-    }
-
-    /// The place of a byte range.
-    pub fn place(&self, (start, end): (u32, u32)) -> Place {
-        Place::of(&self.file, &self.text, self.own(start as usize), self.own(end as usize))
     }
 
     fn malformed(&self, span: Option<Span>, message: String) -> ForeignError {
