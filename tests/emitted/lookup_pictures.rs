@@ -5,8 +5,7 @@ use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 use lobefit_shade::code::Language;
 use lobefit_studies::flip;
-use lobefit_studies::study::parallax::room::{Exact, Fan, Fetch, Tap, octagon};
-use lobefit_truth::optics::kernel::Kernel;
+use lobefit_studies::study::parallax::room::{Fetch, Patches, Tap, octagon};
 
 /// The floor of a room as fetches from its probe show it, in light that a screen has: by the
 /// emitted function, and by the study's lookup.
@@ -26,8 +25,7 @@ fn pictures_by_emitted_lookups_are_those_of_the_study() {
         shown.then_some((place, ray))
     };
     let seen: Vec<Option<(Vec3, Vec3)>> = (0..SIDE * SIDE).map(point).collect();
-    let fan = Fan::new(&Kernel::HalfCosine, 257, 1);
-    let exact = Exact { room: &room, fan: &fan };
+    let exact = Patches::new(&room);
     let rust = text(Language::Rust);
     for (name, taps) in [
         ("parallax_lookup_planes_11_smooth_1", 1_usize),

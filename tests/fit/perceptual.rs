@@ -43,7 +43,7 @@ fn the_weight_is_the_mean_square_of_flips_colour_difference() {
     let grey = |y: f64| Image::of(8, 8, |_, _| [y; 3]);
     let seen = |y: f64| {
         let map = flip::ldr(&grey(y), &grey(y * (1.0 - 1e-4)), flip::PIXELS_PER_DEGREE).expect("a map");
-        lobefit_math::ops::pow(map.mean(), 2.0 / 0.7)
+        lobefit_math::ops::pow(lobefit_math::sum::mean(&map.values), 2.0 / 0.7)
     };
     let weight = Perceptual::new();
     for mu in [0.125, 0.5, 0.875] {

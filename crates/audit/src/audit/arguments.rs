@@ -78,11 +78,11 @@ pub(super) fn feeds(
     axes.sort_by_key(|a| a.0);
     if axes.len() != inputs || !(1..=3).contains(&inputs) {
         let names: Vec<&str> = axes.iter().map(|(_, name)| name.as_str()).collect();
-        return Err(AuditError::Arguments {
-            function: function.name.clone(),
-            names: names.join(", "),
-            inputs,
-        });
+        let names = names.join(", ");
+        let reason = format!(
+            "the arguments {names} are left for {inputs} inputs; give --set NAME=VALUE to those that are none"
+        );
+        return Err(AuditError::refused(&function.name, reason));
     }
     for (axis, (i, name)) in axes.iter_mut().enumerate() {
         let named = (role(name) == Some(Input::Ior)).then_some(if inverse { Scale::Eta } else { Scale::Ior });

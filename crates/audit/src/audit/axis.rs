@@ -31,24 +31,10 @@ impl Input {
         }
     }
 
-    /// The coordinates that tables use for it.
-    pub fn scales(self) -> &'static [Scale] {
-        match self {
-            Input::Alpha => &[Scale::Roughness, Scale::Alpha, Scale::RoughnessFourth, Scale::AlphaSquared],
-            Input::Mu => &[Scale::Mu, Scale::RootMu, Scale::Theta, Scale::RootOfOneMinusMu, Scale::MuSquared],
-            Input::Ior => &[
-                Scale::IorUnit,
-                Scale::IorOneAndHalf,
-                Scale::IorTwo,
-                Scale::F0,
-                Scale::RootF0,
-                Scale::FourthRootF0,
-                Scale::IorInverse,
-                Scale::IorInverseTwo,
-            ],
-            Input::Anisotropy => &[Scale::Anisotropy, Scale::AnisotropySquared, Scale::Aspect],
-            Input::Azimuth => &[],
-        }
+    /// The coordinates that tables use for it: no axis of a table runs over an index itself, nor over
+    /// its inverse from 1/2.
+    pub fn scales(self) -> impl Iterator<Item = Scale> {
+        SCALES.into_iter().filter(move |s| s.input() == self && !matches!(s, Scale::Ior | Scale::Eta))
     }
 }
 
@@ -102,10 +88,10 @@ pub enum Scale {
     Aspect,
 }
 
-/// Every scale, for options.
+/// Every scale; of those of an input the usual ones first.
 pub const SCALES: [Scale; 22] = [
-    Scale::Alpha,
     Scale::Roughness,
+    Scale::Alpha,
     Scale::RoughnessFourth,
     Scale::AlphaSquared,
     Scale::Mu,
@@ -129,44 +115,52 @@ pub const SCALES: [Scale; 22] = [
 ];
 
 impl Scale {
+    /// The input that it is a coordinate of, the word in options and verdicts, the input at a
+    /// coordinate in [0, 1].
+    fn facts(self) -> (Input, &'static str, fn(f64) -> f64) {
+        use Input::{Alpha, Anisotropy, Ior, Mu};
+        match self {
+            Scale::Alpha => (Alpha, "alpha", |x| x),
+            Scale::Roughness => (Alpha, "roughness", |x| x * x),
+            Scale::RoughnessFourth => (Alpha, "alpha^(1/4)", |x| x * x * x * x),
+            Scale::AlphaSquared => (Alpha, "alpha^2", f64::sqrt),
+            Scale::Mu => (Mu, "mu", |x| x),
+            Scale::RootMu => (Mu, "sqrt(mu)", |x| x * x),
+            // cos(pi/2) is 6e-17 in f64, the grazing view.
+            Scale::Theta => {
+                (Mu, "theta", |x| if x == 1.0 { 0.0 } else { ops::cos(0.5 * std::f64::consts::PI * x) })
+            }
+            Scale::RootOfOneMinusMu => (Mu, "sqrt(1-mu)", |x| (1.0 - x) * (1.0 + x)),
+            Scale::MuSquared => (Mu, "mu^2", f64::sqrt),
+            Scale::Ior => (Ior, "ior", |x| 1.0 + x),
+            Scale::Eta => (Ior, "eta", |x| 2.0 / (1.0 + x)),
+            Scale::IorUnit => (Ior, "ior-1", |x| 1.0 + x),
+            Scale::IorOneAndHalf => (Ior, "(ior-1)/1.5", |x| 1.0 + 1.5 * x),
+            Scale::IorTwo => (Ior, "(ior-1)/2", |x| 1.0 + 2.0 * x),
+            Scale::F0 => (Ior, "F0", |x| ior_of(x.sqrt())),
+            Scale::RootF0 => (Ior, "sqrt(F0)", ior_of),
+            Scale::FourthRootF0 => (Ior, "F0^(1/4)", |x| ior_of(x * x)),
+            Scale::IorInverse => (Ior, "1/ior", |x| 1.0 / x),
+            Scale::IorInverseTwo => (Ior, "2/ior-1", |x| 2.0 / (1.0 + x)),
+            Scale::Anisotropy => (Anisotropy, "anisotropy", |x| x),
+            Scale::AnisotropySquared => (Anisotropy, "anisotropy^2", f64::sqrt),
+            Scale::Aspect => (Anisotropy, "aspect", |x| ((1.0 - x * x) / 0.9).clamp(0.0, 1.0)),
+        }
+    }
+
     /// The input that it is a coordinate of.
     pub fn input(self) -> Input {
-        match self {
-            Scale::Alpha | Scale::Roughness | Scale::RoughnessFourth | Scale::AlphaSquared => Input::Alpha,
-            Scale::Mu | Scale::RootMu | Scale::Theta | Scale::RootOfOneMinusMu | Scale::MuSquared => {
-                Input::Mu
-            }
-            Scale::Anisotropy | Scale::AnisotropySquared | Scale::Aspect => Input::Anisotropy,
-            _ => Input::Ior,
-        }
+        self.facts().0
     }
 
     /// The word in options and verdicts.
     pub fn name(self) -> &'static str {
-        match self {
-            Scale::Alpha => "alpha",
-            Scale::Roughness => "roughness",
-            Scale::RoughnessFourth => "alpha^(1/4)",
-            Scale::AlphaSquared => "alpha^2",
-            Scale::Mu => "mu",
-            Scale::RootMu => "sqrt(mu)",
-            Scale::Theta => "theta",
-            Scale::RootOfOneMinusMu => "sqrt(1-mu)",
-            Scale::MuSquared => "mu^2",
-            Scale::Ior => "ior",
-            Scale::Eta => "eta",
-            Scale::IorUnit => "ior-1",
-            Scale::IorOneAndHalf => "(ior-1)/1.5",
-            Scale::IorTwo => "(ior-1)/2",
-            Scale::F0 => "F0",
-            Scale::RootF0 => "sqrt(F0)",
-            Scale::FourthRootF0 => "F0^(1/4)",
-            Scale::IorInverse => "1/ior",
-            Scale::IorInverseTwo => "2/ior-1",
-            Scale::Anisotropy => "anisotropy",
-            Scale::AnisotropySquared => "anisotropy^2",
-            Scale::Aspect => "aspect",
-        }
+        self.facts().1
+    }
+
+    /// The input at a coordinate in [0, 1].
+    pub fn input_at(self, x: f64) -> f64 {
+        self.facts().2(x)
     }
 
     /// What the name leaves open; may be empty.
@@ -178,29 +172,6 @@ impl Scale {
             Scale::Eta => "eta = 1/ior",
             Scale::Aspect => "aspect = sqrt(1 - 0.9 anisotropy)",
             _ => "",
-        }
-    }
-
-    /// The input at a coordinate in [0, 1].
-    pub fn input_at(self, x: f64) -> f64 {
-        match self {
-            Scale::Alpha | Scale::Mu | Scale::Anisotropy => x,
-            Scale::Roughness | Scale::RootMu => x * x,
-            Scale::RoughnessFourth => x * x * x * x,
-            Scale::AlphaSquared | Scale::MuSquared | Scale::AnisotropySquared => x.sqrt(),
-            // cos(pi/2) is 6e-17 in f64, the grazing view.
-            Scale::Theta if x == 1.0 => 0.0,
-            Scale::Theta => ops::cos(0.5 * std::f64::consts::PI * x),
-            Scale::RootOfOneMinusMu => (1.0 - x) * (1.0 + x),
-            Scale::Ior | Scale::IorUnit => 1.0 + x,
-            Scale::IorOneAndHalf => 1.0 + 1.5 * x,
-            Scale::IorTwo => 1.0 + 2.0 * x,
-            Scale::F0 => ior_of(x.sqrt()),
-            Scale::RootF0 => ior_of(x),
-            Scale::FourthRootF0 => ior_of(x * x),
-            Scale::IorInverse => 1.0 / x,
-            Scale::Eta | Scale::IorInverseTwo => 2.0 / (1.0 + x),
-            Scale::Aspect => ((1.0 - x * x) / 0.9).clamp(0.0, 1.0),
         }
     }
 }
@@ -244,73 +215,57 @@ pub const REGISTRATIONS: [Registration; 8] = [
 ];
 
 impl Registration {
+    /// a and b of (i + a)/(n - b), the word in options, and that in words and as a formula.
+    fn facts(self) -> ([f64; 2], &'static str, &'static str) {
+        match self {
+            Registration::Centre => ([0.5, 0.0], "centre", "texel centres, (i + 1/2)/n"),
+            Registration::Endpoint => ([0.0, 1.0], "endpoint", "end points, i/(n - 1)"),
+            Registration::Left => ([0.0, 0.0], "left", "left edges, i/n"),
+            Registration::Right => ([1.0, 0.0], "right", "right edges, (i + 1)/n"),
+            Registration::OneHigh => ([1.5, 0.0], "one-high", "one texel above the centres, (i + 3/2)/n"),
+            Registration::OneLow => ([-0.5, 0.0], "one-low", "one texel below the centres, (i - 1/2)/n"),
+            Registration::EndHigh => {
+                ([1.0, 1.0], "end-high", "one texel above the end points, (i + 1)/(n - 1)")
+            }
+            Registration::EndLow => {
+                ([-1.0, 1.0], "end-low", "one texel below the end points, (i - 1)/(n - 1)")
+            }
+        }
+    }
+
     /// The word in options.
     pub fn name(self) -> &'static str {
-        match self {
-            Registration::Centre => "centre",
-            Registration::Endpoint => "endpoint",
-            Registration::Left => "left",
-            Registration::Right => "right",
-            Registration::OneHigh => "one-high",
-            Registration::OneLow => "one-low",
-            Registration::EndHigh => "end-high",
-            Registration::EndLow => "end-low",
-        }
+        self.facts().1
+    }
+
+    /// In words and as a formula.
+    pub fn words(self) -> &'static str {
+        self.facts().2
     }
 
     /// The registration that a reader assumes without documentation: centres, or end points where
     /// the texels lie about end points.
     pub fn plain(self) -> Registration {
-        match self {
-            Registration::Endpoint | Registration::EndHigh | Registration::EndLow => Registration::Endpoint,
-            _ => Registration::Centre,
-        }
+        if self.facts().0[1] == 1.0 { Registration::Endpoint } else { Registration::Centre }
     }
 
-    /// In words and as a formula.
-    pub fn words(self) -> &'static str {
-        match self {
-            Registration::Centre => "texel centres, (i + 1/2)/n",
-            Registration::Endpoint => "end points, i/(n - 1)",
-            Registration::Left => "left edges, i/n",
-            Registration::Right => "right edges, (i + 1)/n",
-            Registration::OneHigh => "one texel above the centres, (i + 3/2)/n",
-            Registration::OneLow => "one texel below the centres, (i - 1/2)/n",
-            Registration::EndHigh => "one texel above the end points, (i + 1)/(n - 1)",
-            Registration::EndLow => "one texel below the end points, (i - 1)/(n - 1)",
-        }
+    /// The registration of the same texels counted from the other end.
+    pub fn mirrored(self) -> Registration {
+        let [shift, ends] = self.facts().0;
+        let other = [1.0 - ends - shift, ends];
+        REGISTRATIONS.into_iter().find(|r| r.facts().0 == other).unwrap_or(self)
     }
 
-    /// Coordinate of texel i of n, in [0, 1].
+    /// Coordinate of texel i of n, clamped to [0, 1].
     pub fn coordinate(self, i: usize, n: usize) -> f64 {
-        let (i, n) = (i as f64, n as f64);
-        match self {
-            Registration::Centre => (i + 0.5) / n,
-            Registration::Endpoint | Registration::EndHigh | Registration::EndLow if n < 2.0 => 0.0,
-            Registration::Endpoint => i / (n - 1.0),
-            Registration::EndHigh => ((i + 1.0) / (n - 1.0)).min(1.0),
-            Registration::EndLow => ((i - 1.0) / (n - 1.0)).max(0.0),
-            Registration::Left => i / n,
-            Registration::Right => (i + 1.0) / n,
-            Registration::OneHigh => ((i + 1.5) / n).min(1.0),
-            Registration::OneLow => ((i - 0.5) / n).max(0.0),
-        }
+        let [shift, ends] = self.facts().0;
+        ((i as f64 + shift) / (n as f64 - ends).max(1.0)).clamp(0.0, 1.0)
     }
 
     /// Position in texels of a coordinate, clamped to the table's edge.
     pub fn position(self, x: f64, n: usize) -> f64 {
-        let n = n as f64;
-        let p = match self {
-            Registration::Centre => x * n - 0.5,
-            Registration::Endpoint => x * (n - 1.0),
-            Registration::Left => x * n,
-            Registration::Right => x * n - 1.0,
-            Registration::OneHigh => x * n - 1.5,
-            Registration::OneLow => x * n + 0.5,
-            Registration::EndHigh => x * (n - 1.0) - 1.0,
-            Registration::EndLow => x * (n - 1.0) + 1.0,
-        };
-        p.clamp(0.0, n - 1.0)
+        let ([shift, ends], n) = (self.facts().0, n as f64);
+        (x * (n - ends) - shift).clamp(0.0, n - 1.0)
     }
 }
 
@@ -365,18 +320,16 @@ mod tests {
             for i in 1..7 {
                 let back = registration.position(registration.coordinate(i, 9), 9);
                 assert!((back - i as f64).abs() < 1e-12, "{registration:?} {i}: {back}");
+                let mirrored = 1.0 - registration.mirrored().coordinate(8 - i, 9);
+                assert!((mirrored - registration.coordinate(i, 9)).abs() < 1e-15, "{registration:?} {i}");
             }
         }
     }
 
     #[test]
-    fn scales_cover_their_inputs() {
+    fn scales_lead_to_their_inputs() {
         for scale in SCALES {
-            // No axis of a table runs over an index itself, nor over its inverse from 1/2.
-            assert!(
-                matches!(scale, Scale::Ior | Scale::Eta) || scale.input().scales().contains(&scale),
-                "{scale:?}"
-            );
+            assert!((0.0..=1.0).contains(&scale.input_at(0.4)) || scale.input() == Input::Ior, "{scale:?}");
         }
         assert!((Scale::FourthRootF0.input_at(0.04_f64.sqrt().sqrt()) - 1.5).abs() < 1e-12);
         assert_eq!(Scale::Theta.input_at(1.0), 0.0);

@@ -69,53 +69,48 @@ pub const GLASS: [Column; 6] =
 pub const AVERAGE: [Column; 5] =
     [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
 
+/// What a column of one f0 is.
+const FIXED: &str = "F0 A + B at that F0, fixed";
+
 impl Column {
     /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
     pub fn of(quantity: &dyn Quantity) -> &'static [Column] {
         spec(quantity).map_or(&[], |spec| spec.columns)
     }
 
+    /// The word in options, verdicts and files, and what it is.
+    fn told(self) -> (&'static str, &'static str) {
+        match self {
+            Column::E | Column::RT => ("E", "the albedo"),
+            Column::A => ("A", "scale of F0"),
+            Column::B => ("B", "bias of F0"),
+            Column::Loss | Column::LossRT => ("1-E", "the loss"),
+            Column::Inverse | Column::InverseRT => ("1/E", "a normalisation"),
+            Column::Excess => ("1/E-1", "the share that a compensation adds"),
+            Column::Share => ("B/E", "a ratio"),
+            Column::At(2) => ("F0=0.02", FIXED),
+            Column::At(4) => ("F0=0.04", FIXED),
+            Column::At(_) => ("F0=0.08", FIXED),
+            Column::R => ("R", "reflected"),
+            Column::T => ("T", "transmitted"),
+            Column::ShareR => ("R/E", "a ratio"),
+            Column::Average => ("E_avg", "the cosine-weighted average"),
+            Column::AverageLoss => ("1-E_avg", "the loss"),
+            Column::AverageInverse => ("1/E_avg", "a normalisation"),
+            Column::Normal => ("E(mu=1)", "E at normal incidence, no average"),
+            Column::NormalLoss => ("1-E(mu=1)", "the loss"),
+        }
+    }
+
     /// The word in options, verdicts and files.
     pub fn name(self) -> &'static str {
-        match self {
-            Column::E | Column::RT => "E",
-            Column::A => "A",
-            Column::B => "B",
-            Column::Loss | Column::LossRT => "1-E",
-            Column::Inverse | Column::InverseRT => "1/E",
-            Column::Excess => "1/E-1",
-            Column::Share => "B/E",
-            Column::At(2) => "F0=0.02",
-            Column::At(4) => "F0=0.04",
-            Column::At(_) => "F0=0.08",
-            Column::R => "R",
-            Column::T => "T",
-            Column::ShareR => "R/E",
-            Column::Average => "E_avg",
-            Column::AverageLoss => "1-E_avg",
-            Column::AverageInverse => "1/E_avg",
-            Column::Normal => "E(mu=1)",
-            Column::NormalLoss => "1-E(mu=1)",
-        }
+        self.told().0
     }
 
     /// For readers: the name with what it is.
     pub fn words(self) -> String {
-        let what = match self {
-            Column::E | Column::RT => "the albedo",
-            Column::A => "scale of F0",
-            Column::B => "bias of F0",
-            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss => "the loss",
-            Column::Inverse | Column::InverseRT | Column::AverageInverse => "a normalisation",
-            Column::Excess => "the share that a compensation adds",
-            Column::Share | Column::ShareR => "a ratio",
-            Column::At(_) => "F0 A + B at that F0, fixed",
-            Column::R => "reflected",
-            Column::T => "transmitted",
-            Column::Average => "the cosine-weighted average",
-            Column::Normal => "E at normal incidence, no average",
-        };
-        format!("{} ({what})", self.name())
+        let (name, what) = self.told();
+        format!("{name} ({what})")
     }
 
     /// Its value from the two base values.

@@ -100,7 +100,7 @@ impl Fixed {
                 given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect()
             }
             (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten(), self.inverse),
-            (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+            (None, None) => input.scales().flat_map(|s| [(s, false), (s, true)]).collect(),
         };
         let registrations: Vec<Registration> = match &self.registrations {
             Some(given) if given.len() == 1 => given.clone(),
@@ -134,7 +134,7 @@ fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, boo
         (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
         (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
         (Input::Ior, Some(_)) => vec![(if inverse { Scale::Eta } else { Scale::Ior }, false)],
-        _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+        _ => input.scales().flat_map(|s| [(s, false), (s, true)]).collect(),
     }
 }
 

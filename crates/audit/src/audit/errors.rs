@@ -1,6 +1,8 @@
 //! The error of a channel at its texels under one reading, and what it tells of how the table was
 //! made.
 
+use serde::Serialize;
+
 use super::column::Column;
 use super::judge::Judgement;
 use super::sample::Sample;
@@ -8,7 +10,7 @@ use super::table::place;
 use lobefit::data::Place;
 
 /// Error figures with the worst texel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TexelErrors {
     /// Largest magnitude.
     pub max: f64,
@@ -18,7 +20,7 @@ pub struct TexelErrors {
     pub mean: f64,
     /// Median magnitude.
     pub median: f64,
-    /// Texel of the largest, by axis.
+    /// Texel of the largest, by axis; nothing of lookups.
     pub texel: Vec<usize>,
     /// Its inputs.
     pub at: Place,
@@ -26,10 +28,13 @@ pub struct TexelErrors {
     pub value: f64,
     /// What is true there.
     pub truth: f64,
-    /// Texels judged, and texels in all.
-    pub texels: [usize; 2],
+    /// Texels judged.
+    pub judged: usize,
+    /// Texels in all.
+    pub all: usize,
     /// Texels that were not looked at, of a table of three axes with more than
     /// [`super::JUDGED_TEXELS`].
+    #[serde(skip)]
     pub unsampled: usize,
 }
 
@@ -99,7 +104,8 @@ impl<'a> Residuals<'a> {
             texel,
             value: self.values[worst],
             truth: self.truth(worst),
-            texels: [self.judged.len(), self.sample.size.iter().product()],
+            judged: self.judged.len(),
+            all: self.sample.size.iter().product(),
             unsampled: self.sample.size.iter().product::<usize>() - self.values.len(),
         }
     }

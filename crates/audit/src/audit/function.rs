@@ -69,9 +69,8 @@ fn of_feeds(
             places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
         };
         let columns: Vec<Vec<f32>> = feeds.iter().map(column).collect();
-        let results = function
-            .evaluate(&columns)
-            .map_err(|e| AuditError::Evaluate { function: function.name.clone(), reason: e.to_string() })?;
+        let results = function.evaluate(&columns);
+        let results = results.map_err(|e| AuditError::refused(&function.name, e.to_string()))?;
         for (k, values) in results.into_iter().enumerate() {
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let component = component(function, k);

@@ -2,6 +2,7 @@
 //! and with that of a texture unit.
 
 use rayon::prelude::*;
+use serde::Serialize;
 
 use super::AuditError;
 use super::axis::Registration;
@@ -15,18 +16,18 @@ use lobefit::data::Place;
 const PLACES: [usize; 3] = [1024, 160, 24];
 
 /// Error of a lookup of one channel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LookupErrors {
     /// Largest magnitude over the domain.
     pub max: f64,
-    /// Where.
-    pub at: Place,
     /// Root mean square over evenly spaced coordinates.
     pub rms: f64,
     /// Signed mean.
     pub mean: f64,
     /// Largest magnitude between the outermost texels, where nothing is extrapolated.
     pub inner: f64,
+    /// Where the largest is.
+    pub at: Place,
 }
 
 /// The points of all lookups: coordinates in the table's axes, with the truth.

@@ -174,14 +174,11 @@ fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
         (3, 2) => "give --layer to choose a slice",
         _ => "give --size WxHxD as the table is laid out",
     };
-    Err(AuditError::Axes {
-        what: table.what.clone(),
-        size: table.size.clone(),
-        quantity: truth.quantity(),
-        inputs,
-        names: truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", "),
-        advice,
-    })
+    let names = truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", ");
+    let (size, quantity) = (&table.size, truth.quantity());
+    let reason =
+        format!("a table of {size:?} texels, but {quantity} has {inputs} inputs ({names}); {advice}");
+    Err(AuditError::refused(&table.what, reason))
 }
 
 /// The conventions with that first which tells the two parts of a table apart, if it is of two;
@@ -246,11 +243,9 @@ fn candidates(
         }
     }
     if distinct.is_empty() {
-        return Err(AuditError::OutOfDomain {
-            what: table.what.clone(),
-            quantity: truth.quantity().into(),
-            reading: "any convention that was tried".into(),
-        });
+        let reason =
+            format!("no texel lies in the domain of {} under any convention tried", truth.quantity());
+        return Err(AuditError::refused(&table.what, reason));
     }
     Ok((distinct, sieved))
 }

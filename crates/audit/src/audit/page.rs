@@ -3,10 +3,10 @@
 use super::axis::{AxisReading, Input, Registration};
 use super::table::{Source, flat, place};
 use super::verdict::{number, sentence};
-use super::{Audit, ChannelAudit, Convention, Defect, Fit, LookupErrors, Tried};
+use super::{Audit, ChannelAudit, Convention, Defect, Fit, Tried};
 use crate::report::{
-    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
+    AuditHeld, AuditPlain,
 };
 use lobefit::report::{Field, Origin, Ruler};
 
@@ -95,25 +95,14 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
         name: c.name.clone(),
         holds: column.words(),
         fits: word(c.fit).into(),
-        texels: AuditErrors {
-            max: e.max,
-            rms: e.rms,
-            mean: e.mean,
-            median: e.median,
-            texel: e.texel.clone(),
-            at: e.at.clone(),
-            value: e.value,
-            truth: e.truth,
-            judged: e.texels[0],
-            all: e.texels[1],
-        },
+        texels: e.clone(),
         defects: c
             .defects
             .iter()
             .map(|d| AuditDefect { kind: kind(d).into(), text: sentence(d, &audit.axes) })
             .collect(),
-        lookup: c.lookup.as_ref().map(lookup),
-        plain_lookup: c.plain_lookup.as_ref().map(lookup),
+        lookup: c.lookup.clone(),
+        plain_lookup: c.plain_lookup.clone(),
         maps: maps(audit, c),
         curves: curves(audit, c),
     })
@@ -129,10 +118,6 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::MissingLoss { .. } => "missing-loss",
         Defect::OtherLobe(_) => "other-lobe",
     }
-}
-
-fn lookup(l: &LookupErrors) -> AuditLookup {
-    AuditLookup { max: l.max, rms: l.rms, mean: l.mean, inner: l.inner, at: l.at.clone() }
 }
 
 /// Error maps over columns and rows, of some slices; none of a table of one axis.

@@ -69,21 +69,16 @@ impl AuditedTable {
     pub(super) fn checked(&self) -> Result<AuditedTable, AuditError> {
         let expected = self.size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).unwrap_or(usize::MAX);
         if expected > MOST_TEXELS {
-            return Err(AuditError::TooLarge {
-                what: self.what.clone(),
-                texels: expected,
-                most: MOST_TEXELS,
-            });
+            let reason = format!("{expected} texels; an audit takes at most {MOST_TEXELS}");
+            return Err(AuditError::refused(&self.what, reason));
         }
         for channel in &self.channels {
             if channel.values.len() != expected || expected == 0 {
-                return Err(AuditError::Shape {
-                    what: self.what.clone(),
-                    channel: channel.name.clone(),
-                    size: self.size.clone(),
-                    found: channel.values.len(),
-                    expected,
-                });
+                let (name, found, size) = (&channel.name, channel.values.len(), &self.size);
+                let reason = format!(
+                    "channel `{name}` has {found} values, size {size:?} calls for {expected}; give --size and --channels"
+                );
+                return Err(AuditError::refused(&self.what, reason));
             }
             if let Some(i) = channel.values.iter().position(|v| !v.is_finite()) {
                 return Err(self.not_finite(channel, i));
@@ -91,7 +86,11 @@ impl AuditedTable {
         }
         let size: Vec<usize> = self.size.iter().copied().filter(|n| *n > 1).collect();
         if size.is_empty() || size.iter().any(|n| *n < 4) {
-            return Err(AuditError::TooSmall { what: self.what.clone(), size: self.size.clone() });
+            let reason = format!(
+                "{:?} texels are too few to tell how the table is meant; 4 along every axis are called for",
+                self.size
+            );
+            return Err(AuditError::refused(&self.what, reason));
         }
         let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
         let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
@@ -101,21 +100,19 @@ impl AuditedTable {
     /// The error of a value that is no number: of a function by the arguments, of a table by the
     /// texel.
     fn not_finite(&self, channel: &AuditedChannel, i: usize) -> AuditError {
-        let (texel, value) = (place(i, &self.size), channel.values[i]);
+        let (name, texel, value) = (&channel.name, place(i, &self.size), channel.values[i]);
         if self.source != Source::Function {
-            return AuditError::NotFinite {
-                what: self.what.clone(),
-                channel: channel.name.clone(),
-                texel,
-                value,
-            };
+            let reason =
+                format!("channel `{name}`, texel {texel:?}: {value} is not a finite number; mend the file");
+            return AuditError::refused(&self.what, reason);
         }
         let part = |(axis, (at, n)): (&String, (&usize, &usize))| {
             format!("{axis} {} of the way through its range", (*at as f64 + 0.5) / *n as f64)
         };
         let at: Vec<String> = self.axes.iter().zip(texel.iter().zip(&self.size)).map(part).collect();
-        let (function, component) = (self.what.clone(), channel.name.clone());
-        AuditError::Undefined { function, component, value, at: at.join(", ") }
+        let at = at.join(", ");
+        let reason = format!("its {name} is {value}, not a finite number, at {at}; mend the function");
+        AuditError::refused(&self.what, reason)
     }
 
     /// Channels that vary, by their place; all of them where a meaning is `given` for each.
@@ -127,7 +124,8 @@ impl AuditedTable {
         let live: Vec<usize> = (0..self.channels.len()).filter(|i| varies(&self.channels[*i])).collect();
         if live.is_empty() {
             let value = self.channels.first().map_or(0.0, |c| c.values[0]);
-            return Err(AuditError::Constant { what: self.what.clone(), value });
+            let reason = format!("every channel is constant ({value}); there is nothing to measure");
+            return Err(AuditError::refused(&self.what, reason));
         }
         Ok(live)
     }

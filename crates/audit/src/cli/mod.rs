@@ -142,9 +142,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         audited =
             AuditedTable { size: said.size.clone(), axes: AuditedTable::axes_of(said.size.len()), ..audited };
     }
-    // A file whose form or registration is known to be another than it says is reported in these
-    // words, and not as a table of which nothing is known.
-    if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
+    if let Some(said) = said.as_ref().filter(|said| said.holds()) {
         drop(progress);
         let found = audit::declared_findings(
             said,

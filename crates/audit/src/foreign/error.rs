@@ -1,35 +1,21 @@
 //! What can be wrong with somebody else's file.
 
-use std::fmt;
+use std::fmt::{self, Display};
 
 use lobefit::cli::{CliError, PackageError};
 
 /// A place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spot {
+pub(super) enum Spot {
     /// Offset from the start, bytes.
     Byte(u64),
     /// Line and column of a text, both from 1; columns count characters.
-    Line {
-        /// Line, from 1.
-        line: usize,
-        /// Column, from 1.
-        column: usize,
-    },
-}
-
-/// How many more there are, as the sentence goes on.
-fn others(count: usize) -> String {
-    match count {
-        0 => ", the only one".into(),
-        1 => ", nor is 1 other".into(),
-        n => format!(", nor are {n} others"),
-    }
+    Line { line: usize, column: usize },
 }
 
 impl Spot {
     /// The place of byte `at` of a text.
-    pub(super) fn of(text: &str, at: usize) -> Spot {
+    pub fn of(text: &str, at: usize) -> Spot {
         let mut at = at.min(text.len());
         while !text.is_char_boundary(at) {
             at -= 1;
@@ -40,7 +26,7 @@ impl Spot {
     }
 }
 
-impl fmt::Display for Spot {
+impl Display for Spot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Spot::Byte(offset) => write!(f, "byte {offset}"),
@@ -51,163 +37,77 @@ impl fmt::Display for Spot {
 
 /// A file that cannot be read as a table or as shader functions.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ForeignError {
-    /// The file has no bytes.
-    #[error("{file}: the file is empty")]
-    Empty {
-        /// File as the caller named it.
-        file: String,
-    },
-    /// Neither the first bytes nor the name tell what the file is.
-    #[error("{file}: {message}")]
-    Unknown {
-        /// File as the caller named it.
-        file: String,
-        /// What was looked for, and what to do.
-        message: String,
-    },
-    /// More than a limit allows; nothing was allocated for it.
-    #[error("{file}: {what}: {found}, the limit is {limit}")]
-    TooLarge {
-        /// File as the caller named it.
-        file: String,
-        /// What is too large.
-        what: String,
-        /// Size found or claimed.
-        found: u128,
-        /// Largest size allowed.
-        limit: u128,
-    },
-    /// The file ends before what it announces.
-    #[error("{file}: {at}: {what} would take {needed} bytes, {found} are left: the file is cut short")]
-    Truncated {
-        /// File as the caller named it.
-        file: String,
-        /// Where the missing part begins.
-        at: Spot,
-        /// What is missing.
-        what: String,
-        /// Bytes that it takes.
-        needed: u64,
-        /// Bytes that there are.
-        found: u64,
-    },
-    /// The file contradicts its format.
-    #[error("{file}: {at}: {message}")]
-    Malformed {
-        /// File as the caller named it.
-        file: String,
-        /// Where.
-        at: Spot,
-        /// What is wrong.
-        message: String,
-    },
-    /// A kind of file that is known and not read.
-    #[error("{file}: {at}: {what} is not read: {advice}")]
-    Unsupported {
-        /// File as the caller named it.
-        file: String,
-        /// Where the file says so.
-        at: Spot,
-        /// The kind.
-        what: String,
-        /// What to do.
-        advice: String,
-    },
-    /// The size that the caller states does not fit the file.
-    #[error("{file}{}: {found} values, which {message}", of(name))]
-    Size {
-        /// File as the caller named it.
-        file: String,
-        /// Name of the array, if it has one.
-        name: String,
-        /// Values found.
-        found: usize,
-        /// What was expected, and what to change.
-        message: String,
-    },
-    /// The size is not stated and cannot be told.
-    #[error("{file}{}: {found} values may be {}: state the size (x first) or the number of channels", of(name), readings.join(" or "))]
-    Ambiguous {
-        /// File as the caller named it.
-        file: String,
-        /// Name of the array, if it has one.
-        name: String,
-        /// Values found.
-        found: usize,
-        /// The sizes that fit.
-        readings: Vec<String>,
-    },
-    /// Integers in a text whose meaning is not stated and cannot be told.
-    #[error("{file}: {at}: {name}: {message}: state the format, one of f16, f32, unorm8, unorm16")]
-    Encoding {
-        /// File as the caller named it.
-        file: String,
-        /// Where the array begins.
-        at: Spot,
-        /// Name of the array, or `the list`.
-        name: String,
-        /// What they look like.
-        message: String,
-    },
-    /// Values that are NaN or infinite.
-    #[error(
-        "{file}{}: channel {channel}, texel {texel:?}: {value} is not a finite number{} of {total} values",
-        of(name), others(count.saturating_sub(1))
-    )]
-    NotFinite {
-        /// File as the caller named it.
-        file: String,
-        /// Name of the array or layer, if it has one.
-        name: String,
-        /// Channel of the first such value.
-        channel: String,
-        /// Index along each axis of the first such value, x first.
-        texel: Box<[usize]>,
-        /// The first such value.
-        value: f64,
-        /// How many there are, all channels together.
-        count: usize,
-        /// Values of the table.
-        total: usize,
-    },
-    /// Brackets of one array that hold different numbers of values.
-    #[error("{file}: {at}: {message}")]
-    TwoLobes {
-        /// File as the caller named it.
-        file: String,
-        /// Where the first one that differs begins.
-        at: Spot,
-        /// What differs from what.
-        message: String,
-    },
-    /// An array, layer or function that is asked for by name and is not there, or may be one of
-    /// several.
-    #[error("{file}: {what} {name} is not there; the file has {}", known.join(", "))]
-    NoSuch {
-        /// File as the caller named it.
-        file: String,
-        /// `array`, `layer`, `function`.
-        what: &'static str,
-        /// Name asked for.
-        name: String,
-        /// Names that there are.
-        known: Vec<String>,
-    },
-    /// A text without an array of numbers, or an image without pixels.
-    #[error("{file}: {message}")]
-    Nothing {
-        /// File as the caller named it.
-        file: String,
-        /// What was looked for.
-        message: String,
-    },
+#[error("{file}{place}: {message}")]
+pub struct ForeignError {
+    /// File as the caller named it.
+    pub file: String,
+    /// Where in it, as it is printed after the file: a byte, line and column, or an array or layer.
+    pub place: String,
+    /// What is wrong, and what to do.
+    pub message: String,
 }
 
-/// `, name`, or nothing.
-fn of(name: &str) -> String {
-    if name.is_empty() { String::new() } else { format!(", {name}") }
+impl ForeignError {
+    /// Of a whole file.
+    pub(super) fn new(file: &str, message: impl Into<String>) -> ForeignError {
+        ForeignError { file: file.into(), place: String::new(), message: message.into() }
+    }
+
+    /// At a place of it.
+    pub(super) fn at(file: &str, at: Spot, message: impl Into<String>) -> ForeignError {
+        ForeignError { place: format!(": {at}"), ..ForeignError::new(file, message) }
+    }
+
+    /// Of an array or layer, if it has a name.
+    pub(super) fn of(file: &str, name: &str, message: impl Into<String>) -> ForeignError {
+        let place = if name.is_empty() { String::new() } else { format!(", {name}") };
+        ForeignError { place, ..ForeignError::new(file, message) }
+    }
+
+    /// Values in another number than is stated or can be.
+    pub(super) fn size(file: &str, name: &str, found: usize, message: &str) -> ForeignError {
+        ForeignError::of(file, name, format!("{found} values, which {message}"))
+    }
+
+    /// More than a limit allows; nothing was allocated for it.
+    pub(super) fn too_large(
+        file: &str,
+        what: &str,
+        found: impl Display,
+        limit: impl Display,
+    ) -> ForeignError {
+        ForeignError::new(file, format!("{what}: {found}, the limit is {limit}"))
+    }
+
+    /// A kind of file, or of what is in it, that is known and not read.
+    pub(super) fn unsupported(file: &str, at: Spot, what: &str, advice: &str) -> ForeignError {
+        ForeignError::at(file, at, format!("{what} is not read: {advice}"))
+    }
+
+    /// Integers whose meaning is not stated and cannot be told.
+    pub(super) fn encoding(file: &str, at: Spot, name: &str, message: &str) -> ForeignError {
+        ForeignError::at(
+            file,
+            at,
+            format!("{name}: {message}: state the format, one of f16, f32, unorm8, unorm16"),
+        )
+    }
+
+    /// An array, layer or function that is asked for by name and is not there, or may be one of
+    /// several.
+    pub(super) fn no_such(file: &str, what: &str, name: &str, known: &[String]) -> ForeignError {
+        let known = known.join(", ");
+        ForeignError::new(file, format!("{what} {name} is not there; the file has {known}"))
+    }
+}
+
+/// The text of a file's bytes, without a byte order mark.
+pub(super) fn text<'a>(bytes: &'a [u8], file: &str, what: &str) -> Result<&'a str, ForeignError> {
+    let text = std::str::from_utf8(bytes).map_err(|e| {
+        let message = format!("these bytes are not UTF-8: save the {what} as UTF-8");
+        ForeignError::at(file, Spot::Byte(e.valid_up_to() as u64), message)
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
 }
 
 impl PackageError for ForeignError {}

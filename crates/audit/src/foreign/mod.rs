@@ -16,7 +16,8 @@ mod shape;
 mod table;
 mod text;
 
-pub use error::{ForeignError, Spot};
+pub use error::ForeignError;
+use error::Spot;
 pub use recognise::read_table;
 pub use shader::{ShaderFunction, read_functions};
 pub use table::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};

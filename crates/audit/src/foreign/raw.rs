@@ -13,7 +13,7 @@ pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreig
         let message = format!(
             "the last {left} bytes are no {name} of {width}: the file is cut short, or state another format"
         );
-        return Err(ForeignError::Malformed { file: file.into(), at, message });
+        return Err(ForeignError::at(file, at, message));
     }
     let list = Values {
         name: String::new(),

@@ -3,6 +3,9 @@
 use super::image::{dds, exr, ktx2, npy, png};
 use super::{ForeignError, ForeignTable, Hints, Spot, limits, raw, text};
 
+/// What is said of a file without bytes.
+pub(super) const EMPTY: &str = "the file is empty";
+
 /// First bytes of known formats.
 const MAGIC: [(&[u8], Kind); 12] = [
     (b"\x76\x2f\x31\x01", Kind::Exr),
@@ -41,21 +44,15 @@ enum Kind {
 /// contradict each other or cannot be told; values that are NaN or infinite.
 pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     if bytes.is_empty() {
-        return Err(ForeignError::Empty { file: file.into() });
+        return Err(ForeignError::new(file, EMPTY));
     }
     if bytes.len() as u64 > limits::BYTES {
-        let (found, limit) = (bytes.len() as u128, u128::from(limits::BYTES));
-        return Err(ForeignError::TooLarge { file: file.into(), what: "bytes".into(), found, limit });
+        return Err(ForeignError::too_large(file, "bytes", bytes.len(), limits::BYTES));
     }
     match kind(bytes, file, hints)? {
         Kind::Raw => raw::read(bytes, file, hints),
         Kind::Text => text::read(bytes, file, hints),
-        Kind::Other(what, advice) => Err(ForeignError::Unsupported {
-            file: file.into(),
-            at: Spot::Byte(0),
-            what: what.into(),
-            advice: advice.into(),
-        }),
+        Kind::Other(what, advice) => Err(ForeignError::unsupported(file, Spot::Byte(0), what, advice)),
         Kind::Exr => exr::read(bytes, file, hints),
         Kind::Dds => dds::read(bytes, file, hints),
         Kind::Ktx2 => ktx2::read(bytes, file, hints),
@@ -69,7 +66,7 @@ fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
         return Ok(*kind);
     }
     let extension = file.rsplit_once('.').map_or(String::new(), |(_, e)| e.to_ascii_lowercase());
-    let unknown = |message: String| Err(ForeignError::Unknown { file: file.into(), message });
+    let unknown = |message: String| Err(ForeignError::new(file, message));
     match extension.as_str() {
         "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(Kind::Raw),
         "exr" | "dds" | "ktx2" | "png" | "npy" => {

@@ -57,7 +57,7 @@ pub(super) fn finish(
 
 fn finite(table: &ForeignTable) -> Result<(), ForeignError> {
     let bad = |c: &ForeignChannel| c.values.iter().filter(|v| !v.is_finite()).count();
-    let count = table.channels.iter().map(bad).sum();
+    let count: usize = table.channels.iter().map(bad).sum();
     for channel in &table.channels {
         if let Some(index) = channel.values.iter().position(|v| !v.is_finite()) {
             let mut rest = index;
@@ -66,15 +66,17 @@ fn finite(table: &ForeignTable) -> Result<(), ForeignError> {
                 rest /= n;
                 i
             });
-            return Err(ForeignError::NotFinite {
-                file: table.file.clone(),
-                name: table.name.clone(),
-                channel: channel.name.clone(),
-                texel: texel.collect(),
-                value: channel.values[index],
-                count,
-                total: table.channels.len() * table.texels(),
-            });
+            let (texel, name, value) = (texel.collect::<Vec<_>>(), &channel.name, channel.values[index]);
+            let total = table.channels.len() * table.texels();
+            let others = match count - 1 {
+                0 => ", the only one".into(),
+                1 => ", nor is 1 other".into(),
+                n => format!(", nor are {n} others"),
+            };
+            let message = format!(
+                "channel {name}, texel {texel:?}: {value} is not a finite number{others} of {total} values"
+            );
+            return Err(ForeignError::of(&table.file, &table.name, message));
         }
     }
     Ok(())
@@ -90,18 +92,13 @@ pub(super) fn words(size: &[usize]) -> String {
 pub(super) fn stated(file: &str, size: &[usize]) -> Result<usize, ForeignError> {
     if !(1..=3).contains(&size.len()) || size.contains(&0) {
         let message = format!("cannot be {:?}: a size has one to three axes, none of them empty", size);
-        return Err(ForeignError::Size { file: file.into(), name: String::new(), found: 0, message });
+        return Err(ForeignError::size(file, "", 0, &message));
     }
     let texels = size.iter().try_fold(1u128, |product, &n| product.checked_mul(n as u128));
     let texels = texels.unwrap_or(u128::MAX);
     if texels > limits::VALUES as u128 {
         let what = format!("texels of {}", words(size));
-        return Err(ForeignError::TooLarge {
-            file: file.into(),
-            what,
-            found: texels,
-            limit: limits::VALUES as u128,
-        });
+        return Err(ForeignError::too_large(file, &what, texels, limits::VALUES));
     }
     Ok(texels as usize)
 }
@@ -109,8 +106,7 @@ pub(super) fn stated(file: &str, size: &[usize]) -> Result<usize, ForeignError> 
 /// Size and channels: the caller's word first, then the file's, then what the length allows.
 fn size(file: &str, list: &Values, hints: &Hints) -> Result<(Vec<usize>, usize), ForeignError> {
     let found = list.values.len();
-    let wrong =
-        |message: String| ForeignError::Size { file: file.into(), name: list.name.clone(), found, message };
+    let wrong = |message: String| ForeignError::size(file, &list.name, found, &message);
     if found == 0 {
         return Err(wrong("is no table".into()));
     }
@@ -180,16 +176,19 @@ fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usiz
     match (&readings[..], readings.iter().find(laid_out)) {
         (_, Some(one)) | ([one], _) => Ok(one.clone()),
         ([], _) => {
-            let message = "are no square, cube or short line: state the size (x first)".into();
-            Err(ForeignError::Size { file: file.into(), name: list.name.clone(), found, message })
+            let message = "are no square, cube or short line: state the size (x first)";
+            Err(ForeignError::size(file, &list.name, found, message))
         }
         _ => {
             let words = |(size, c): &(Vec<usize>, usize)| match c {
                 1 => words(size),
                 c => format!("{} of {c} channels", words(size)),
             };
-            let readings = readings.iter().map(words).collect();
-            Err(ForeignError::Ambiguous { file: file.into(), name: list.name.clone(), found, readings })
+            let readings = readings.iter().map(words).collect::<Vec<_>>().join(" or ");
+            let message = format!(
+                "{found} values may be {readings}: state the size (x first) or the number of channels"
+            );
+            Err(ForeignError::of(file, &list.name, message))
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::audit::{LookupErrors, TexelErrors};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
 
@@ -113,46 +114,21 @@ pub struct AuditChannel {
     /// `whole`, `part` or `none`.
     pub fits: String,
     /// Errors at the texels.
-    pub texels: AuditErrors,
+    pub texels: TexelErrors,
     /// What is wrong with it.
     pub defects: Vec<AuditDefect>,
     /// Lookup at the coordinates that the texels have.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub lookup: Option<AuditLookup>,
+    pub lookup: Option<LookupErrors>,
     /// Lookup by a texture unit without a remap.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub plain_lookup: Option<AuditLookup>,
+    pub plain_lookup: Option<LookupErrors>,
     /// Signed errors of the texels, for pictures.
     #[serde(skip)]
     pub maps: Vec<Field>,
     /// Truth and channel along one axis, for pictures.
     #[serde(skip)]
     pub curves: Vec<AuditCurve>,
-}
-
-/// Errors at texels or points.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AuditErrors {
-    /// Largest magnitude.
-    pub max: f64,
-    /// Root mean square.
-    pub rms: f64,
-    /// Signed mean.
-    pub mean: f64,
-    /// Median magnitude.
-    pub median: f64,
-    /// Texel of the largest, by axis.
-    pub texel: Vec<usize>,
-    /// Its inputs.
-    pub at: Place,
-    /// What is held there.
-    pub value: f64,
-    /// What is true there.
-    pub truth: f64,
-    /// Texels judged.
-    pub judged: usize,
-    /// Texels in all.
-    pub all: usize,
 }
 
 /// Something that is wrong.
@@ -162,21 +138,6 @@ pub struct AuditDefect {
     pub kind: String,
     /// In a sentence.
     pub text: String,
-}
-
-/// Error of a lookup.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AuditLookup {
-    /// Largest magnitude.
-    pub max: f64,
-    /// Root mean square over even coordinates.
-    pub rms: f64,
-    /// Signed mean.
-    pub mean: f64,
-    /// Largest magnitude between the outermost texels.
-    pub inner: f64,
-    /// Where the largest is.
-    pub at: Place,
 }
 
 /// The furnace: E over the albedo that the channels make, less 1.

@@ -4,8 +4,8 @@ mod findings;
 mod page;
 
 pub use findings::{
-    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
+    AuditHeld, AuditPlain,
 };
 
 use lobefit::report::{ReportError, document, html};

@@ -1,6 +1,7 @@
 //! The page of an audit: verdict, conventions tried, errors of every channel.
 
-use super::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditLookup};
+use super::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings};
+use crate::audit::{LookupErrors, TexelErrors};
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::{
     Block, Curves, HeatMap, Page, ReportError, Section, Series, Spread, Style, check, figures, signed, words,
@@ -177,14 +178,14 @@ fn anchor(name: &str) -> String {
 }
 
 fn errors(channel: &AuditChannel, stated: bool) -> lobefit::report::TextTable {
-    let AuditErrors { max, rms, mean, at, judged, all, .. } = &channel.texels;
+    let TexelErrors { max, rms, mean, at, judged, all, .. } = &channel.texels;
     let cells = |what: String, max: f64, rms: f64, mean: f64, at: String| {
         vec![what, words::max(max), words::mean(rms), significant(mean, 2), at]
     };
     let noun = if channel.lookup.is_some() { "texels" } else { "points" };
     let what = if judged == all { noun.into() } else { format!("{noun} ({judged} of {all})") };
     let mut rows = vec![cells(what, *max, *rms, *mean, words::place(at))];
-    let mut lookup = |name: &str, l: &Option<AuditLookup>| {
+    let mut lookup = |name: &str, l: &Option<LookupErrors>| {
         if let Some(l) = l {
             rows.push(cells(name.into(), l.max, l.rms, l.mean, words::place(&l.at)));
         }

@@ -237,7 +237,7 @@ fn what_is_no_fit_is_told() {
     let quantity = quantity::find("ggx-reflection").unwrap();
     let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();
     let error = audit(&bad, quantity, &Fixed::default(), &|_| ()).unwrap_err();
-    assert!(matches!(error, AuditError::Undefined { .. }), "{error}");
+    assert!(matches!(error, AuditError::Refused { .. }), "{error}");
     let left = sampled(&read("three"), of("ggx-reflection"), &[], &[]).unwrap_err();
     assert!(left.to_string().contains("--set"), "{left}");
     assert!(sampled(&read("three"), of("ggx-reflection"), &[("k".into(), 1.0)], &[]).is_ok());

@@ -518,7 +518,7 @@ fn every_texel_is_judged() {
     shipped.channels[0].values[5005] += 0.5;
     let found = reflection_of(&shipped);
     let errors = found.channels[0].errors.as_ref().unwrap();
-    assert_eq!((errors.texels, errors.unsampled), ([20000; 2], 0));
+    assert_eq!((errors.judged, errors.all, errors.unsampled), (20000, 20000, 0));
     assert_eq!(errors.texel, [5, 1]);
     assert!((errors.max - 0.5).abs() < 1e-3 && !found.passes(Some(0.1)), "{}", errors.max);
     assert_eq!(found.channels[0].map.len(), 4096 * 4);

@@ -9,7 +9,7 @@ mod solid;
 use foreign_support::{dds, dds_extended, exr_of_parts, ktx2, png, value};
 use lobefit::data::{Container, Table, TexelFormat};
 use lobefit::emit;
-use lobefit_audit::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Step, read_table};
+use lobefit_audit::foreign::{ForeignTable, Hints, RawFormat, Step, read_table};
 use solid::of_all_shapes;
 
 fn one(bytes: &[u8], file: &str, hints: &Hints) -> ForeignTable {
@@ -243,7 +243,7 @@ fn an_atlas_is_cut_into_slices_where_the_caller_names_three_axes() {
     );
     assert!(of(&[4, 3, 2]).unwrap_err().to_string().contains("no tiles of 4 x 3 x 2"));
     assert!(of(&[6, 5]).unwrap_err().to_string().contains("24 values, which are 6 x 4 texels, not 6 x 5"));
-    assert!(matches!(of(&[]).unwrap_err(), ForeignError::Size { .. }));
+    assert!(of(&[]).unwrap_err().to_string().contains("a size has one to three axes"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Array literals of program texts, and raw numbers, as tables.
 
-use lobefit_audit::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Step, read_table};
+use lobefit_audit::foreign::{ForeignTable, Hints, RawFormat, Step, read_table};
 
 /// x + 100 y (+ 10000 c), so that every texel tells where it belongs.
 fn number(x: usize, y: usize, c: usize) -> f64 {
@@ -204,13 +204,12 @@ fn raw_numbers_take_their_size_from_the_length_or_the_caller() {
     assert_eq!((table.size.as_slice(), table.channels.len()), (&[32, 16][..], 2));
     assert_eq!(table.channels[1].values[1], 3.0 / 1024.0);
     let cut = read(&bytes[..4095], &Hints::default()).unwrap_err();
-    assert!(matches!(cut, ForeignError::Malformed { .. }), "{cut}");
     assert!(cut.to_string().contains("byte 4092"), "{cut}");
     let huge = Hints { size: Some(vec![1 << 40, 1 << 40, 1 << 40]), ..Hints::default() };
-    assert!(matches!(read(&bytes, &huge).unwrap_err(), ForeignError::TooLarge { .. }));
+    assert!(read(&bytes, &huge).unwrap_err().to_string().contains("the limit is"));
     let mut bad = bytes.clone();
     bad[..4].copy_from_slice(&f32::NAN.to_le_bytes());
-    assert!(matches!(read(&bad, &Hints::default()).unwrap_err(), ForeignError::NotFinite { count: 1, .. }));
+    assert!(read(&bad, &Hints::default()).unwrap_err().to_string().contains("the only one of"));
 }
 
 #[test]

@@ -61,23 +61,8 @@ impl Exposures {
     }
 }
 
-/// HDR-FLIP of two pictures of radiance, every channel in [0, 1e300], with the exposures of
-/// [`Exposures::of`] the reference.
-///
-/// # Errors
-/// Pictures of different sizes, a channel that is negative, above 1e300 or not a number, a black
-/// reference, a resolution that is none.
-pub fn hdr(
-    reference: &Image,
-    test: &Image,
-    pixels_per_degree: f64,
-) -> Result<(ErrorMap, Exposures), FlipError> {
-    let reference = Reference::new(reference, pixels_per_degree)?;
-    Ok((reference.against(test)?, reference.exposures))
-}
-
-/// A reference as the eye sees it at every exposure, made once and compared with many pictures by
-/// [`hdr`]'s measure.
+/// A reference as the eye sees it at every exposure of [`Exposures::of`], made once and compared with
+/// many pictures by HDR-FLIP.
 pub struct Reference {
     /// Its exposures.
     pub exposures: Exposures,
@@ -91,7 +76,8 @@ impl Reference {
     /// A reference whose channels lie in [0, 1e300].
     ///
     /// # Errors
-    /// As [`hdr`], of the reference.
+    /// A channel that is negative, above 1e300 or not a number, a black reference, a resolution that
+    /// is none.
     pub fn new(reference: &Image, pixels_per_degree: f64) -> Result<Reference, FlipError> {
         resolution(pixels_per_degree)?;
         light("reference", reference, LIGHT)?;
@@ -104,7 +90,7 @@ impl Reference {
     /// The largest difference of each pixel over the exposures.
     ///
     /// # Errors
-    /// As [`hdr`], of the picture compared.
+    /// A picture of another size; a channel that is negative, above 1e300 or not a number.
     pub fn against(&self, test: &Image) -> Result<ErrorMap, FlipError> {
         let (reference, size) = (self.size, (test.width, test.height));
         if reference != size {

@@ -2,7 +2,7 @@
 //!
 //! [`ldr`]: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild 2020, "FLIP: A
 //! Difference Evaluator for Alternating Images" (Proc. ACM Comput. Graph. Interact. Tech. 3(2)).
-//! [`hdr`]: Andersson, Nilsson, Shirley and Akenine-Moller 2021, "Visualizing Errors in Rendered
+//! [`Reference`]: Andersson, Nilsson, Shirley and Akenine-Moller 2021, "Visualizing Errors in Rendered
 //! High Dynamic Range Images" (Eurographics short papers). 0 is no difference, 1 the largest that
 //! there is (green against blue). Written from the formulas of the papers;
 //! `crates/studies/tests/studies/flip.rs` compares with the authors' program, which computes in
@@ -13,7 +13,7 @@ mod difference;
 mod exposure;
 mod filter;
 
-pub use exposure::{Exposures, Reference, hdr, shown};
+pub use exposure::{Exposures, Reference, shown};
 
 use lobefit::report::Image;
 
@@ -30,13 +30,6 @@ pub struct ErrorMap {
     pub height: usize,
     /// `values[y * width + x]` in [0, 1].
     pub values: Vec<f64>,
-}
-
-impl ErrorMap {
-    /// Mean over the pixels.
-    pub fn mean(&self) -> f64 {
-        lobefit_math::sum::mean(&self.values)
-    }
 }
 
 /// Pictures that cannot be compared.

@@ -3,9 +3,9 @@
 
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
-use lobefit_studies::study::parallax::room::proxies::{Body, Smooth};
+use lobefit_studies::study::parallax::room::proxies::{Body, Eased};
 use lobefit_studies::study::parallax::room::{
-    Exact, Fan, Fetch, GgxRays, Lookup, Outlook, Rays, Room, Seen, Tap, octagon, practice, room_a, room_b,
+    Fan, Fetch, GgxRays, Lookup, Outlook, Patches, Rays, Room, Seen, octagon, practice, room_a, room_b,
 };
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -57,10 +57,9 @@ fn a_fast_fetch_is_the_slow_one() {
     for room in rooms() {
         for towards in axes() {
             for alpha in [0.01, 0.1, 0.5, 1.0] {
-                let tap = Tap { towards, alpha, weight: 1.0 };
                 let rays = Rays::new(&Kernel::HalfCosine, alpha, COUNT, 9);
                 let slow = lobe(&room, room.probe, towards, None, &rays);
-                let fast = Exact { room: &room, fan: &fan }.fetch(&tap);
+                let fast = fan.lobe(&room, room.probe, towards, None, alpha);
                 let off = length(minus(slow, fast)) / length(slow);
                 assert!(off < 0.01, "{}: {alpha}: {slow:?} {fast:?}", room.name);
             }
@@ -122,9 +121,9 @@ fn a_surface_reflects_no_more_than_there_is() {
     }
 }
 
-fn corrected(room: &Room, shading: Shading, rule: TapRule, width: Width) -> Corrected<Smooth> {
+fn corrected(room: &Room, shading: Shading, rule: TapRule, width: Width) -> Corrected<Eased> {
     let body = Body::new(&room.shape(), room.probe).expect("a probe inside");
-    let proxy = Smooth { body, power: Smooth::BY_EYE };
+    let proxy = Eased { body };
     Corrected { proxy, probe: room.probe, shading, rule, ratio: Ratio::Area, width }
 }
 
@@ -215,7 +214,7 @@ fn fitted_lobes_are_lobes() {
 fn more_fetches_are_nearer_to_a_slanted_lobe() {
     let room = room_b();
     let fan = Fan::new(&Kernel::HalfCosine, 1024, 2);
-    let exact = Exact { room: &room, fan: &fan };
+    let exact = Patches::new(&room);
     let error = |rule: TapRule| -> f64 {
         let lookup = corrected(&room, Shading::Mirror, rule, Width::Rational);
         let each = (0..40).map(|i| {

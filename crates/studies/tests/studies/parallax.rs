@@ -6,7 +6,6 @@ use std::path::Path;
 
 use common::{lobefit, names, stderr};
 use lobefit::effects::parallax::LobeFit;
-use lobefit_math::ops::log;
 use lobefit_studies::study::parallax::ProbeLookups;
 use lobefit_studies::study::parallax::room::proxies::Eased;
 use lobefit_studies::study::{Size, Study};
@@ -49,9 +48,7 @@ fn the_reduced_study_is_the_same_for_any_threads() {
 /// open.
 fn answers_come_first(page: &str) {
     let at = |id: &str| page.find(&format!("<section id=\"{id}\">")).unwrap_or_else(|| panic!("{id}"));
-    let order = [
-        "verdict", "random", "pictures", "creases", "compared", "rooms", "seed", "slant", "proxies", "chain",
-    ];
+    let order = ["verdict", "random", "pictures", "creases", "compared", "rooms", "seed", "slant", "chain"];
     assert!(order.map(at).is_sorted(), "{:?}", order.map(at));
     let rest = &page[at("compared")..];
     let mut depth = 0_i32;
@@ -130,7 +127,7 @@ fn rooms_are_measured(results: &Value) {
 }
 
 /// What the issue of lookups promises, as the committed study measures it: gains over Frostbite's
-/// listing, slanted walls, and the power of smooth edges that lookups are emitted with.
+/// listing, slanted walls, and the creases of smooth edges.
 #[test]
 fn the_committed_study_keeps_its_bars() {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
@@ -155,7 +152,6 @@ fn the_committed_study_keeps_its_bars() {
     for (placed, bar) in row["placed"].as_array().expect("fetches").iter().zip([0.246, 0.171, 0.119, 0.049]) {
         assert!(number(&placed["tv"]) <= bar, "{placed}");
     }
-    emitted_edges_gain(&results["proxies"]["gains"]);
     creases_keep_their_bars(&results["rooms"]);
     for lobe in results["rooms"]["lobes"].as_array().expect("fits") {
         let stated = LobeFit::expected(lobe["fetches"].as_u64().expect("a number") as u32);
@@ -171,9 +167,8 @@ fn the_committed_study_keeps_its_bars() {
 }
 
 /// Creases on the edges of the room over those elsewhere, in the mean of the pictures: with one
-/// fetch through smooth edges less than those of the walls themselves, and at most a fifth more
-/// than those of the p-norm of twice the operations. At r .15 the lobe is about as wide as the
-/// pixels that show an edge. Pictures are little worse than with the power by alpha alone.
+/// fetch through smooth edges less than those of the walls themselves. At r .15 the lobe is about as
+/// wide as the pixels that show an edge.
 fn creases_keep_their_bars(rooms: &Value) {
     let pictures = rooms["pictures"].as_array().expect("pictures");
     let numbers = |value: &Value| -> Vec<f64> {
@@ -192,36 +187,14 @@ fn creases_keep_their_bars(rooms: &Value) {
         edges.iter().zip(&elsewhere).map(|(a, b)| a / b).collect()
     };
     assert_eq!(numbers(&pictures[0]["roughness"]), [0.15, 0.25, 0.35, 0.5, 0.7, 0.9]);
-    let [smooth, norm, sharp] =
-        ["rational, areas, smooth", "rational, areas, smooth by p-norm", "rational, areas"].map(ratios);
+    let [smooth, sharp] = ["rational, areas, smooth", "rational, areas"].map(ratios);
     for (i, bar) in [2.3, 1.3, 1.2, 1.2, 1.35, 1.45].into_iter().enumerate() {
-        assert!(smooth[i] <= bar && smooth[i] < 1.2 * norm[i], "{i}: {} and {}", smooth[i], norm[i]);
-        assert!(smooth[i] < 0.8 * sharp[i], "{i}: {} and {}", smooth[i], sharp[i]);
+        assert!(smooth[i] <= bar && smooth[i] < 0.8 * sharp[i], "{i}: {} and {}", smooth[i], sharp[i]);
     }
-    let flips = |name: &str| mean(name, &|row| numbers(&row["flip"][0]));
-    let pairs = flips("rational, areas, smooth").into_iter().zip(flips("rational, areas, smooth by α"));
-    assert!(pairs.into_iter().all(|(tied, by_alpha)| tied < 1.025 * by_alpha));
     // what is seen of methods is not the noise of what they are compared with
     for picture in pictures {
         assert!(numbers(&picture["flip_of_noise"][0]).iter().all(|noise| *noise < 1e-3), "{picture}");
         assert!(numbers(&picture["noise"][0]).iter().all(|noise| *noise < 1e-3), "{picture}");
         assert!(numbers(&picture["noise"][1]).iter().all(|noise| *noise < 0.01), "{picture}");
     }
-}
-
-/// The power that lookups are emitted with gains over sharp edges, almost as much as the one that
-/// the study fits to the error alone, in rooms that it was not fitted in.
-fn emitted_edges_gain(gains: &Value) {
-    let gains = gains.as_array().expect("gains");
-    let number = |value: &Value| value.as_f64().expect("a number");
-    let mean = |name: &str| {
-        let of = |row: &Value| {
-            let proxies = row["proxies"].as_array().expect("proxies").iter();
-            let own = proxies.clone().find(|one| one[0] == name).unwrap_or_else(|| panic!("{name}"));
-            log(number(&own[1][0]) / number(&row["planes"][0]))
-        };
-        gains.iter().map(of).sum::<f64>() / gains.len() as f64
-    };
-    let (emitted, fitted) = (mean("eased, as emitted"), mean("tied"));
-    assert!(emitted < -0.02 && emitted <= fitted + 0.02, "{emitted}, {fitted}");
 }

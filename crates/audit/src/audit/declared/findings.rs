@@ -3,9 +3,7 @@
 use super::{Declared, Held};
 use crate::audit::table::place;
 use crate::audit::verdict::number;
-use crate::report::{
-    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditHeld,
-};
+use crate::report::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings, AuditHeld};
 use lobefit::report::{Field, Origin, Ruler};
 
 /// Places of the third input that are shown, and curves.
@@ -30,8 +28,8 @@ pub fn findings(
     let held = |h: &Held| AuditHeld {
         channel: h.column.name().into(),
         holds: h.column.name().into(),
-        max: h.max,
-        rms: h.rms,
+        max: h.figures.max,
+        rms: h.figures.rms,
     };
     AuditFindings {
         origin,
@@ -51,7 +49,7 @@ pub fn findings(
             axes: axes.collect(),
             lobe: found.lobe.clone(),
             channels: found.held.iter().map(held).collect(),
-            rank: found.held.iter().map(|h| h.rms).fold(0.0, f64::max),
+            rank: found.held.iter().map(|h| h.figures.rms).fold(0.0, f64::max),
         }],
         channels: found.held.iter().map(|h| channel(found, h)).collect(),
         furnace: None,
@@ -59,25 +57,11 @@ pub fn findings(
 }
 
 fn channel(found: &Declared, held: &Held) -> AuditChannel {
-    let all = held.errors.len();
-    let mut errors = held.errors.iter().map(|e| e.abs()).collect::<Vec<f64>>();
-    errors.sort_by(f64::total_cmp);
     AuditChannel {
         name: held.column.name().into(),
         holds: held.column.words(),
         fits: if found.holds() { "whole" } else { "none" }.into(),
-        texels: AuditErrors {
-            max: held.max,
-            rms: held.rms,
-            mean: held.mean,
-            median: errors[all / 2],
-            texel: Vec::new(),
-            at: held.at.clone(),
-            value: held.value,
-            truth: held.truth,
-            judged: all,
-            all,
-        },
+        texels: held.figures.clone(),
         defects: Vec::new(),
         lookup: None,
         plain_lookup: None,

@@ -10,15 +10,15 @@ mod words;
 
 pub use findings::findings as declared_findings;
 
-use super::axis::Registration;
 use super::column::Column;
+use super::errors::{TexelErrors, median};
 use super::lookup::fetch;
 use super::table::AuditedTable;
 use super::truth::{Truth, Values, with_azimuth};
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
-use lobefit::data::{Place, Smith};
+use lobefit::data::Smith;
 use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
@@ -31,18 +31,8 @@ const SLACK: f64 = 1.2;
 pub struct Held {
     /// Column.
     pub column: Column,
-    /// Largest magnitude.
-    pub max: f64,
-    /// Root mean square.
-    pub rms: f64,
-    /// Signed mean.
-    pub mean: f64,
-    /// Where the largest is.
-    pub at: Place,
-    /// What the table gives there.
-    pub value: f64,
-    /// What is true there.
-    pub truth: f64,
+    /// Figures of the errors.
+    pub figures: TexelErrors,
     /// Signed errors, in the truth's order of inputs.
     pub errors: Vec<f64>,
     /// The truth at the same places.
@@ -53,7 +43,7 @@ impl Held {
     /// Whether it is the column at all, whatever its file claims: by the root mean square, as the
     /// columns of any table.
     fn fits(&self, truth_error: f64) -> bool {
-        self.rms <= FITS * self.spread() + truth_error
+        self.figures.rms <= FITS * self.spread() + truth_error
     }
 
     /// What its column may have of the error that the file claims. The claim is of f0 A + B for
@@ -93,9 +83,6 @@ pub struct Declared {
     pub cut: Vec<String>,
     /// Largest error that it claims.
     pub claimed: f64,
-    /// What would make it true, where it is not: the other registration or shadowing form under
-    /// which it is as good as claimed.
-    pub instead: Option<String>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
     /// All of it in a paragraph.
@@ -105,7 +92,7 @@ pub struct Declared {
 impl Declared {
     /// Largest error of any column.
     pub fn worst(&self) -> f64 {
-        self.held.iter().map(|h| h.max).fold(0.0, f64::max)
+        self.held.iter().map(|h| h.figures.max).fold(0.0, f64::max)
     }
 
     /// Whether it is what it says: it keeps its claim, and is no further off than any table of the
@@ -116,7 +103,7 @@ impl Declared {
 
     /// Whether no error is larger than it claims.
     pub fn keeps(&self) -> bool {
-        self.held.iter().all(|h| h.max <= SLACK * h.share() * self.claimed + self.truth_error)
+        self.held.iter().all(|h| h.figures.max <= SLACK * h.share() * self.claimed + self.truth_error)
     }
 
     /// Whether it is what it says, and within a limit wherever its axes lead.
@@ -155,8 +142,7 @@ pub fn declared(
     let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
     let base = truth.exact(own, &at)?;
     let look = Look { table: &audited, said: &said, places: &places, wanted };
-    let registrations: Vec<Registration> = said.axes.iter().map(|a| a.registration).collect();
-    let held = look.errors(truth, &base, &registrations).map_err(odd)?;
+    let held = look.errors(truth, &base).map_err(odd)?;
     let mut found = Declared {
         what: audited.what.clone(),
         quantity: truth.quantity(),
@@ -165,17 +151,12 @@ pub fn declared(
         size: audited.size.clone(),
         held,
         claimed: said.claimed,
-        instead: None,
         truth_error: truth.bound(),
         verdict: String::new(),
         places: places.clone(),
         beyond,
         cut,
     };
-    if !found.holds() {
-        let limit = SLACK * said.claimed + truth.bound();
-        found.instead = instead(&look, truth, own, &base, limit)?;
-    }
     found.verdict = words::paragraph(&found);
     Ok(found)
 }
@@ -209,19 +190,14 @@ struct Look<'a> {
 }
 
 impl Look<'_> {
-    /// The columns under these registrations.
-    fn errors(
-        &self,
-        truth: &Truth,
-        base: &Values,
-        registrations: &[Registration],
-    ) -> Result<Vec<Held>, String> {
+    /// The columns beside the truth.
+    fn errors(&self, truth: &Truth, base: &Values) -> Result<Vec<Held>, String> {
         let columns = self.columns(truth)?;
         let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
         let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
         for i in 0..base.len() {
             let inputs = self.inputs(i, &dims);
-            let decoded = self.decoded(&inputs, registrations)?;
+            let decoded = self.decoded(&inputs)?;
             for (list, (column, k)) in values.iter_mut().zip(&columns) {
                 let value = decoded[*k];
                 if !value.is_finite() {
@@ -237,17 +213,21 @@ impl Look<'_> {
             let worst =
                 (0..errors.len()).fold(0, |w, i| if errors[i].abs() > errors[w].abs() { i } else { w });
             let n = errors.len() as f64;
-            Held {
-                column: *column,
+            let at = self.inputs(worst, &dims).into_iter().map(|(name, x)| (name.to_string(), x));
+            let figures = TexelErrors {
                 max: errors[worst].abs(),
                 rms: (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt(),
                 mean: errors.iter().sum::<f64>() / n,
-                at: self.inputs(worst, &dims).into_iter().map(|(name, x)| (name.to_string(), x)).collect(),
+                median: median(errors.iter().map(|e| e.abs()).collect()),
+                texel: Vec::new(),
+                at: at.collect(),
                 value: values[worst],
                 truth: truths[worst],
-                errors,
-                truths,
-            }
+                judged: errors.len(),
+                all: errors.len(),
+                unsampled: 0,
+            };
+            Held { column: *column, figures, errors, truths }
         };
         Ok(columns.iter().zip(values).map(one).collect())
     }
@@ -266,20 +246,16 @@ impl Look<'_> {
     }
 
     /// What the channels decode to at inputs.
-    fn decoded(
-        &self,
-        inputs: &[(&'static str, f64)],
-        registrations: &[Registration],
-    ) -> Result<Vec<f64>, String> {
+    fn decoded(&self, inputs: &[(&'static str, f64)]) -> Result<Vec<f64>, String> {
         let input = |name: &str| inputs.iter().find(|(n, _)| *n == name).map(|(_, x)| *x);
         let roughness = input("alpha").and_then(|alpha| self.roughness(alpha));
         let known = |name: &str| if name == "roughness" { roughness } else { input(name) };
         let mut at = Vec::new();
-        for ((axis, registration), n) in self.said.axes.iter().zip(registrations).zip(&self.table.size) {
+        for (axis, n) in self.said.axes.iter().zip(&self.table.size) {
             let u = coordinate(axis, &known)
                 .filter(|u| u.is_finite())
                 .ok_or_else(|| format!("its coordinate `{}` has no value at {inputs:?}", axis.text))?;
-            at.push(registration.position(u, *n));
+            at.push(axis.registration.position(u, *n));
         }
         let texel = |name: &str| {
             let channel = self.table.channels.iter().find(|c| c.name == name)?;
@@ -339,74 +315,4 @@ fn made(
             return values;
         }
     }
-}
-
-/// Least share of the points that two lobes together explain, where each explains a part of a table
-/// that neither explains.
-const EXPLAINED: f64 = 0.9;
-
-/// Least share of the points that the other lobe alone explains.
-const OTHER_ALONE: f64 = 0.05;
-
-/// Of a table of two lobes, how many points are as good as claimed under the other one, in words.
-fn parts(
-    look: &Look,
-    truth: &Truth,
-    bases: [&Values; 2],
-    registrations: &[Registration],
-    limit: f64,
-) -> Option<String> {
-    let [own, other] = bases.map(|base| look.errors(truth, base, registrations).ok());
-    let (own, other) = (own?, other?);
-    let all = own.first()?.errors.len();
-    let good = |held: &[Held], i: usize| held.iter().all(|h| h.errors[i].abs() <= limit);
-    let count = |fits: &dyn Fn(usize) -> bool| (0..all).filter(|i| fits(*i)).count();
-    let either = count(&|i| good(&own, i) || good(&other, i));
-    let (alone, here) = (count(&|i| !good(&own, i) && good(&other, i)), count(&|i| good(&own, i)));
-    let told = either as f64 >= EXPLAINED * all as f64 && alone as f64 >= OTHER_ALONE * all as f64;
-    told.then(|| {
-        format!(
-            "{alone} of {all} points, and is so at {here}: a part of the table was made with the other form"
-        )
-    })
-}
-
-/// The registration, of one axis or of all, or the shadowing form under which the table is as good
-/// as it claims.
-fn instead(
-    look: &Look,
-    truth: &Truth,
-    own: usize,
-    base: &Values,
-    limit: f64,
-) -> Result<Option<String>, AuditError> {
-    let fits = |base: &Values, registrations: &[Registration]| {
-        let fits = |h: &Held| h.max <= limit && h.fits(truth.bound());
-        look.errors(truth, base, registrations).is_ok_and(|held| held.iter().all(fits))
-    };
-    let said: Vec<Registration> = look.said.axes.iter().map(|a| a.registration).collect();
-    let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();
-    for lobe in (0..truth.lobes().len()).filter(|l| *l != own) {
-        let other = truth.exact(lobe, &at)?;
-        let words = truth.lobes()[lobe].words();
-        if fits(&other, &said) {
-            return Ok(Some(words));
-        }
-        if let Some(counts) = parts(look, truth, [base, &other], &said, limit) {
-            return Ok(Some(format!("{words} at {counts}")));
-        }
-    }
-    for registration in super::REGISTRATIONS {
-        if fits(base, &vec![registration; said.len()]) {
-            return Ok(Some(format!("{} along every axis", registration.words())));
-        }
-        for k in 0..said.len() {
-            let mut one = said.clone();
-            one[k] = registration;
-            if fits(base, &one) {
-                return Ok(Some(format!("{} along {}", registration.words(), look.table.axes[k])));
-            }
-        }
-    }
-    Ok(None)
 }

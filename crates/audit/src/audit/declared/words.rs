@@ -41,12 +41,12 @@ pub(super) fn paragraph(found: &Declared) -> String {
         out.push(format!(
             "Looked up as it says, {} is off by at most {} (RMS {}) over {} points of {domain}, worst at {}, where it is {} and {} is true.",
             held.column.name(),
-            number(held.max),
-            number(held.rms),
+            number(held.figures.max),
+            number(held.figures.rms),
             held.errors.len(),
-            place(&held.at),
-            long(held.value),
-            long(held.truth),
+            place(&held.figures.at),
+            long(held.figures.value),
+            long(held.figures.truth),
         ));
     }
     if found.holds() {
@@ -64,7 +64,6 @@ pub(super) fn paragraph(found: &Declared) -> String {
             found.beyond.join(" and ")
         ));
     }
-    out.extend(found.instead.as_ref().map(|other| format!("It would be so with {other}.")));
     out.join(" ")
 }
 

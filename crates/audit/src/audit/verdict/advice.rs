@@ -89,13 +89,9 @@ fn registrations(audit: &Audit) -> Vec<String> {
 fn step(axis: &str, registration: Registration, reversed: bool) -> Option<String> {
     // The registration is that of the rising coordinate; a reader counts along the texels.
     let registration = match registration {
-        Registration::Left if reversed => Registration::Right,
-        Registration::Right if reversed => Registration::Left,
-        Registration::OneHigh if reversed => Registration::OneLow,
-        Registration::OneLow if reversed => Registration::OneHigh,
-        Registration::EndHigh if reversed => Registration::EndLow,
-        Registration::EndLow if reversed => Registration::EndHigh,
-        other => other,
+        Registration::Centre | Registration::Endpoint => registration,
+        shifted if reversed => shifted.mirrored(),
+        shifted => shifted,
     };
     let (centres, ends) = ("texel i at (i + 1/2)/n", "texel i at i/(n - 1)");
     let after = "it holds the value of the place after its own, that of texel i + 1";

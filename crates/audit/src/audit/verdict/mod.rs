@@ -125,8 +125,8 @@ fn doubt(audit: &Audit) -> String {
 fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     let e = channel.errors.as_ref()?;
     let column = channel.column?.name();
-    let part = if e.texels[0] < e.texels[1] {
-        let beyond = e.texels[1] - e.texels[0] - e.unsampled;
+    let part = if e.judged < e.all {
+        let beyond = e.all - e.judged - e.unsampled;
         let points = if audit.source == Source::Table { "texels" } else { "points" };
         let told = [
             (beyond, "lie where the truth is not had".to_string()),
@@ -140,7 +140,7 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         ];
         let told: Vec<String> =
             told.iter().filter(|(n, _)| *n > 0).map(|(n, why)| format!("{n} {why}")).collect();
-        format!(" ({} of {} {points} judged; {})", e.texels[0], e.texels[1], told.join(", "))
+        format!(" ({} of {} {points} judged; {})", e.judged, e.all, told.join(", "))
     } else {
         String::new()
     };
@@ -149,7 +149,7 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         (Source::Table, Some(_)) => {
             format!("Held against {} throughout, at its texels", audit.best().lobe.words())
         }
-        (Source::Function, _) => format!("Over {} evenly spaced points", e.texels[0]),
+        (Source::Function, _) => format!("Over {} evenly spaced points", e.judged),
     };
     if e.max <= 2.0 * audit.truth_error {
         return Some(format!(

@@ -108,8 +108,7 @@ fn check(source: Source, headers: &[Header]) -> Result<(), ForeignError> {
         }
     }
     if values > limits::VALUES {
-        let (what, found, limit) = ("values of all layers".into(), values as u128, limits::VALUES as u128);
-        return Err(ForeignError::TooLarge { file: source.file.into(), what, found, limit });
+        return Err(ForeignError::too_large(source.file, "values of all layers", values, limits::VALUES));
     }
     if length > limits::EXPANSION * source.bytes.len() as u64 {
         let message = format!(
@@ -188,8 +187,7 @@ fn named(file: &str, images: Vec<Image>, asked: &str) -> Result<Vec<Image>, Fore
     let part = images.iter().position(|image| image.name == asked);
     let inside = images.iter().position(|i| i.channels.iter().any(|c| c.name.starts_with(&prefix)));
     let Some(index) = part.or(inside) else {
-        let name = asked.to_string();
-        return Err(ForeignError::NoSuch { file: file.into(), what: "layer", name, known });
+        return Err(ForeignError::no_such(file, "layer", asked, &known));
     };
     let mut found: Vec<Image> = images.into_iter().skip(index).take(1).collect();
     if part.is_none() {

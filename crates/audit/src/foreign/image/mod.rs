@@ -33,8 +33,7 @@ impl Image {
     fn table(self, hints: &Hints) -> Result<ForeignTable, ForeignError> {
         let Image { file, name, kind, size, mut channels, step, note } = self;
         let found = size.iter().product();
-        let wrong =
-            |message: String| ForeignError::Size { file: file.clone(), name: name.clone(), found, message };
+        let wrong = |message: String| ForeignError::size(&file, &name, found, &message);
         if let Some(asked) = hints.channels.filter(|asked| *asked != channels.len()) {
             let message = format!("have {} channels each, not {asked}: leave the number out", channels.len());
             return Err(wrong(message));
@@ -101,12 +100,8 @@ fn claimed(file: &str, size: &[u64], channels: u64) -> Result<usize, ForeignErro
     let found = size.iter().chain([&channels]).try_fold(1, product).unwrap_or(u128::MAX);
     if found > limits::VALUES as u128 || channels > limits::CHANNELS as u64 {
         let sides: Vec<String> = size.iter().map(u64::to_string).collect();
-        return Err(ForeignError::TooLarge {
-            file: file.into(),
-            what: format!("values of {} texels of {channels} channels", sides.join(" x ")),
-            found,
-            limit: limits::VALUES as u128,
-        });
+        let what = format!("values of {} texels of {channels} channels", sides.join(" x "));
+        return Err(ForeignError::too_large(file, &what, found, limits::VALUES));
     }
     Ok(found as usize)
 }
@@ -119,10 +114,7 @@ fn guarded<T>(
     read: impl FnOnce() -> Result<T, ForeignError>,
 ) -> Result<T, ForeignError> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(read)).unwrap_or_else(|_| {
-        Err(ForeignError::Malformed {
-            file: file.into(),
-            at: super::Spot::Byte(0),
-            message: format!("the {reader} reader gave up on this file: it is damaged"),
-        })
+        let message = format!("the {reader} reader gave up on this file: it is damaged");
+        Err(ForeignError::at(file, super::Spot::Byte(0), message))
     })
 }

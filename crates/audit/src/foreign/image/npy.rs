@@ -77,7 +77,7 @@ fn contradicted(
         asked.iter().map(usize::to_string).collect::<Vec<_>>().join("x"),
     );
     let found = shape.iter().product();
-    Err(ForeignError::Size { file: source.file.into(), name: String::new(), found, message })
+    Err(ForeignError::size(source.file, "", found, &message))
 }
 
 /// Where the numbers begin, and the dictionary.
@@ -105,11 +105,9 @@ fn dictionary<'a>(source: Source<'a>) -> Result<(usize, &'a str), ForeignError> 
 }
 
 fn number(source: Source, kind: &str, hints: &Hints) -> Result<RawFormat, ForeignError> {
-    let bits = |integers: &str| ForeignError::Encoding {
-        file: source.file.into(),
-        at: Spot::Byte(PREFIX),
-        name: "the array".into(),
-        message: format!("{integers} may be bits of numbers or fractions of a whole"),
+    let bits = |integers: &str| {
+        let message = format!("{integers} may be bits of numbers or fractions of a whole");
+        ForeignError::encoding(source.file, Spot::Byte(PREFIX), "the array", &message)
     };
     match (kind, hints.format) {
         ("<f2", _) => Ok(RawFormat::F16),

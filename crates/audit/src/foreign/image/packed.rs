@@ -57,16 +57,12 @@ impl<'a> Source<'a> {
     pub fn part(self, at: u64, length: u64, what: &str) -> Result<&'a [u8], ForeignError> {
         let found = self.bytes.len() as u64;
         let end = at.checked_add(length).filter(|end| *end <= found);
-        match end {
-            Some(end) => Ok(&self.bytes[at as usize..end as usize]),
-            None => Err(ForeignError::Truncated {
-                file: self.file.into(),
-                at: Spot::Byte(at),
-                what: what.into(),
-                needed: length,
-                found: found.saturating_sub(at),
-            }),
-        }
+        let short = || {
+            let left = found.saturating_sub(at);
+            let message = format!("{what} would take {length} bytes, {left} are left: the file is cut short");
+            self.malformed(at, message)
+        };
+        Ok(&self.bytes[at as usize..end.ok_or_else(short)? as usize])
     }
 
     /// Little-endian words of 32 bits from `at`.
@@ -81,13 +77,12 @@ impl<'a> Source<'a> {
 
     /// The error that what stands at a byte contradicts the format.
     pub fn malformed(self, at: u64, message: impl Into<String>) -> ForeignError {
-        ForeignError::Malformed { file: self.file.into(), at: Spot::Byte(at), message: message.into() }
+        ForeignError::at(self.file, Spot::Byte(at), message)
     }
 
     /// The error that what stands at a byte is a kind of file that is not read.
-    pub fn unsupported(self, at: u64, what: impl Into<String>, advice: impl Into<String>) -> ForeignError {
-        let (what, advice) = (what.into(), advice.into());
-        ForeignError::Unsupported { file: self.file.into(), at: Spot::Byte(at), what, advice }
+    pub fn unsupported(self, at: u64, what: impl AsRef<str>, advice: &str) -> ForeignError {
+        ForeignError::unsupported(self.file, Spot::Byte(at), what.as_ref(), advice)
     }
 }
 

@@ -21,7 +21,7 @@ use std::sync::Arc;
 use naga::{Function, Handle, Module, ScalarKind, Span, Type, TypeInner};
 use rayon::prelude::*;
 
-use super::{ForeignError, Spot};
+use super::ForeignError;
 use run::Run;
 use source::Source;
 use value::Value;
@@ -81,11 +81,7 @@ pub fn read_functions(
     entry: Option<&str>,
 ) -> Result<Vec<ShaderFunction>, ForeignError> {
     let source = Source::new(bytes, file)?;
-    let lost = |message: String| ForeignError::Malformed {
-        file: file.into(),
-        at: Spot::Line { line: 1, column: 1 },
-        message,
-    };
+    let lost = |message: String| ForeignError::new(file, message);
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(STACK);
         let handle = thread.spawn_scoped(scope, || read(source, entry));
@@ -104,9 +100,8 @@ fn read(source: Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, Fore
         let asked: Vec<Handle<Function>> =
             module.functions.iter().filter(|(_, f)| name(f) == entry).map(|(handle, _)| handle).collect();
         if asked.is_empty() {
-            let known = plain().map(|(_, f)| name(f)).collect();
-            let (file, name) = (source.file.clone(), entry.to_string());
-            return Err(ForeignError::NoSuch { file, what: "function", name, known });
+            let known: Vec<String> = plain().map(|(_, f)| name(f)).collect();
+            return Err(ForeignError::no_such(&source.file, "function", entry, &known));
         }
         return asked.into_iter().map(|handle| one(&program, handle, &left_out)).collect();
     }
@@ -121,9 +116,8 @@ fn read(source: Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, Fore
         _ if !found.is_empty() => Ok(found),
         Some(error) => Err(error),
         None => {
-            let message =
-                "no function in it but entry points: write the formula as a function of its own".into();
-            Err(ForeignError::Nothing { file: source.file.clone(), message })
+            let message = "no function in it but entry points: write the formula as a function of its own";
+            Err(ForeignError::new(&source.file, message))
         }
     }
 }

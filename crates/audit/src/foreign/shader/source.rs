@@ -7,8 +7,9 @@ use naga::{Module, ShaderStage, Span};
 use super::ShaderLanguage;
 use super::cut::Cut;
 use super::items::{items, plain_arguments};
+use crate::foreign::recognise::EMPTY;
 use crate::foreign::text::{called, nesting};
-use crate::foreign::{ForeignError, Spot, limits};
+use crate::foreign::{ForeignError, Spot, error, limits};
 
 /// A shader source.
 #[derive(Clone, Debug)]
@@ -32,23 +33,14 @@ impl Source {
     pub fn new(bytes: &[u8], file: &str) -> Result<Source, ForeignError> {
         let file = file.to_string();
         if bytes.is_empty() {
-            return Err(ForeignError::Empty { file });
+            return Err(ForeignError::new(&file, EMPTY));
         }
-        let too_large = |what: &str, found: usize, limit: usize| ForeignError::TooLarge {
-            file: file.clone(),
-            what: what.into(),
-            found: found as u128,
-            limit: limit as u128,
-        };
+        let too_large =
+            |what: &str, found: usize, limit: usize| ForeignError::too_large(&file, what, found, limit);
         if bytes.len() > limits::SHADER {
             return Err(too_large("bytes of a shader source", bytes.len(), limits::SHADER));
         }
-        let text = std::str::from_utf8(bytes).map_err(|e| ForeignError::Malformed {
-            file: file.clone(),
-            at: Spot::Byte(e.valid_up_to() as u64),
-            message: "these bytes are not UTF-8: save the source as UTF-8".into(),
-        })?;
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_string();
+        let text = error::text(bytes, &file, "source")?.to_string();
         let deepest = nesting(&text, &file);
         if deepest > limits::NESTING {
             return Err(too_large("operators and brackets around a term", deepest, limits::NESTING));
@@ -120,30 +112,22 @@ impl Source {
     }
 
     fn malformed(&self, span: Option<Span>, message: String) -> ForeignError {
-        ForeignError::Malformed { file: self.file.clone(), at: self.spot(span.unwrap_or_default()), message }
+        ForeignError::at(&self.file, self.spot(span.unwrap_or_default()), message)
     }
 
     /// The error that something is not read.
-    pub fn unsupported(
-        &self,
-        span: Span,
-        what: impl Into<String>,
-        advice: impl Into<String>,
-    ) -> ForeignError {
-        let (what, advice) = (what.into(), advice.into());
-        ForeignError::Unsupported { file: self.file.clone(), at: self.spot(span), what, advice }
+    pub fn unsupported(&self, span: Span, what: impl AsRef<str>, advice: &str) -> ForeignError {
+        ForeignError::unsupported(&self.file, self.spot(span), what.as_ref(), advice)
     }
 
     /// The same at a byte of the text.
-    pub fn lacking(&self, at: usize, what: impl Into<String>, advice: &str) -> ForeignError {
-        let (what, advice) = (what.into(), advice.into());
-        ForeignError::Unsupported { file: self.file.clone(), at: Spot::of(&self.text, at), what, advice }
+    pub fn lacking(&self, at: usize, what: impl AsRef<str>, advice: &str) -> ForeignError {
+        ForeignError::unsupported(&self.file, Spot::of(&self.text, at), what.as_ref(), advice)
     }
 
     /// The error that a limit is passed.
     pub fn too_large(&self, what: &str, found: usize, limit: usize) -> ForeignError {
-        let (found, limit) = (found as u128, limit as u128);
-        ForeignError::TooLarge { file: self.file.clone(), what: what.into(), found, limit }
+        ForeignError::too_large(&self.file, what, found, limit)
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn read(
 ) -> Result<(String, Vec<f64>, Step), ForeignError> {
     let refuse = |message: String| {
         let name = if name.is_empty() { "the list" } else { name };
-        Err(ForeignError::Encoding { file: file.into(), at, name: name.into(), message })
+        Err(ForeignError::encoding(file, at, name, &message))
     };
     let largest = values.iter().copied().fold(0.0, f64::max);
     let negative = values.iter().any(|v| *v < 0.0);

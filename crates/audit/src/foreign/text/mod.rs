@@ -18,16 +18,11 @@ pub(super) use lex::{Lexer, Token};
 pub(super) use nesting::{called, nesting};
 
 use super::shape::{self, Values};
-use super::{ForeignError, ForeignTable, Hints, Spot, Step, limits};
+use super::{ForeignError, ForeignTable, Hints, Spot, Step, error, limits};
 
 /// The tables of a text: all, or the one that is asked for.
 pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
-    let text = std::str::from_utf8(bytes).map_err(|e| ForeignError::Malformed {
-        file: file.into(),
-        at: Spot::Byte(e.valid_up_to() as u64),
-        message: "these bytes are not UTF-8: save the text as UTF-8".into(),
-    })?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = error::text(bytes, file, "text")?;
     let mut found: Vec<(Lead, Literal)> = scan::literals(text, file)?
         .into_iter()
         .map(|literal| (lead::lead(text, file, literal.statement, literal.open), literal))
@@ -38,14 +33,13 @@ pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreig
              not read",
             limits::ARRAY_MIN
         );
-        return Err(ForeignError::Nothing { file: file.into(), message });
+        return Err(ForeignError::new(file, message));
     }
     if let Some(symbol) = &hints.symbol {
-        let known = found.iter().map(|(lead, _)| lead.name.clone()).collect();
+        let known: Vec<String> = found.iter().map(|(lead, _)| lead.name.clone()).collect();
         found.retain(|(lead, _)| lead.name == *symbol);
         if found.is_empty() {
-            let name = symbol.clone();
-            return Err(ForeignError::NoSuch { file: file.into(), what: "array", name, known });
+            return Err(ForeignError::no_such(file, "array", symbol, &known));
         }
     }
     found.into_iter().map(|(lead, literal)| table(text, file, lead, literal, hints)).collect()
@@ -63,13 +57,11 @@ fn table(
             "" => message,
             name => format!("{name}: {message}"),
         };
-        return Err(ForeignError::TwoLobes { file: file.into(), at: Spot::of(text, at), message });
+        return Err(ForeignError::at(file, Spot::of(text, at), message));
     }
     let at = Spot::of(text, literal.open);
-    let (size, channels) = match dimensions(&lead, &literal) {
-        Ok(size) => size,
-        Err(message) => return Err(ForeignError::TwoLobes { file: file.into(), at, message }),
-    };
+    let (size, channels) =
+        dimensions(&lead, &literal).map_err(|message| ForeignError::at(file, at, message))?;
     let told = size.is_some() || hints.size.is_some();
     let lines = if told { None } else { lines(text, file, &literal) };
     let (kind, values, step) = if literal.decimals.is_none() {

@@ -238,11 +238,7 @@ impl<'a> Scan<'a> {
                 "the bracket opened here is not closed, {} numbers follow: the file is cut short",
                 self.values.len() - first
             );
-            return Err(ForeignError::Malformed {
-                file: self.file.into(),
-                at: Spot::of(self.text, at),
-                message,
-            });
+            return Err(ForeignError::at(self.file, Spot::of(self.text, at), message));
         }
         if open == 0 && pure && self.values.len() >= limits::ARRAY_MIN {
             let end = self.text.len();
@@ -253,6 +249,6 @@ impl<'a> Scan<'a> {
     }
 
     fn too_large(&self, what: &str, found: u128, limit: usize) -> ForeignError {
-        ForeignError::TooLarge { file: self.file.into(), what: what.into(), found, limit: limit as u128 }
+        ForeignError::too_large(self.file, what, found, limit)
     }
 }

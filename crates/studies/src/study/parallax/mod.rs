@@ -8,7 +8,6 @@ mod findings;
 mod measures;
 mod page;
 mod parameters;
-mod proxies;
 pub mod room;
 mod rooms;
 mod seed;
@@ -60,9 +59,8 @@ fn results(size: Size, origin: Origin, progress: &dyn Progress) -> Result<Parall
     let seed = seed::findings(&parameters.seed, progress)?;
     let slant = slant::findings(&parameters.slant, progress)?;
     let rooms = rooms::findings(&parameters.rooms, progress)?;
-    let proxies = proxies::findings(&parameters.proxies, progress)?;
     let chain = chain::findings(&parameters.chain, progress)?;
     let reduced = size == Size::Reduced;
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(ParallaxStudy { origin, reduced, parameters, seed, slant, rooms, proxies, chain })
+    Ok(ParallaxStudy { origin, reduced, parameters, seed, slant, rooms, chain })
 }

@@ -13,8 +13,6 @@ pub const NEAREST: f64 = 1e-5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     planes: Vec<Plane>,
-    probe: Vec3,
-    heights: Vec<f64>,
 }
 
 /// A plane as a ray from a shading point has it.
@@ -32,38 +30,18 @@ impl Body {
     /// The body of planes about a probe; `None` where the probe is not inside all of them, by a
     /// finite distance.
     pub fn new(shape: &Convex, probe: Vec3) -> Option<Body> {
-        let heights: Vec<f64> = shape.planes.iter().map(|plane| plane.depth(probe)).collect();
-        let inside = heights.iter().all(|h| *h > 0.0 && h.is_finite());
-        inside.then(|| Body { planes: shape.planes.clone(), probe, heights })
-    }
-
-    /// Where the probe is.
-    pub fn probe(&self) -> Vec3 {
-        self.probe
-    }
-
-    /// Its planes.
-    pub fn planes(&self) -> &[Plane] {
-        &self.planes
-    }
-
-    /// The probe's distance to the nearest plane: the unit of lengths of the proxies.
-    pub fn nearest(&self) -> f64 {
-        self.heights.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-
-    /// All planes.
-    pub fn facing(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
-        self.planes.iter().map(move |plane| Facing {
-            normal: plane.normal,
-            depth: plane.depth(from).abs().max(NEAREST),
-            approach: dot(plane.normal, towards),
-        })
+        let mut heights = shape.planes.iter().map(|plane| plane.depth(probe));
+        heights.all(|h| h > 0.0 && h.is_finite()).then(|| Body { planes: shape.planes.clone() })
     }
 
     /// The planes that a ray goes towards.
     pub fn ahead(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
-        self.facing(from, towards).filter(|plane| plane.approach > 0.0)
+        let facing = self.planes.iter().map(move |plane| Facing {
+            normal: plane.normal,
+            depth: plane.depth(from).abs().max(NEAREST),
+            approach: dot(plane.normal, towards),
+        });
+        facing.filter(|plane| plane.approach > 0.0)
     }
 
     /// Distance and normal of the first plane that a ray meets.

@@ -1,7 +1,6 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
 mod chain;
-mod proxies;
 mod rooms;
 mod seed;
 mod slant;
@@ -11,7 +10,6 @@ use serde_json::Value;
 
 pub use chain::*;
 use lobefit::report::Origin;
-pub use proxies::*;
 pub use rooms::*;
 pub use seed::*;
 pub use slant::*;
@@ -32,8 +30,6 @@ pub struct ParallaxStudy {
     pub slant: SlantFindings,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
-    /// Proxies with soft edges.
-    pub proxies: ProxiesFindings,
     /// Real chains, and bakes for the proxy.
     pub chain: ChainFindings,
 }

@@ -1,7 +1,6 @@
 //! The page of the study of lookups of a probe's cubemap, a file for each part.
 
 mod chain;
-mod proxies;
 mod rooms;
 mod seed;
 mod slant;
@@ -19,7 +18,6 @@ pub fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
         rooms::basis(&study.rooms)?,
         seed::sections(&study.seed)?,
         slant::sections(&study.slant)?,
-        proxies::sections(&study.proxies)?,
         chain::sections(&study.chain)?,
     ];
     let mut sections = rooms::answers(&study.rooms)?;

@@ -1,9 +1,9 @@
 //! Rooms of known light, in which lookups of a probe's cubemap are measured.
 //!
 //! A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from
-//! anywhere inside in any direction is known in closed form. [`Exact`] integrates the fetches of a
-//! [`Lookup`] without texels, [`Fan`] the same lobe from the shading point, and [`GgxRays`] what a
-//! whole GGX surface reflects.
+//! anywhere inside in any direction is known in closed form. [`Patches`] integrates lobes
+//! from the probe, which are the fetches of a [`Lookup`] without texels, and from shading points,
+//! [`Fan`] the same by samples, and [`GgxRays`] what a whole GGX surface reflects.
 
 mod catalogue;
 pub mod cubemap;
@@ -11,11 +11,12 @@ mod exact;
 mod faded;
 mod fetch;
 mod light;
-pub mod proxies;
 
 pub use catalogue::{octagon, practice, room_a, room_b};
-pub use exact::{Exact, Fan, Fineness, GgxRays, Outlook, Patches};
+pub use exact::{Fan, Fineness, GgxRays, Outlook, Patches};
 pub use faded::{Faded, Slant};
 pub use fetch::Rays;
 pub use light::{Checker, Panel, Room, Wall};
-pub use lobefit::effects::parallax::room::{Convex, Fetch, Lookup, Meeting, Plane, Proxy, Seen, Tap};
+pub use lobefit::effects::parallax::room::{
+    Convex, Fetch, Lookup, Meeting, Plane, Proxy, Seen, Tap, proxies,
+};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::study::StudyError;
-use crate::study::parallax::room::proxies::{Body, Eased, Smooth, Tied};
+use crate::study::parallax::room::proxies::{Body, Eased};
 use crate::study::parallax::room::{Lookup, Proxy, Room};
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
 
@@ -17,12 +17,6 @@ pub(in crate::study::parallax) enum Taken {
     Planes,
     /// The same with edges rounded as those of the emitted lookups.
     Smooth,
-    /// Their p-norm, with the power of the lookups emitted before, which is tied to the footprint.
-    Tied,
-    /// The same with a power by alpha alone, 0.39/alpha^1.5.
-    ByAlpha,
-    /// The same with the power by eye, max(4, 0.6/alpha).
-    ByEye,
 }
 
 /// A way to look the cubemap up.
@@ -51,9 +45,6 @@ impl Method {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(body, room),
             Taken::Smooth => self.corrected(Eased { body }, room),
-            Taken::Tied => self.corrected(Tied { body, tie: Tied::FITTED }, room),
-            Taken::ByAlpha => self.corrected(Smooth { body, power: Smooth::FITTED }, room),
-            Taken::ByEye => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
         })
     }
 
@@ -93,7 +84,7 @@ pub(in crate::study::parallax) fn smooth(fetches: usize) -> Method {
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{ByAlpha, ByEye, Infinite, Planes, Smooth, Tied};
+    use Taken::{Infinite, Planes, Smooth};
     use Width::{Frostbite, Same, Scaled};
     let rational = Width::EMITTED;
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
@@ -117,15 +108,10 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, rational),
         method("rational, areas, dominant direction", Planes, Dominant, 1, Area, rational),
         method("rational, areas, smooth", Smooth, Mirror, 1, Area, rational),
-        method("rational, areas, smooth by p-norm", Tied, Mirror, 1, Area, rational),
-        method("rational, areas, smooth by α", ByAlpha, Mirror, 1, Area, rational),
-        method("rational, areas, smooth by eye", ByEye, Mirror, 1, Area, rational),
         method("2 fetches", Planes, Mirror, 2, Area, rational),
         method("3 fetches", Planes, Mirror, 3, Area, rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, rational),
         method("2 fetches, smooth", Smooth, Mirror, 2, Area, rational),
-        method("3 fetches, smooth by α", ByAlpha, Mirror, 3, Area, rational),
-        method("3 fetches, smooth by p-norm", Tied, Mirror, 3, Area, rational),
         method("3 fetches, smooth", Smooth, Mirror, 3, Area, rational),
         method("3 fetches, dominant direction, smooth", Smooth, Dominant, 3, Area, rational),
         method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, rational),

@@ -5,7 +5,7 @@ use lobefit::report::Section;
 use lobefit::report::words;
 
 /// Parts of a lookup's name, what each does, and whose it is.
-const PARTS: [(&str, &str, &str); 15] = [
+const PARTS: [(&str, &str, &str); 12] = [
     ("no parallax", "the mirror direction, the width α", "-"),
     (
         "parallax only",
@@ -32,16 +32,9 @@ const PARTS: [(&str, &str, &str); 15] = [
     ),
     (
         "smooth",
-        "edges of the walls rounded by how far the lobe reaches over them (below)",
+        "edges of the walls rounded by how far the lobe reaches over them",
         "emitted lookups with smooth edges",
     ),
-    (
-        "smooth by p-norm",
-        "the walls blended by a p-norm, the power tied to how far the lobe reaches over an edge; more than twice the operations",
-        "emitted before",
-    ),
-    ("smooth by α", "the same with p = clamp(0.39/α^1.5, 2, 256)", "-"),
-    ("smooth by eye", "the same with p = max(4, 0.6/α)", "-"),
     (
         "2 fetches, 3 fetches",
         "fetches along the long axis of the footprint by one rule (above); rational, areas",

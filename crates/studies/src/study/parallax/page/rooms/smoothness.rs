@@ -31,11 +31,9 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
 
 /// What causes creases, by what changes them.
 const WHY: &str = "Where they come from. Through the walls themselves the ratio of areas jumps at an edge, and the width of the fetch with it: a seam, the \
-     larger the rougher, until wide lobes hide it. By distances nothing jumps, but the looked-up direction has a kink. A power that falls with α alone \
-     is too large for small α, and for edges that are met at a grazing angle, as in room B: the body turns within less than the lobe, and the seam is \
-     left. Rounded by how far the lobe reaches over the edge, or with a power tied to that, it is not. At roughness \
-     0.15 the lobe is about as wide as the three pixels by which an edge is found, whatever the error is at edges falls together there, and a rounder \
-     body would look the corner up in a wrong place: no power of those tried brings the mean ratio below 2. Several fetches have smaller errors \
+     larger the rougher, until wide lobes hide it. By distances nothing jumps, but the looked-up direction has a kink. Rounded by how far the lobe \
+     reaches over the edge, it has none. At roughness 0.15 the lobe is about as wide as the three pixels by which an edge is found, whatever the \
+     error is at edges falls together there, and a rounder body would look the corner up in a wrong place. Several fetches have smaller errors \
      elsewhere, which alone raises their ratio; at small roughness the kink of the direction at edges is theirs too. From roughness 0.5 what is left on \
      edges is less than a step of a display of 8 bits but for room B and three fetches at 0.9.";
 

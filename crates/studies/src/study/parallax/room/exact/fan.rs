@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use super::super::light::Room;
-use super::super::{Fetch, Tap};
 use super::outlook::{LANES, Outlook};
 use multiversion::multiversion;
 
@@ -148,19 +147,4 @@ fn cubic(log: f64) -> (usize, [f64; 4]) {
         (t + 1.0) * t * (t - 1.0) / 6.0,
     ];
     (first, weights)
-}
-
-/// Fetches from the probe of a room whose lobes are integrated.
-#[derive(Clone, Copy, Debug)]
-pub struct Exact<'a> {
-    /// The room.
-    pub room: &'a Room,
-    /// Directions.
-    pub fan: &'a Fan,
-}
-
-impl Fetch for Exact<'_> {
-    fn fetch(&self, tap: &Tap) -> [f64; 3] {
-        self.fan.lobe(self.room, self.room.probe, tap.towards, None, tap.alpha)
-    }
 }

@@ -7,7 +7,7 @@ mod outlook;
 mod patches;
 mod surface;
 
-pub use fan::{Exact, Fan};
+pub use fan::Fan;
 pub use outlook::Outlook;
 pub use patches::{Fineness, Patches};
 pub use surface::GgxRays;
