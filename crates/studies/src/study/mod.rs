@@ -3,6 +3,7 @@
 //! any number of threads.
 
 pub mod coupling;
+mod page;
 pub mod parallax;
 
 use serde::Serialize;

@@ -7,7 +7,7 @@ use super::wanted;
 use crate::flip::PIXELS_PER_DEGREE;
 use crate::render::{Environment, Settings};
 use crate::study::coupling::surface::table::Grid;
-use crate::study::coupling::surface::{Fingerprint, Fixed, Lobe, fingerprint};
+use crate::study::coupling::surface::{Fingerprint, Lobe, fingerprint};
 use crate::study::{Size, StudyError};
 use lobefit::effects::coupling::OWN_SPECULAR;
 
@@ -31,7 +31,6 @@ struct Measured {
     formulas: Vec<Fingerprint>,
     /// Published fits, with their source.
     published: Vec<&'static str>,
-    fixed: Fixed,
     grid: Grid,
     /// Paths of each random walk, and what they begin from.
     paths: u64,
@@ -143,7 +142,6 @@ impl Parameters {
                 couplings: wanted.couplings.iter().map(|c| c.name().to_string()).collect(),
                 formulas: fingerprint(&wanted.couplings)?,
                 published: OWN_SPECULAR.iter().map(|own| own.entry.source).collect(),
-                fixed: Fixed::default(),
                 grid: wanted.grid,
                 paths: wanted.walks.paths,
                 seed: wanted.walks.seed,

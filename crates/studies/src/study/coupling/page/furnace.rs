@@ -1,9 +1,10 @@
 //! The couplings in the furnace: what departs from white.
 
 use crate::study::coupling::findings::{CouplingStudy, FurnaceStrip, FurnaceStripRow};
+use crate::study::page;
+use lobefit::report::figures;
 use lobefit::report::numbers::{bound, brief, place};
 use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, TextTable, check, disc};
-use lobefit::report::{figures, words};
 
 /// Departure that gets the deepest colours.
 const LIMIT: f64 = 0.1;
@@ -82,10 +83,7 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
         let worst = strip.rows.get(i).map_or(0.0, |r| farthest(&r.worst));
         if worst.abs() < 1e-6 { "0".into() } else { bound(worst, 2) }
     };
-    let row = |i: usize| {
-        let name = strips[0].rows[i].name.clone();
-        std::iter::once(name).chain(strips.iter().map(|s| cell(s, i))).collect()
-    };
+    let row = |i: usize| page::row(strips[0].rows[i].name.clone(), strips.iter().map(|s| cell(s, i)));
     let ends = |values: &[f64]| match (values.first(), values.last()) {
         (Some(low), Some(high)) => format!("{} to {}", place(*low), place(*high)),
         _ => "–".into(),
@@ -96,9 +94,7 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
         "Departure of the albedo from 1 with the largest magnitude over roughness {roughness} (more than is drawn) and μ {mu}, with its sign, \
          rounded away from zero; by roughness in results.json."
     );
-    let mut table = words::table(&[], (0..rows).map(row).collect(), &caption);
-    table.columns = columns;
-    table
+    page::table(columns, (0..rows).map(row).collect(), &caption)
 }
 
 fn farthest(values: &[f64]) -> f64 {

@@ -1,9 +1,10 @@
 //! Spheres under the environment, with the map of what is seen.
 
 use crate::study::coupling::findings::{CouplingStudy, LitRow, LitStrip};
+use crate::study::page;
+use lobefit::report::figures;
 use lobefit::report::numbers::{brief_bound, place, significant};
 use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, check};
-use lobefit::report::{figures, words};
 
 /// FLIP that gets the lightest colour of a map.
 const LIMIT: f64 = 0.3;
@@ -41,14 +42,10 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
         let flip = strip.rows.get(i).map_or(0.0, |r| lobefit_math::sum::mean(&r.flip));
         significant(flip, 3)
     };
-    let row = |(i, name): (usize, &&String)| {
-        std::iter::once(name.to_string()).chain(strips.iter().map(|s| cell(s, i))).collect()
-    };
+    let row = |(i, name): (usize, &&String)| page::row(*name, strips.iter().map(|s| cell(s, i)));
     let caption = "Mean over the spheres of all roughnesses; by roughness in results.json. At f0 = 1 the facets let nothing through, and all that a \
                    base can do is to give back what the lobe loses.";
-    let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
-    table.columns = columns;
-    table
+    page::table(columns, names.iter().enumerate().map(row).collect(), caption)
 }
 
 fn title(strip: &LitStrip) -> String {
@@ -91,14 +88,9 @@ fn labelled(strip: &LitStrip, row: &LitRow) -> String {
 }
 
 fn table(strip: &LitStrip) -> TextTable {
-    let mut columns = vec![("mean FLIP at roughness".to_string(), false)];
-    columns.extend(strip.roughness.iter().map(|&r| (place(r), true)));
+    let columns = page::columns_at("mean FLIP at roughness", &strip.roughness);
     let others = strip.rows.iter().filter(|r| r.flip.iter().any(|&f| f > 0.0));
-    let row = |name: &str, values: &[f64], digits: usize| {
-        let cells = values.iter().map(|&x| significant(x, digits));
-        std::iter::once(name.to_string()).chain(cells).collect::<Vec<_>>()
-    };
-    let rows = others.map(|r| row(&r.name, &r.flip, 3)).collect();
+    let rows = others.map(|r| page::row(&r.name, r.flip.iter().map(|&x| significant(x, 3)))).collect();
     let most = strip.rows.iter().flat_map(|r| &r.error).fold(0.0, |m: f64, &e| m.max(e));
     let caption = format!(
         "Mean over the pixels of each sphere. Relative noise of the reference: {}; FLIP between its two halves: {}; the largest standard \
@@ -107,9 +99,7 @@ fn table(strip: &LitStrip) -> TextTable {
         list(&strip.flip_of_noise),
         brief_bound(most, 2),
     );
-    let mut table = words::table(&[], rows, &caption);
-    table.columns = columns;
-    table
+    page::table(columns, rows, &caption)
 }
 
 fn list(values: &[f64]) -> String {

@@ -3,8 +3,9 @@
 use super::walks::SHOWN;
 use crate::study::coupling::surface::colour::{ColourRow, WALK_EXACT, WALK_SCHLICK};
 use crate::study::coupling::surface::random_walk::ViewRow;
+use crate::study::page;
 use lobefit::report::numbers::{bound, brief, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, TextTable, check};
 use lobefit::report::{figures, words};
 
 /// The channel whose albedo is drawn.
@@ -57,28 +58,18 @@ fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourR
         };
         with_bars(model, of_model, style)
     });
-    Curves {
-        title,
-        x: ("roughness".into(), Spread::Linear),
-        y: (unit.into(), Spread::Linear),
-        series: series.collect(),
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (400.0, 260.0),
-    }
+    page::chart(title, ["roughness", unit], series.collect(), (400.0, 260.0))
 }
 
 /// A line of (x, (value, standard error)), over its error bars where something was sampled.
 fn with_bars(name: &str, values: Vec<(f64, (f64, f64))>, style: Style) -> Vec<Series> {
     let points = values.iter().map(|(x, (y, _))| (*x, *y)).collect();
-    let series = |name: &str, points, style| Series { name: name.into(), points, style, end: None };
-    let line = series(name, points, style);
+    let line = page::line(name, points, style);
     if values.iter().all(|(_, (_, error))| *error == 0.0) {
         return vec![line];
     }
     let ends = values.iter().flat_map(|(x, (y, error))| [(*x, y - SHOWN * error), (*x, y + SHOWN * error)]);
-    vec![series("", ends.collect(), Style::Bars), line]
+    vec![page::line("", ends.collect(), Style::Bars), line]
 }
 
 /// Saturation by roughness, a row per model.
@@ -91,7 +82,7 @@ fn table(metal: &str, rows: &[ColourRow]) -> TextTable {
     let line = |model: &String| {
         let cells =
             of_metal.iter().filter(|row| row.model == *model).map(|row| significant(row.saturation, 3));
-        std::iter::once(model.clone()).chain(cells).collect()
+        page::row(model, cells)
     };
     let error = of_metal.iter().map(|row| row.saturation_error).fold(0.0, f64::max);
     let models = distinct(of_metal.iter().map(|row| &row.model));
@@ -99,9 +90,7 @@ fn table(metal: &str, rows: &[ColourRow]) -> TextTable {
         "{metal}: 1 less the smallest over the largest channel of the mean albedo. Standard error of the walks at most {}.",
         bound(error, 1)
     );
-    let mut table = words::table(&[], models.into_iter().map(line).collect(), &caption);
-    table.columns = columns;
-    table
+    page::table(columns, models.into_iter().map(line).collect(), &caption)
 }
 
 /// Each once, in the order of the first.
@@ -142,22 +131,12 @@ fn view_chart(metal: &str, roughness: f64, rows: &[ViewRow]) -> Curves {
     let here: Vec<&ViewRow> =
         rows.iter().filter(|row| row.metal == metal && row.roughness == roughness).collect();
     let lobes = here.first().map(|row| row.lobes.len()).unwrap_or_default();
-    let series = (0..lobes).map(|i| Series {
-        name: here[0].lobes[i].0.clone(),
-        points: here.iter().filter_map(|row| Some((row.mu, row.lobes.get(i)?.1[GREEN]))).collect(),
-        style: Style::Line(i),
-        end: None,
+    let series = (0..lobes).map(|i| {
+        let points = here.iter().filter_map(|row| Some((row.mu, row.lobes.get(i)?.1[GREEN])));
+        page::line(&here[0].lobes[i].0, points.collect(), Style::Line(i))
     });
     let walked = here.iter().map(|row| (row.mu, (row.walk[GREEN], row.standard_error[GREEN]))).collect();
     let walk = with_bars(WALK_SCHLICK, walked, Style::Measured);
-    Curves {
-        title: format!("{metal}, roughness {}: green albedo", brief(roughness, 3)),
-        x: (words::axis("mu"), Spread::Linear),
-        y: ("albedo".into(), Spread::Linear),
-        series: series.chain(walk).collect(),
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (400.0, 260.0),
-    }
+    let title = format!("{metal}, roughness {}: green albedo", brief(roughness, 3));
+    page::chart(title, [&words::axis("mu"), "albedo"], series.chain(walk).collect(), (400.0, 260.0))
 }

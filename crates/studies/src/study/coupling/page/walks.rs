@@ -1,9 +1,9 @@
 //! The random walk of white facets: how much leaves after which bounce, and where it goes.
 
 use crate::study::coupling::surface::random_walk::BounceRow;
+use crate::study::page;
 use lobefit::report::numbers::{bound, brief, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
-use lobefit::report::{figures, words};
+use lobefit::report::{Block, Curves, ReportError, Section, Style, TextTable, check, figures};
 
 /// Half the length of an error bar in standard errors.
 pub(super) const SHOWN: f64 = 2.0;
@@ -56,40 +56,25 @@ fn table(rows: &[BounceRow]) -> TextTable {
          Off: the part of the light of later bounces that a model sends to other angles than the walk.",
         bound(error, 1)
     );
-    let mut table = words::table(&[], rows.iter().map(row).collect(), &caption);
-    table.columns = columns;
-    table
+    page::table(columns, rows.iter().map(row).collect(), &caption)
 }
 
 fn chart(row: &BounceRow) -> Curves {
     let bins = row.lights.len() as f64;
-    let series = |name: &str, points: Vec<(f64, f64)>, style: Style| Series {
-        name: name.into(),
-        points,
-        style,
-        end: None,
-    };
     let model = |name: &str, of: usize, style: Style| {
-        series(name, row.densities.iter().map(|at| (at[0], at[of])).collect(), style)
+        page::line(name, row.densities.iter().map(|at| (at[0], at[of])).collect(), style)
     };
     let middle = |i: usize| (i as f64 + 0.5) / bins;
     let walked = row.lights.iter().enumerate().map(|(i, energy)| (middle(i), energy * bins)).collect();
     let ends = row.lights.iter().zip(&row.lights_error).enumerate().flat_map(|(i, (energy, error))| {
         [energy - SHOWN * error, energy + SHOWN * error].map(|end| (middle(i), end * bins))
     });
-    Curves {
-        title: format!("roughness {}, view at μ {}", brief(row.roughness, 3), brief(row.mu, 3)),
-        x: ("cosine of the light".into(), Spread::Linear),
-        y: ("energy per unit of cosine".into(), Spread::Linear),
-        series: vec![
-            model("kulla-conty", 1, Style::Line(0)),
-            model("multiplied lobe", 2, Style::Line(1)),
-            series("", ends.collect(), Style::Bars),
-            series("random walk", walked, Style::Measured),
-        ],
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (400.0, 240.0),
-    }
+    let title = format!("roughness {}, view at μ {}", brief(row.roughness, 3), brief(row.mu, 3));
+    let series = vec![
+        model("kulla-conty", 1, Style::Line(0)),
+        model("multiplied lobe", 2, Style::Line(1)),
+        page::line("", ends.collect(), Style::Bars),
+        page::line("random walk", walked, Style::Measured),
+    ];
+    page::chart(title, ["cosine of the light", "energy per unit of cosine"], series, (400.0, 240.0))
 }

@@ -15,4 +15,4 @@ pub use lobefit::effects::coupling::surface::{
     Albedos, Base, Coupling, Facet, Factor, FactorAt, Fresnel, Lobe, Material, Side, Surface, SurfaceError,
     cost, formula, measure, table,
 };
-pub use rows::{Fixed, SurfaceRows, Wanted};
+pub use rows::{SurfaceRows, Wanted};

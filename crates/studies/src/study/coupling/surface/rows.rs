@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use super::absorbing::{ALBEDOS, AbsorbingRow, absorbing_table};
-use super::colour::{ColourRow, DIELECTRIC, METALS, Metal, colour_table};
+use super::absorbing::{AbsorbingRow, absorbing_table};
+use super::colour::{ColourRow, DIELECTRIC, METALS, colour_table};
 use super::interface::{IORS, SchlickRow, schlick_table};
-use super::measure::{AZIMUTHS, COSINES};
 use super::random_walk::{BounceRow, ViewRow, bounce_table, view_table};
 use super::table::{Grid, ReciprocityRow, rows_with};
 use super::{Coupling, Factor, Lobe, SurfaceError};
@@ -28,41 +27,6 @@ const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0,
 /// Single views.
 const VIEW_ROUGHNESS: [f64; 2] = [0.6, 1.0];
 const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
-
-/// What every measurement takes for granted: with [`Wanted`] and the formulas of
-/// [`super::fingerprint`] all that its rows follow from.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Fixed {
-    metals: [Metal; 2],
-    dielectric: Metal,
-    iors: [f64; 6],
-    dark_f0: f64,
-    dark_albedos: [f64; 6],
-    bounce_views: [(f64, f64); 4],
-    view_roughness: [f64; 2],
-    view_cosines: [f64; 8],
-    exchanged_cosines: [f64; 12],
-    exchanged_azimuths: [f64; 6],
-    seven: &'static str,
-}
-
-impl Default for Fixed {
-    fn default() -> Fixed {
-        Fixed {
-            metals: METALS,
-            dielectric: DIELECTRIC,
-            iors: IORS,
-            dark_f0: DARK_F0,
-            dark_albedos: ALBEDOS,
-            bounce_views: BOUNCE_VIEWS,
-            view_roughness: VIEW_ROUGHNESS,
-            view_cosines: VIEW_COSINES,
-            exchanged_cosines: COSINES,
-            exchanged_azimuths: AZIMUTHS,
-            seven: SEVEN,
-        }
-    }
-}
 
 /// What is measured, and how finely.
 #[derive(Clone, Debug, PartialEq)]

@@ -65,7 +65,7 @@ pub(super) fn parts(case: &Case, parameters: &Parameters) -> Result<(ChainParts,
     let clamped = chain.with_edges(Edges::Clamped);
     let exact = &case.exact;
     let levels = Levels { room: case.room, exact, map: &engine.map };
-    let lookup = case.lookup(Slant::Whole, Width::Rational);
+    let lookup = case.lookup(Slant::Whole, Width::EMITTED);
     let mut found = ChainParts { room: case.room.name.clone(), ..ChainParts::default() };
     for row in &case.rows {
         let by = |fetch: &dyn Fetch| shaded(row, &lookup, fetch);
@@ -97,7 +97,7 @@ pub(super) fn size(case: &Case, engine: &Engine, chain: &Chain, total: Vec<f64>)
 
 /// The error of the other engines' chains.
 pub(super) fn sizes(case: &Case, parameters: &Parameters) -> Result<Vec<ChainSize>, StudyError> {
-    let lookup = case.lookup(Slant::Whole, Width::Rational);
+    let lookup = case.lookup(Slant::Whole, Width::EMITTED);
     let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &case.exact)).collect();
     let one = |engine: &Engine| {
         let chain: Chain = bake(engine, parameters).chain(case.room)?;

@@ -36,7 +36,7 @@ impl Policy {
     /// Its lookup in a room.
     pub fn lookup(&self, case: &Case) -> Result<Box<dyn Lookup>, StudyError> {
         match self.fetches {
-            Fetches::Slanted(slant) => Ok(Box::new(case.lookup(slant, Width::Rational))),
+            Fetches::Slanted(slant) => Ok(Box::new(case.lookup(slant, Width::EMITTED))),
             Fetches::Ruled { count, taken } => Method { taken, ..smooth(count) }.lookup(case.room),
         }
     }
@@ -133,7 +133,7 @@ pub(super) fn compared(
 /// Geometric mean over roughness of what a sliding bake is off by.
 fn loss(case: &Case, widths: f64) -> f64 {
     let viewpoint = Viewpoint::Sliding { widths };
-    let lookup = case.lookup(Slant::Whole, Width::Rational);
+    let lookup = case.lookup(Slant::Whole, Width::EMITTED);
     let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
     geometric_mean(case.rows.iter().map(|row| relative(&shaded(row, &lookup, &exact), &row.light)))
 }

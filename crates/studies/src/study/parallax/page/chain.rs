@@ -1,12 +1,11 @@
 //! Real chains of levels, and viewpoints of their texels.
 
+use crate::study::page;
 use crate::study::parallax::findings::{
     BakePolicy, ChainFindings, ChainParts, SeamPicture, SeamRow, SlideLaw,
 };
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{
-    Block, Cells, Curves, Gallery, ReportError, Section, Series, Spread, Style, TextTable, check,
-};
+use lobefit::report::{Block, Cells, Curves, Gallery, ReportError, Section, Spread, Style, TextTable, check};
 use lobefit::report::{figures, words};
 
 pub(super) fn sections(chain: &ChainFindings) -> Result<Vec<Section>, ReportError> {
@@ -21,11 +20,10 @@ fn table(
     rows: Vec<Vec<String>>,
     caption: &str,
 ) -> TextTable {
-    let mut table = words::table(&[], rows, caption);
-    table.columns = names.iter().map(|name| (name.to_string(), false)).collect();
-    table.columns.extend(roughness.iter().map(|&r| (format!("r {}", place(r)), true)));
-    table.columns.extend(ends.iter().map(|end| (end.to_string(), true)));
-    table
+    let mut columns: Vec<(String, bool)> = names.iter().map(|name| (name.to_string(), false)).collect();
+    columns.extend(roughness.iter().map(|&r| (format!("r {}", place(r)), true)));
+    columns.extend(ends.iter().map(|end| (end.to_string(), true)));
+    page::table(columns, rows, caption)
 }
 
 fn cells(names: &[&str], values: &[f64]) -> Vec<String> {
@@ -171,21 +169,12 @@ fn near(chain: &ChainFindings) -> TextTable {
 }
 
 fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
-    let line = Series {
-        name: format!("room {}", law.room),
-        points: law.widths.iter().copied().zip(law.loss.iter().copied()).collect(),
-        style: Style::Marked(0),
-        end: None,
-    };
+    let points = law.widths.iter().copied().zip(law.loss.iter().copied()).collect();
+    let line = page::line(format!("room {}", law.room), points, Style::Marked(0));
+    let labels = ["w", "relative L2, geometric mean over r"];
     let curves = Curves {
-        title: "Error of a bake whose viewpoint slides".into(),
         x: ("w".into(), Spread::Log),
-        y: ("relative L2, geometric mean over r".into(), Spread::Linear),
-        series: vec![line],
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (520.0, 240.0),
+        ..page::chart("Error of a bake whose viewpoint slides", labels, vec![line], (520.0, 240.0))
     };
     let caption = format!(
         "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α d of the lobe on the wall away. Fitted \

@@ -1,8 +1,9 @@
 //! The experiment that the idea comes from.
 
+use crate::study::page;
 use crate::study::parallax::findings::{SeedCell, SeedFindings, SeedFit, SeedSlant};
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, check};
 use lobefit::report::{figures, words};
 
 pub(super) fn sections(seed: &SeedFindings) -> Result<Vec<Section>, ReportError> {
@@ -11,21 +12,8 @@ pub(super) fn sections(seed: &SeedFindings) -> Result<Vec<Section>, ReportError>
     Ok(vec![cells(seed)?, slants(seed)?])
 }
 
-fn line(name: &str, points: &[(f64, f64)], style: Style) -> Series {
-    Series { name: name.into(), points: points.to_vec(), style, end: None }
-}
-
-fn chart(title: String, x: &str, [seen, first, second]: [Series; 3], size: (f64, f64)) -> Curves {
-    Curves {
-        title,
-        x: (x.into(), Spread::Linear),
-        y: (String::new(), Spread::Linear),
-        series: vec![seen, first, second],
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: Some((-0.1, 1.1)),
-        size,
-    }
+fn chart(title: String, series: [Series; 3], size: (f64, f64)) -> Curves {
+    Curves { y_limits: Some((-0.1, 1.1)), ..page::chart(title, ["wall", ""], series.into(), size) }
 }
 
 fn cells(seed: &SeedFindings) -> Result<Section, ReportError> {
@@ -57,11 +45,11 @@ fn panel(cell: &SeedCell) -> Curves {
         format!("α {}, distance {}: α′ {}", place(cell.alpha), place(cell.distance), width(&cell.shifted));
     let [seen, shifted, plain] = &cell.curves;
     let series = [
-        line("lobe", seen, Style::Truth),
-        line("fetch, scaled and shifted", shifted, Style::Line(0)),
-        line("fetch, scaled", plain, Style::Line(1)),
+        page::line("lobe", seen.clone(), Style::Truth),
+        page::line("fetch, scaled and shifted", shifted.clone(), Style::Line(0)),
+        page::line("fetch, scaled", plain.clone(), Style::Line(1)),
     ];
-    chart(title, "wall", series, (210.0, 130.0))
+    chart(title, series, (210.0, 130.0))
 }
 
 fn width(fit: &SeedFit) -> String {
@@ -157,11 +145,11 @@ fn profiles(slant: &SeedSlant) -> Vec<Curves> {
         let title = format!("{}°, {way} the tilt", place(slant.slant));
         let best = format!("best fetch, α′ {}", significant(slant.best, 3));
         let series = [
-            line("lobe", &curves[0], Style::Truth),
-            line(&best, &curves[1], Style::Line(0)),
-            line("fetch of α itself", &curves[2], Style::Line(1)),
+            page::line("lobe", curves[0].clone(), Style::Truth),
+            page::line(best, curves[1].clone(), Style::Line(0)),
+            page::line("fetch of α itself", curves[2].clone(), Style::Line(1)),
         ];
-        chart(title, "wall", series, (400.0, 190.0))
+        chart(title, series, (400.0, 190.0))
     };
     slant.curves.iter().zip(["along", "across"]).map(one).collect()
 }

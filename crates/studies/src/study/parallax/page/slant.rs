@@ -1,11 +1,12 @@
 //! Lobes on slanted walls, and several fetches for each.
 
+use crate::study::page;
 use crate::study::parallax::findings::{
     PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
     SlantLobe, SlantRow,
 };
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, Curves, HeatMap, ReportError, Section, Series, Shade, Spread, Style, check};
+use lobefit::report::{Block, Curves, HeatMap, ReportError, Section, Shade, Spread, Style, check};
 use lobefit::report::{figures, words};
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
@@ -42,30 +43,21 @@ fn points(lobe: &SlantLobe, of: impl Fn(&SlantRow) -> Option<f64>) -> Vec<(f64, 
 }
 
 fn chart(lobe: &SlantLobe) -> Curves {
-    let series = |name: String, points, style| Series { name, points, style, end: None };
     let mut all = vec![
-        series("one, of α itself".into(), points(lobe, |row| Some(row.same)), Style::Truth),
-        series("one, best width".into(), points(lobe, |row| Some(row.best)), Style::Line(0)),
+        page::line("one, of α itself", points(lobe, |row| Some(row.same)), Style::Truth),
+        page::line("one, best width", points(lobe, |row| Some(row.best)), Style::Line(0)),
     ];
     let counts = lobe.rows.first().map_or(0, |row| row.placed.len());
     for i in 0..counts {
         let count = lobe.rows[0].placed[i].taps.len();
         let line = points(lobe, |row| row.placed.get(i).map(|placed| placed.tv));
-        all.push(series(format!("{count} fetches"), line, Style::Line(i + 1)));
+        all.push(page::line(format!("{count} fetches"), line, Style::Line(i + 1)));
     }
     for (i, name) in ["rule of two", "rule of three"].into_iter().enumerate() {
-        all.push(series(name.into(), points(lobe, |row| Some(row.ruled[i])), Style::Marked(i + 1)));
+        all.push(page::line(name, points(lobe, |row| Some(row.ruled[i])), Style::Marked(i + 1)));
     }
-    Curves {
-        title: format!("α {}", place(lobe.alpha)),
-        x: ("slant in degrees".into(), Spread::Linear),
-        y: ("total variation".into(), Spread::Linear),
-        series: all,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: Some((0.0, 0.65)),
-        size: (330.0, 300.0),
-    }
+    let (title, labels) = (format!("α {}", place(lobe.alpha)), ["slant in degrees", "total variation"]);
+    Curves { y_limits: Some((0.0, 0.65)), ..page::chart(title, labels, all, (330.0, 300.0)) }
 }
 
 fn table(lobe: &SlantLobe) -> lobefit::report::TextTable {
@@ -178,28 +170,14 @@ const DRAWN: f64 = 0.02;
 fn functions(rule: &RuleCurves) -> Vec<Curves> {
     let names: &[&str] = if rule.count == 2 { &["near", "far"] } else { &["near", "middle", "far"] };
     let chart = |what: &str, of: &dyn Fn(&lobefit_truth::optics::footprint::RuleTap) -> f64| {
-        let line = |(i, name): (usize, &&str)| Series {
-            name: (*name).into(),
-            points: rule
-                .kappa
-                .iter()
-                .zip(&rule.taps)
-                .filter(|(_, taps)| what == "weight" || taps[i].weight >= DRAWN)
-                .map(|(k, taps)| (*k, of(&taps[i])))
-                .collect(),
-            style: Style::Line(i),
-            end: None,
+        let line = |(i, name): (usize, &&str)| {
+            let drawn = rule.kappa.iter().zip(&rule.taps);
+            let drawn = drawn.filter(|(_, taps)| what == "weight" || taps[i].weight >= DRAWN);
+            page::line(*name, drawn.map(|(k, taps)| (*k, of(&taps[i]))).collect(), Style::Line(i))
         };
-        Curves {
-            title: format!("{} fetches, α {}: {what}", rule.count, place(rule.alpha)),
-            x: ("κ".into(), Spread::Log),
-            y: (String::new(), Spread::Linear),
-            series: names.iter().enumerate().map(line).collect(),
-            annotations: Vec::new(),
-            guides: Vec::new(),
-            y_limits: None,
-            size: (290.0, 140.0),
-        }
+        let title = format!("{} fetches, α {}: {what}", rule.count, place(rule.alpha));
+        let lines = names.iter().enumerate().map(line).collect();
+        Curves { x: ("κ".into(), Spread::Log), ..page::chart(title, ["κ", ""], lines, (290.0, 140.0)) }
     };
     vec![chart("tilt", &|tap| tap.tilt), chart("width", &|tap| tap.width), chart("weight", &|tap| tap.weight)]
 }

@@ -1,11 +1,12 @@
 //! Pictures of a plane that reflects.
 
+use crate::study::page;
 use crate::study::parallax::findings::{RoomPicture, RoomPictureRow, RoomPictures, RoomsFindings};
+use lobefit::report::figures;
 use lobefit::report::numbers::{place, significant};
 use lobefit::report::{
     Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, Tile, check, folded,
 };
-use lobefit::report::{figures, words};
 
 /// FLIP that gets the lightest colour of a map.
 const LIMIT: f64 = 0.4;
@@ -79,12 +80,9 @@ const CELL: f64 = 98.0;
 
 fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
     let name = REFERENCES[reference];
-    let mut columns = vec![(format!("against {name}: mean FLIP at roughness"), false)];
-    columns.extend(pictures.roughness.iter().map(|&r| (place(r), true)));
-    let row = |row: &RoomPictureRow| {
-        let values = row.flip[reference].iter().map(|&x| significant(x, 3));
-        std::iter::once(row.name.clone()).chain(values).collect()
-    };
+    let columns = page::columns_at(format!("against {name}: mean FLIP at roughness"), &pictures.roughness);
+    let row =
+        |row: &RoomPictureRow| page::row(&row.name, row.flip[reference].iter().map(|&x| significant(x, 3)));
     let list = |values: &[f64]| values.iter().map(|&x| significant(x, 2)).collect::<Vec<_>>().join(", ");
     let caption = format!(
         "{} pixels. The reference’s own relative L2 noise: {}; FLIP between its two {}: {}.",
@@ -93,7 +91,5 @@ fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
         ["integrals, coarse and fine", "halves"][reference],
         list(&pictures.flip_of_noise[reference]),
     );
-    let mut table = words::table(&[], pictures.rows.iter().map(row).collect(), &caption);
-    table.columns = columns;
-    table
+    page::table(columns, pictures.rows.iter().map(row).collect(), &caption)
 }

@@ -1,9 +1,10 @@
 //! Errors at points at random.
 
+use crate::study::page;
 use crate::study::parallax::findings::{RandomReference, RandomRoom, RandomRow, RoomsFindings};
-use lobefit::report::numbers::{place, significant};
+use lobefit::report::figures;
+use lobefit::report::numbers::significant;
 use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
-use lobefit::report::{figures, words};
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("random", "rooms", rooms.random.len())?;
@@ -47,9 +48,7 @@ fn gains(rooms: &RoomsFindings, reference: usize) -> TextTable {
     };
     let caption = "Gain over Frostbite’s listing: its error over the method’s, the geometric mean over the roughnesses; above 1 is better. L2: of \
                    linear radiance. Displayed: mean absolute error of x/(1 + x).";
-    let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
-    table.columns = columns;
-    table
+    page::table(columns, names.iter().enumerate().map(row).collect(), caption)
 }
 
 fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
@@ -65,25 +64,18 @@ fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
 }
 
 fn chart(room: &RandomRoom, reference: &RandomReference, chosen: &[String]) -> Curves {
-    let line = |name: &str, values: &[f64], style| Series {
-        name: name.into(),
-        points: room.roughness.iter().copied().zip(values.iter().copied()).collect(),
-        style,
-        end: None,
+    let line = |name: &str, values: &[f64], style| {
+        page::line(name, room.roughness.iter().copied().zip(values.iter().copied()).collect(), style)
     };
     let rows = reference.rows.iter().filter(|row| chosen.contains(&row.name));
     let mut series: Vec<Series> =
         rows.enumerate().map(|(i, row)| line(&row.name, &row.l2, Style::Marked(i))).collect();
     series.push(line("noise of the reference", &reference.noise, Style::Truth));
+    let title = format!("{}, {}", titled(&room.room), reference.name);
     Curves {
-        title: format!("{}, {}", titled(&room.room), reference.name),
-        x: ("roughness".into(), Spread::Linear),
         y: ("relative L2".into(), Spread::Log),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
         y_limits: Some((0.002, 1.0)),
-        size: (380.0, 280.0),
+        ..page::chart(title, ["roughness", "relative L2"], series, (380.0, 280.0))
     }
 }
 
@@ -93,21 +85,17 @@ fn titled(room: &str) -> String {
 }
 
 fn table(room: &RandomRoom, reference: &RandomReference) -> TextTable {
-    let mut columns =
-        vec![(format!("{}, {}: relative L2 at roughness", titled(&room.room), reference.name), false)];
-    columns.extend(room.roughness.iter().map(|&r| (place(r), true)));
+    let first = format!("{}, {}: relative L2 at roughness", titled(&room.room), reference.name);
+    let mut columns = page::columns_at(first, &room.roughness);
     columns.push(("least gain".into(), true));
     let rows = reference.rows.iter().map(|row| {
         let values = row.l2.iter().map(|&x| significant(x, 3));
-        let least = std::iter::once(format!("{:.2}", row.least_l2));
-        std::iter::once(row.name.clone()).chain(values).chain(least).collect()
+        page::row(&row.name, values.chain([format!("{:.2}", row.least_l2)]))
     });
     let noise: Vec<String> = reference.noise.iter().map(|&x| significant(x, 2)).collect();
     let caption = format!(
         "Noise of the reference, from its two halves: {}. Least gain: over Frostbite, at the roughness where it is smallest.",
         noise.join(", ")
     );
-    let mut table = words::table(&[], rows.collect(), &caption);
-    table.columns = columns;
-    table
+    page::table(columns, rows.collect(), &caption)
 }

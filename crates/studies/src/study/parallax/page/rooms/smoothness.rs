@@ -1,12 +1,12 @@
 //! Creases on the edges of the proxy.
 
+use crate::study::page;
 use crate::study::parallax::findings::{RoomPictureRow, RoomPictures, RoomsFindings};
-use lobefit::report::numbers::place;
+use lobefit::report::figures;
 use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
-use lobefit::report::{figures, words};
 use lobefit_math::sum::mean;
 
-/// Of the issue: creases on edges over those elsewhere.
+/// Asked for: creases on edges over those elsewhere.
 const BAR: f64 = 1.2;
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
@@ -62,8 +62,7 @@ fn shown(pictures: &RoomPictures) -> impl Iterator<Item = &RoomPictureRow> {
 }
 
 fn named(pictures: &RoomPictures, what: &str) -> Vec<(String, bool)> {
-    let first = (format!("{}: {what} at roughness", pictures.name), false);
-    std::iter::once(first).chain(pictures.roughness.iter().map(|&r| (place(r), true))).collect()
+    page::columns_at(format!("{}: {what} at roughness", pictures.name), &pictures.roughness)
 }
 
 fn ratio(edge: f64, elsewhere: f64) -> Option<f64> {
@@ -74,27 +73,23 @@ fn ratios(pictures: &RoomPictures) -> TextTable {
     let row = |row: &RoomPictureRow| {
         let cells = row.edges.iter().zip(&row.elsewhere);
         let cells = cells.map(|(a, b)| ratio(*a, *b).map_or("–".into(), |x| format!("{x:.2}")));
-        std::iter::once(row.name.clone()).chain(cells).collect()
+        page::row(&row.name, cells)
     };
     let caption = format!("The same means, edges over elsewhere: {BAR} or lower is what was asked for.");
-    let mut table = words::table(&[], shown(pictures).map(row).collect(), &caption);
-    table.columns = named(pictures, "edges over elsewhere");
-    table
+    page::table(named(pictures, "edges over elsewhere"), shown(pictures).map(row).collect(), &caption)
 }
 
 fn pairs(pictures: &RoomPictures) -> TextTable {
     let cells = |name: &str, edges: &[f64], elsewhere: &[f64]| {
         let pairs = edges.iter().zip(elsewhere);
         let pairs = pairs.map(|(a, b)| format!("{:.2} / {:.2}", 100.0 * a, 100.0 * b));
-        std::iter::once(name.to_string()).chain(pairs).collect::<Vec<String>>()
+        page::row(name, pairs)
     };
     let [edges, elsewhere] = &pictures.detail;
     let mut rows = vec![cells("the round lobe’s own second differences", edges, elsewhere)];
     rows.extend(shown(pictures).map(|row| cells(&row.name, &row.edges, &row.elsewhere)));
     let caption = "Times 100, edges / elsewhere. A step of a display of 8 bits is 0.39.";
-    let mut table = words::table(&[], rows, caption);
-    table.columns = named(pictures, "edges / elsewhere");
-    table
+    page::table(named(pictures, "edges / elsewhere"), rows, caption)
 }
 
 /// Ratios over roughness of some of the methods, for each picture.
@@ -102,22 +97,17 @@ fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
     let line = |pictures: &RoomPictures, (i, row): (usize, &RoomPictureRow)| {
         let pairs = row.edges.iter().zip(&row.elsewhere);
         let ratios = pairs.zip(&pictures.roughness).filter_map(|((a, b), r)| Some((*r, ratio(*a, *b)?)));
-        Series { name: row.name.clone(), points: ratios.collect(), style: Style::Marked(i), end: None }
+        page::line(&row.name, ratios.collect(), Style::Marked(i))
     };
     let chart = |pictures: &RoomPictures| {
         let rows = shown(pictures).filter(|row| rooms.chosen.contains(&row.name));
         let mut series: Vec<Series> = rows.enumerate().map(|row| line(pictures, row)).collect();
         let bar = pictures.roughness.iter().map(|r| (*r, BAR)).collect();
-        series.push(Series { name: format!("{BAR}"), points: bar, style: Style::Truth, end: None });
+        series.push(page::line(format!("{BAR}"), bar, Style::Truth));
         Curves {
-            title: pictures.name.clone(),
-            x: ("roughness".into(), Spread::Linear),
             y: ("edges over elsewhere".into(), Spread::Log),
-            series,
-            annotations: Vec::new(),
-            guides: Vec::new(),
             y_limits: Some((0.4, 40.0)),
-            size: (380.0, 280.0),
+            ..page::chart(&pictures.name, ["roughness", "edges over elsewhere"], series, (380.0, 280.0))
         }
     };
     let charts: Vec<Curves> = rooms.pictures.iter().map(chart).collect();

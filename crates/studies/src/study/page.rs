@@ -1,0 +1,43 @@
+//! What the pages of studies are put together from.
+
+use lobefit::report::numbers::place;
+use lobefit::report::{Curves, Series, Spread, Style, TextTable, words};
+
+/// A line of a chart.
+pub(super) fn line(name: impl Into<String>, points: Vec<(f64, f64)>, style: Style) -> Series {
+    Series { name: name.into(), points, style, end: None }
+}
+
+/// A chart of lines over linear axes of these labels.
+pub(super) fn chart(
+    title: impl Into<String>,
+    [x, y]: [&str; 2],
+    series: Vec<Series>,
+    size: (f64, f64),
+) -> Curves {
+    Curves {
+        title: title.into(),
+        x: (x.into(), Spread::Linear),
+        y: (y.into(), Spread::Linear),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size,
+    }
+}
+
+/// A table whose columns have names and are of numbers or not.
+pub(super) fn table(columns: Vec<(String, bool)>, rows: Vec<Vec<String>>, caption: &str) -> TextTable {
+    TextTable { columns, ..words::table(&[], rows, caption) }
+}
+
+/// A column of names, and one of numbers at each value.
+pub(super) fn columns_at(first: impl Into<String>, values: &[f64]) -> Vec<(String, bool)> {
+    std::iter::once((first.into(), false)).chain(values.iter().map(|&x| (place(x), true))).collect()
+}
+
+/// A row of a table: its name and its cells.
+pub(super) fn row(name: impl Into<String>, cells: impl IntoIterator<Item = String>) -> Vec<String> {
+    std::iter::once(name.into()).chain(cells).collect()
+}
