@@ -2,7 +2,7 @@
 
 use super::difference::Seen;
 use super::filter::Filters;
-use super::{ErrorMap, FlipError, light, resolution};
+use super::{ErrorMap, FlipError, light, of_one_size, resolution};
 use lobefit::report::{Image, luminance};
 use lobefit_math::ops;
 
@@ -37,13 +37,14 @@ impl Exposures {
     /// Those that the paper chooses for a reference.
     ///
     /// # Errors
-    /// [`FlipError::Black`].
+    /// A reference that has no light: no exposure shows it.
     pub fn of(reference: &Image) -> Result<Exposures, FlipError> {
         let mut light: Vec<f64> = reference.pixels.iter().map(|&p| luminance(p)).collect();
         light.sort_by(f64::total_cmp);
         let (brightest, half) = (light.last().copied().unwrap_or(0.0), light.len() / 2);
         if brightest <= 0.0 {
-            return Err(FlipError::Black);
+            let message = "the reference is black everywhere, so no exposure can be chosen";
+            return Err(FlipError(message.into()));
         }
         // The upper of the two in the middle, as the authors' program takes it.
         let median = light[half];
@@ -92,12 +93,9 @@ impl Reference {
     /// # Errors
     /// A picture of another size; a channel that is negative, above 1e300 or not a number.
     pub fn against(&self, test: &Image) -> Result<ErrorMap, FlipError> {
-        let (reference, size) = (self.size, (test.width, test.height));
-        if reference != size {
-            return Err(FlipError::Sizes { reference, test: size });
-        }
+        of_one_size(self.size, test)?;
         light("test", test, LIGHT)?;
-        let (width, height) = size;
+        let (width, height) = self.size;
         let mut worst = ErrorMap { width, height, values: vec![0.0; width * height] };
         for (stops, reference) in &self.seen {
             let values = reference.difference(&Seen::new(&shown(test, *stops), &self.filters));

@@ -130,7 +130,7 @@ fn a_prepared_reference_gives_the_same_map() {
     let (map, exposures) = hdr(&reference, &test, PIXELS_PER_DEGREE).expect("a map");
     assert_eq!((prepared.against(&test).expect("a map"), prepared.exposures), (map, exposures));
     let other = Image::of(4, 2, |_, _| [0.5; 3]);
-    assert!(matches!(prepared.against(&other), Err(FlipError::Sizes { .. })));
+    assert!(prepared.against(&other).expect_err("refused").to_string().contains("of one size"));
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn pictures_that_cannot_be_compared_are_refused_by_name() {
     let said = ldr(&broken, &picture, 67.0).expect_err("refused").to_string();
     assert!(said.contains("the reference picture at column 0, row 0 is 1.5; a number from 0 to 1"), "{said}");
     assert!(refused(&picture, &picture, 0.0).contains("0 pixels per degree"));
-    assert_eq!(hdr(&grey(0.0), &picture, 67.0).expect_err("refused"), FlipError::Black);
+    assert!(refused(&grey(0.0), &picture, 67.0).contains("black everywhere"));
     let short = Image { width: 4, height: 4, pixels: vec![[0.0; 3]; 3] };
     let said = refused(&short, &short, 67.0);
     assert!(said.contains("the reference picture has 3 pixels, 4 x 4 are called for"), "{said}");

@@ -3,7 +3,7 @@
 
 use crate::study::parallax::room::cubemap::to_edge;
 use crate::study::parallax::room::{Convex, Lookup, Seen, Tap};
-use lobefit::effects::parallax::{Shading, Width};
+use lobefit::effects::parallax::{Ratio, Shading, Width};
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, length, minus, plus, scaled};
 use lobefit_truth::optics::footprint::slant_ratio;
@@ -65,7 +65,11 @@ impl Lookup for Faded {
         };
         let normal = self.proxy.planes[wall].normal;
         let slant = slant_ratio(normal, lobe.axis, towards);
-        let alpha = self.width.of(lobe.alpha, distance / far * ops::pow(slant, 0.5 * share));
+        let rho = distance / far * ops::pow(slant, 0.5 * share);
+        // ratios of areas are clamped, as those of emitted lookups
+        let [low, high] = Ratio::CERTIFIED;
+        let rho = if self.slant == Slant::Ignored { rho } else { rho.clamp(low, high) };
+        let alpha = self.width.of(lobe.alpha, rho);
         vec![Tap { towards, alpha, weight: 1.0 }]
     }
 }

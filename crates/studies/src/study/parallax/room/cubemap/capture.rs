@@ -65,11 +65,14 @@ impl Bake {
     pub fn chain(&self, room: &Room) -> Result<Chain, CubemapError> {
         let levels = self.map.count();
         if self.size == 0 || !self.size.is_multiple_of(1 << (levels - 1).min(usize::BITS as usize - 1)) {
-            return Err(CubemapError::Size { size: self.size, levels });
+            let (size, halvings) = (self.size, levels - 1);
+            return Err(CubemapError(format!(
+                "faces of {size} texels a side have no {levels} levels; choose a size that 2^{halvings} divides"
+            )));
         }
         for (count, field) in [(self.samples, "samples"), (self.rays as usize, "rays")] {
             if count == 0 {
-                return Err(CubemapError::Samples { field });
+                return Err(CubemapError(format!("{field} is 0; at least one sample is needed")));
             }
         }
         let pyramid = match self.source {

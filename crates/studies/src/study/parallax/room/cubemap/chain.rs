@@ -21,7 +21,8 @@ impl Chain {
     /// Another number of levels.
     pub fn new(map: MipChain, levels: Vec<Level>, edges: Edges) -> Result<Chain, CubemapError> {
         if map.count() != levels.len() {
-            return Err(CubemapError::Levels { wanted: map.count(), found: levels.len() });
+            let (wanted, found) = (map.count(), levels.len());
+            return Err(CubemapError(format!("the map of the chain has {wanted} levels, not {found}")));
         }
         Ok(Chain { map, levels, edges })
     }

@@ -56,18 +56,19 @@ impl Level {
     pub fn new(size: usize, texels: &[[f64; 3]], format: Format) -> Result<Level, CubemapError> {
         let wanted = 6 * size * size;
         if size == 0 || texels.len() != wanted {
-            return Err(CubemapError::Texels { size, wanted, found: texels.len() });
+            let found = texels.len();
+            return Err(CubemapError(format!(
+                "a level of {size} texels a side has {wanted} texels, not {found}"
+            )));
         }
         let mut stored = Vec::with_capacity(wanted);
         for (texel, values) in texels.iter().enumerate() {
             let rounded = values.map(|value| format.stored(value));
             if let Some(channel) = rounded.iter().position(|x| !x.is_finite()) {
-                return Err(CubemapError::Overflow {
-                    texel,
-                    size,
-                    value: values[channel],
-                    bits: format.bits(),
-                });
+                let (value, bits) = (values[channel], format.bits());
+                return Err(CubemapError(format!(
+                    "texel {texel} of a level of {size} texels a side: {value} is no finite number in {bits} bits; scale the light"
+                )));
             }
             stored.push(rounded);
         }
