@@ -6,7 +6,8 @@ use std::io;
 use std::path::Path;
 
 /// What a package consists of beside the packages of the workspace that it depends on.
-const OWN: [&str; 5] = ["Cargo.lock", "Cargo.toml", "build", "fits/hypotheses", "src"];
+const OWN: [&str; 6] =
+    ["Cargo.lock", "Cargo.toml", "build", "fits/hypotheses", "reports/gpu/nvidia-h200.json", "src"];
 
 /// The files and folders that the package in a folder is built from. Of the packages that its
 /// `[dependencies]` name `lobefit-NAME`, these are the folders `crates/NAME`: what depends on this

@@ -1,5 +1,5 @@
-//! Gives the library a hash of its own code, `LOBEFIT_STUDIES`: results of other code have another recipe. Comments, blank lines and
-//! indentation are no code.
+//! Gives the library a hash of its own code, `LOBEFIT_STUDIES`: results of other code have another
+//! recipe. Comments, blank lines and indentation are no code.
 
 #[path = "../../build/sources.rs"]
 #[allow(dead_code, reason = "the places are those of the package `lobefit`")]

@@ -15,7 +15,7 @@ pub const BUILD: &str = env!("LOBEFIT_BUILD");
 
 /// The file that names the build, relative to the folder of a bake. It is no part of the bake: the
 /// manifest does not list it, `check` does not compare it, and a repository has no use for it.
-pub const BUILD_FILE: &str = "reports/build.txt";
+pub const BUILD_FILE: &str = "fits/build.txt";
 
 /// The file's content: this build, and the manifest that it wrote. Beside another manifest (a
 /// checkout of another commit, say) the file says nothing.

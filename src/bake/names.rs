@@ -5,6 +5,7 @@ use super::{BakeError, UserHypothesis};
 use crate::approximate::FitStageError;
 use crate::emit::compensation;
 use crate::plan::Plan;
+use crate::report::explore;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code;
 use lobefit_shade::code::Language;
@@ -17,7 +18,7 @@ pub fn check(plan: &Plan, hypotheses: &[UserHypothesis]) -> Result<(), BakeError
     let formulas = plan.catalogue.iter().flat_map(|effect| effect.formulas());
     let mut taken: Vec<String> = formulas.flat_map(|entry| forms(entry.name())).collect();
     let prefixes = plan.catalogue.iter().flat_map(|effect| effect.prefixes()).copied();
-    let prefixes: Vec<&str> = prefixes.chain([code::C_PREFIX]).collect();
+    let prefixes: Vec<&str> = prefixes.chain([code::C_PREFIX, explore::PREFIX]).collect();
     taken.extend(code::RUST_HELPERS.map(String::from));
     taken.extend(compensation::NAMES.map(String::from));
     taken.extend(plan.catalogue.iter().flat_map(|effect| effect.functions()));

@@ -101,22 +101,26 @@ pub fn previous(
         let code = code(root, &folder, &manifest, by.name())?;
         let explored = explored.iter().find(|of| of.effect == finding.effect);
         let explored = explored.map_or_else(Vec::new, |of| of.shown.clone());
-        let answer = answers.iter().find(|answer| answer.effect == by.name()).cloned().unwrap_or_default();
+        let answer = match &answers {
+            Some(answers) => answers.iter().find(|answer| answer.effect == by.name()).cloned(),
+            None => Some(Answer::default()),
+        };
+        let answer = answer.ok_or_else(|| wrong(format!("{INDEX} has no answer of `{}`", by.name())))?;
         parts.push(Part { by, finding: finding.clone(), entries, code, files, explored, answer });
     }
     Ok(parts)
 }
 
 /// The answers that the overview is made of; none of a bake without reports.
-fn answers(root: &Path, folder: &str, manifest: &Manifest) -> Result<Vec<Answer>, PreviousError> {
+fn answers(root: &Path, folder: &str, manifest: &Manifest) -> Result<Option<Vec<Answer>>, PreviousError> {
     if !manifest.entries.reports.iter().any(|report| report.file == INDEX) {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let found = store::read_set(root, [INDEX], FILE_BYTES)?;
     let missing = || PreviousError::Missing { folder: folder.into(), file: INDEX.into() };
     let read: Answers = serde_json::from_slice(found.get(INDEX).ok_or_else(missing)?)
         .map_err(|e| PreviousError::Manifest { folder: folder.into(), reason: format!("{INDEX}: {e}") })?;
-    Ok(read.answers)
+    Ok(Some(read.answers))
 }
 
 /// What tells whether the rest of a manifest is of this version.

@@ -29,20 +29,11 @@ pub fn recipe(
         add(&hypothesis.source);
     }
     let mut built_in = Scene::built_in().ok();
-    let mut is_built_in = |reports| {
-        let same = built_in.as_mut().and_then(|scene| {
-            scene.output.reports = reports;
-            scene.hash().ok()
-        });
-        same.as_ref() == Some(&scene_hash)
-    };
-    let command = match (is_built_in(true), is_built_in(false)) {
-        (true, _) => "lobefit bake",
-        (_, true) => "lobefit bake --no-reports",
-        _ => "lobefit bake SCENE.json",
-    };
+    built_in.iter_mut().for_each(|built_in| built_in.output.reports = scene.output.reports);
+    let named = if built_in.as_ref() == Some(scene) { "" } else { " SCENE.json" };
+    let pages = if scene.output.reports { "" } else { " --no-reports" };
     Ok(Recipe {
-        command: command.into(),
+        command: format!("lobefit bake{named}{pages}"),
         tool: TOOL.into(),
         scene: scene_hash,
         hash: hasher.finalize().to_hex().to_string(),

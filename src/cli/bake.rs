@@ -144,7 +144,7 @@ fn table(calls: &[Call]) -> Vec<String> {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
         let [ops, fetches, bytes, error] = figures;
-        [call.function.clone(), ops, fetches, bytes, error, listed(names)]
+        [call.function.clone(), ops, fetches, bytes, error, call.metric.clone(), listed(names)]
     };
     let header = [
         ("call", Left),
@@ -152,6 +152,7 @@ fn table(calls: &[Call]) -> Vec<String> {
         ("fetches", Right),
         ("bytes", Right),
         ("max error", Right),
+        ("which error", Left),
         ("for", Left),
     ];
     columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>())

@@ -28,8 +28,8 @@ Examples:
   lobefit check --values 1e-6           accept decoded values within 1e-6 of each other
   lobefit check --only tables,fits      what an engine reads, and neither pages nor the manifest
 
-With --values another version of lobefit or another recipe is no difference where the numbers agree, constants of
-functions among them; pages are not compared. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
+With --values another version of lobefit, another recipe or another name of a material is no difference where the numbers agree, constants
+of functions among them; pages are not compared. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
 texels break the error that its manifest states is never accepted, whatever --values says.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
@@ -182,6 +182,8 @@ impl Found {
             for change in &self.changes {
                 lines.push(format!("the scene changed: {}\n", visible(change)));
             }
+            let files: Vec<&str> = self.of_bake.iter().map(|difference| difference.file.as_str()).collect();
+            lines.push(format!("files that differ: {}\n", visible(&files.join(", "))));
             lines.push(format!("bake it again: {}\n", visible(&again(options))));
         }
         let beside = self.of_studies.iter().chain(&self.of_records);

@@ -169,8 +169,7 @@ pub struct TableCode {
 
 impl TableCode {
     /// Those whose names begin with `stem`. They take the width of the lobe as the scene asks, and
-    /// of the other inputs what they read; the decoding of a table with B takes mu, whether its
-    /// texels need it or not, so that one layout can stand in for another.
+    /// of the other inputs what they read.
     ///
     /// # Errors
     /// A library that does not parse, a defect of this program.
@@ -191,8 +190,7 @@ impl TableCode {
             Ok(Source::parse("warps.wgsl", &text)?.inlined(|_| true))
         };
         let every = code(&[Given::every(), Given::every()])?;
-        let has_bias: &[&str] = if decode.has_bias() { &["mu"] } else { &[] };
-        let (located, decoded) = (every.read(&coordinates)?, [&every.read(&decoding)?, has_bias].concat());
+        let (located, decoded) = (every.read(&coordinates)?, every.read(&decoding)?);
         let of = |read: &[&str]| Given::of(read, (width, map));
         let given = [of(&located), of(&decoded)];
         let source = code(&given)?.with_arguments(&ARGUMENT_NAMES);

@@ -1,13 +1,13 @@
-//! What a reader takes from an effect: of everything that its bake measured, up to three choices for
-//! each purpose.
+//! What a reader takes from an effect: of everything that its bake measured, up to three choices
+//! for each purpose.
 
 use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::Fit;
-use crate::data::{Approximation, Cost, Layout, Norm, Source, Use};
+use crate::data::{Approximation, Cost, Form, Layout, Norm, Source, Use};
 use crate::emit::call::LookupFunction;
-use crate::report::numbers::{bound, grouped, significant};
-use crate::report::sections::words::operations;
+use crate::report::numbers::{grouped, significant};
+use crate::report::sections::words::{self, operations};
 use crate::report::{Answer, Furnace, FurnaceRow, Measured, Offer, Purpose, Role};
 use lobefit_shade::code::{self, Language};
 
@@ -60,7 +60,7 @@ fn of_group(
     Ok(Some(Purpose {
         name: best.hypothesis.name().into(),
         about,
-        metric: a.used_as.metric.into(),
+        metric: metric(a),
         choices,
         measured: group.iter().map(|fit| measured(&fit.approximation)).collect(),
         furnace: None,
@@ -70,9 +70,8 @@ fn of_group(
 /// The cheapest of the emitted fits that keeps the limit, else the most accurate.
 fn recommended<'a>(group: &[&'a Fit], limit: f64) -> Option<&'a Fit> {
     let emitted = || group.iter().copied().filter(|fit| fit.emitted);
-    let of_norm = |norm: Norm| emitted().filter(move |fit| fit.norm() == norm.name());
-    let keeping = of_norm(Norm::Max).filter(|fit| error(fit) <= limit);
-    let cheapest = keeping.min_by_key(|fit| fit.approximation.cost.ops);
+    let keeping = emitted().filter(|fit| error(fit) <= limit);
+    let cheapest = keeping.min_by_key(|fit| (fit.approximation.cost.ops, fit.norm() != Norm::Max.name()));
     cheapest.or_else(|| emitted().min_by(|a, b| error(a).total_cmp(&error(b))))
 }
 
@@ -124,18 +123,19 @@ fn measured(a: &Approximation) -> Measured {
 
 fn of_table(role: Role, table: &BakedTable, purpose: &str) -> Offer {
     let a = &table.approximation;
-    let own = looked_up(a);
+    let own = metric(a);
     let metric = if own == purpose { String::new() } else { own };
     let (function, error) = (Some(table.names.lookup.clone()), Some(errors(a)));
     Offer { role, name: a.name.clone(), function, error, metric, cost: a.cost, code: Vec::new() }
 }
 
-/// What the error of a table is.
-fn looked_up(a: &Approximation) -> String {
-    format!(
-        "lookup error of {}",
-        if a.used_as == Use::F0_BLEND { "f0 A + B, for the worst f0" } else { &a.column }
-    )
+/// What the error of an approximation is; of a table it is that of its lookup.
+pub(super) fn metric(a: &Approximation) -> String {
+    match a.form {
+        Form::Formula(_) => a.used_as.metric.into(),
+        Form::Table(_) if a.used_as == Use::F0_BLEND => "lookup error of f0 A + B, for the worst f0".into(),
+        Form::Table(_) => format!("lookup error of {}", a.column),
+    }
 }
 
 /// Adds tables: to the fits of the same column the most accurate, the others as purposes of their
@@ -180,7 +180,7 @@ fn add_tables(purposes: &mut Vec<Purpose>, fits: &[Fit], tables: &[BakedTable]) 
 fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     let a = &best.approximation;
     let cost = |t: &&&BakedTable| (t.approximation.cost.bytes, t.approximation.cost.ops);
-    let metric = looked_up(a);
+    let metric = metric(a);
     let mut choices = vec![of_table(Role::Recommended, best, &metric)];
     let cheaper = group.iter().filter(|t| t.approximation.name != a.name && cost(t) < cost(&&best));
     if let Some(cheap) = cheaper.min_by_key(cost) {
@@ -286,7 +286,7 @@ fn conclusion(purpose: &Purpose) -> String {
     let Some(best) = of(Role::Recommended) else { return String::new() };
     let kept = |offer: &Offer| {
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
-        offer.error.map_or_else(String::new, |[max, _]| format!(", {metric} at most {}", bound(max, 3)))
+        offer.error.map_or_else(String::new, |[max, _]| format!(", {metric} at most {}", words::max(max)))
     };
     let mut text = format!("{}: {}{}", purpose.name, taken(&best.cost), kept(best));
     let published = purpose.measured.iter().filter(|m| m.published && m.ops <= best.cost.ops);

@@ -3,9 +3,9 @@
 use super::BakeError;
 use crate::approximate::Fit;
 use crate::data::Use;
-use crate::emit::compensation::coloured;
+use crate::emit::compensation::{coloured, coloured_ops};
 use crate::emit::header;
-use lobefit_shade::code::{self, Language};
+use lobefit_shade::code::{self, CodeError, Language};
 
 /// The emitted fits in a language, each with its header; normalisations with their form for three
 /// channels where a material has a colour.
@@ -17,7 +17,12 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
     for fit in fits.iter().filter(|f| f.emitted) {
         text += &function(language, fit, &lines(fit))?;
         if let Some(name) = rgb(fit, is_coloured) {
-            let header = RGB.lines().map(String::from).collect::<Vec<_>>();
+            let (own, beside) = (fit.approximation.cost.ops, coloured_ops().map_err(CodeError::from)?);
+            let ops = format!(
+                "{} operations: {own} of N, which names count, and {beside} for the colour.",
+                own + beside
+            );
+            let header: Vec<String> = RGB.lines().map(String::from).chain([ops]).collect();
             let (inner, arguments) = (fit.hypothesis.name(), fit.hypothesis.arguments());
             text += &format!("\n{}", coloured(language, &name, &arguments, inner, &header)?);
         }
@@ -27,7 +32,7 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
 
 const RGB: &str = "\
 The energy compensation of a metal, 1 + f0 (N - 1) per colour channel: it gains colour as light scatters more than once.
-The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0. Four operations beside N.";
+The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0.";
 
 /// The name of a normalisation's form for three channels, where a material has a colour.
 pub fn rgb(fit: &Fit, is_coloured: bool) -> Option<String> {

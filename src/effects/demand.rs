@@ -111,14 +111,15 @@ impl Span {
         Span::at_least(range, ROUGHNESS_WIDTH_MIN, [smallest_rough(map), 1.0])
     }
 
-    /// The range, or where it is too narrow for a job, a wider one about it inside the domain.
+    /// The range, or where it is too narrow for a job, a wider one about it inside the domain, in
+    /// the digits that a person would write.
     pub fn widened(self) -> [f64; 2] {
         let [low, high] = self.range;
         match self.least {
             Least::Width(width, domain) if high - low < width => {
                 let middle = 0.5 * (low + high);
                 let lo = (middle - 0.5 * width).max(domain[0]).min(domain[1] - width);
-                [lo.min(low), (lo + width).min(domain[1]).max(high)]
+                [tidy(lo).min(low), tidy(lo + width).min(domain[1]).max(high)]
             }
             Least::Ratio(ratio, domain) if high < ratio * low => {
                 let lo = (low / ratio.sqrt()).clamp(domain[0], domain[1] / ratio);
@@ -134,10 +135,13 @@ impl Span {
         if job == self.range {
             return own;
         }
-        // Digits for people: the sums of widening have rounding errors behind them.
-        let [lo, hi] = job.map(|x| (x * 1e9).round() / 1e9);
-        format!("{own}, widened to {lo} to {hi}")
+        format!("{own}, widened to {} to {}", job[0], job[1])
     }
+}
+
+/// A sum without the rounding errors behind its ninth decimal.
+fn tidy(x: f64) -> f64 {
+    (x * 1e9).round() / 1e9
 }
 
 /// `0.3`, `0.1 to 0.4`.

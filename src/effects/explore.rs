@@ -111,7 +111,8 @@ impl Exploring<'_> {
         })
     }
 
-    /// None for a formula with a name that GLSL has taken: scenes may ask for other languages alone.
+    /// None for a formula with a name that GLSL has taken: scenes may ask for other languages
+    /// alone.
     fn fit(&self, fit: &Fit, standing: Standing) -> Option<ExploredApproximation> {
         let (a, formula) = (&fit.approximation, &fit.hypothesis);
         let text = code::print(Language::Glsl, formula, &fit.coefficients(), &[]).ok()?.text;
@@ -141,7 +142,7 @@ impl Exploring<'_> {
         let readable = Readable { table, decode: baked.decode, names: &baked.names, arguments, header: &[] };
         let functions = readable.print(Language::Glsl)?;
         let inputs = readable.inputs()?.join(", ");
-        let value = format!("{}(texels, {inputs})", baked.names.lookup);
+        let value = format!("{}(live_texels, {inputs})", baked.names.lookup);
         let call = match (self.drawn, baked.decode.has_bias()) {
             (Drawn::Compensation, false) => format!("1.0 / {value}"),
             (Drawn::Compensation, true) => format!("1.0 / {value}.x"),

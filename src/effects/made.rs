@@ -146,6 +146,7 @@ impl Made {
             name: a.name.clone(),
             file: file.map(String::from),
             max_error: a.certificate.max_abs,
+            metric: answer::metric(a),
             cost: cost.clone(),
         }));
     }

@@ -19,8 +19,10 @@ pub struct Call {
     /// The texture that it fetches from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// Largest error, in the metric of its use.
+    /// Largest error.
     pub max_error: f64,
+    /// What error that is: `furnace error |E N - 1|`, ...
+    pub metric: String,
     /// Cost of a call.
     pub cost: CostEntry,
 }
@@ -61,8 +63,8 @@ pub struct LookupFunction {
 
 impl Manifest {
     /// A call with its arguments as the include files name them; of a table the texture comes
-    /// first.
-    pub fn signature(&self, call: &Call) -> String {
+    /// first. None of a function that no entry has.
+    pub fn signature(&self, call: &Call) -> Option<String> {
         let fits = self.entries.fits.iter();
         let of_fit = |fit: &FitEntry| {
             let rgb = fit.rgb.as_ref() == Some(&call.function);
@@ -75,11 +77,11 @@ impl Manifest {
             (table.function == call.function).then(|| inputs.collect())
         };
         let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());
-        let inputs = inputs.or_else(|| self.entries.tables.iter().find_map(of_table)).unwrap_or_default();
+        let inputs = inputs.or_else(|| self.entries.tables.iter().find_map(of_table))?;
         let named = |input: &String| {
             let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| name == input);
             renamed.map_or_else(|| input.clone(), |(_, name)| (*name).to_string())
         };
-        format!("{}({})", call.function, inputs.iter().map(named).collect::<Vec<_>>().join(", "))
+        Some(format!("{}({})", call.function, inputs.iter().map(named).collect::<Vec<_>>().join(", ")))
     }
 }

@@ -11,8 +11,8 @@ use lobefit_shade::code::{CodeError, Language, TableLookup};
 pub struct TableNames {
     /// The lookup: `ggx_glass_albedo_inside`.
     pub lookup: String,
-    /// What the names of its coordinates (`_uv`, `_uvw`) and of its decoding (`_decode`) begin with.
-    /// Tables that share them have one stem: `ggx_glass_albedo`.
+    /// What the names of its coordinates (`_uv`, `_uvw`) and of its decoding (`_decode`) begin
+    /// with. Tables that share them have one stem: `ggx_glass_albedo`.
     pub stem: String,
 }
 

@@ -126,11 +126,11 @@ fn of_card(card: &Card) -> f64 {
     120.0 + if card.choices.len() < 3 { tallest.max(svg) } else { tallest + svg }
 }
 
-/// Drawings that flow into rows.
+/// Drawings that flow into rows; one that does not say its size finds no room.
 fn pictures(svg: &[String]) -> f64 {
     let size = |svg: &String, name: &str| -> f64 {
         let rest = svg.split_once(&format!(" {name}=\"")).map_or("", |(_, rest)| rest);
-        rest.split('"').next().and_then(|number| number.parse().ok()).unwrap_or(0.0)
+        rest.split('"').next().and_then(|number| number.parse().ok()).unwrap_or(f64::INFINITY)
     };
     let (mut total, mut across, mut tallest) = (0.0, 0.0, 0.0_f64);
     for one in svg {

@@ -151,8 +151,8 @@ fn block(out: &mut String, block: &Block) {
     }
 }
 
-/// Controls, data, shader and script of a page that draws itself; below them what stands there where
-/// it cannot.
+/// Controls, data, shader and script of a page that draws itself; below them what stands there
+/// where it cannot.
 fn live(out: &mut String, data: &str, still: &[Block]) {
     let (css, controls) = (include_str!("assets/explore.css"), include_str!("assets/explore.html"));
     let (shader, script) = (include_str!("assets/explore.glsl"), include_str!("assets/explore.js"));
@@ -251,7 +251,8 @@ fn put(out: &mut String, text: fmt::Arguments) {
     let _ = out.write_fmt(text);
 }
 
-/// Text as it stands in an element, which may break after the underscores of a long name.
+/// Text as it stands in an element, which may break after the underscores of a long name; code
+/// between backticks.
 struct Broken<'a>(&'a str);
 
 /// Characters of a name that finds room on a line of the narrowest screen.
@@ -259,6 +260,11 @@ const NAME: usize = 16;
 
 impl Display for Broken<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if let Some((before, (code, after))) =
+            self.0.split_once('`').and_then(|(before, rest)| Some((before, rest.split_once('`')?)))
+        {
+            return write!(f, "{}<code>{}</code>{}", Broken(before), Broken(code), Broken(after));
+        }
         for word in self.0.split_inclusive(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
             let text = Escaped(word).to_string();
             let long = word.len() > NAME && word.contains('_');

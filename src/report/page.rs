@@ -9,8 +9,8 @@ pub struct Page {
     pub title: String,
     /// What made it.
     pub origin: Origin,
-    /// What the reader is about to see, in paragraphs on lines of their own; the first of several is
-    /// the conclusion.
+    /// What the reader is about to see, in paragraphs on lines of their own; the first of several
+    /// is the conclusion.
     pub lead: String,
     /// The sections; the table of contents lists them.
     pub sections: Vec<Section>,

@@ -163,7 +163,7 @@ impl Scene {
             languages: languages.map_err(|message| whole(("languages".into(), message)))?,
             reports: parsed.reports.0.unwrap_or(true),
         };
-        Ok(Scene {
+        let mut scene = Scene {
             name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
@@ -172,7 +172,24 @@ impl Scene {
             output,
             materials: parsed.materials.0,
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
-        })
+        };
+        scene.settle_slices();
+        Ok(scene)
+    }
+
+    /// Chooses the slices that are left open, by all materials of a lobe: they may share a table.
+    fn settle_slices(&mut self) {
+        for lobe in [Lobe::Anisotropic, Lobe::Glass] {
+            let own = || self.materials.iter().filter(move |material| material.lobe() == lobe);
+            let spans = |material: &Material| {
+                if lobe == Lobe::Glass { material.ior } else { Some(material.anisotropy) }
+            };
+            let spanned: BTreeSet<_> = own().flat_map(spans).flatten().map(f64::to_bits).collect();
+            if spanned.len() == 1 {
+                let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
+                own.flat_map(|material| &mut material.wants.tables).for_each(TableWant::settle_on_one_value);
+            }
+        }
     }
 
     /// The scene that is compiled in, which every verb uses by default.

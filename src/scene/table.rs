@@ -13,17 +13,15 @@ use super::value::{List, Maybe, Word, about, from_file};
 use crate::data::{AXES, TexelFormat};
 pub use crate::data::{Layout, Serves};
 
-/// The limit on the lookup error where neither size nor limit is given: what a 32x32 table in the
-/// homogeneous layout (64x64 for split sum), a 64x64x32 (anisotropic) or 128x128x32 (glass) one in
-/// the optimised layout for alpha >= 0.02, and a 64x16x16 one with the azimuth reach with room to
-/// spare.
+/// The limit on the lookup error where neither size nor limit is given, which chooses the size of a
+/// table of two axes: what 32x32 texels in the homogeneous layout (64x64 for split sum) reach with
+/// room to spare. Of three axes the default size is one whatever the error, and nothing is
+/// promised.
 fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
     match (layout, serves) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Some(3e-3),
-        (Layout::Optimised, _) => Some(2e-3),
-        (Layout::Azimuth, _) => Some(1e-2),
-        (Layout::PathTracer, _) => None,
+        (Layout::Optimised | Layout::Azimuth | Layout::PathTracer, _) => None,
     }
 }
 
@@ -48,17 +46,30 @@ pub struct TableWant {
     /// Texels along each axis; `None`, of two axes alone: the smallest of 16, 32, 64, 128 squares
     /// that meets the limit.
     pub size: Option<Vec<usize>>,
+    /// Whether the scene leaves the slices open.
+    #[serde(skip)]
+    pub(super) has_open_slices: bool,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// What it is looked up for: with a third axis the albedo.
     pub serves: Serves,
-    /// Largest lookup error that the bake may deliver; always given where `size` is `None`, never
-    /// in the path tracer's layout.
+    /// Largest lookup error that the bake may deliver; always given of two axes where `size` is
+    /// `None`, never in the path tracer's layout.
     pub max_error: Option<f64>,
     /// The cosine of the view over which its error is measured.
     // Absent at its default: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "is_usual")]
     pub n_dot_v: [f64; 2],
+}
+
+impl TableWant {
+    /// Takes as few slices as there may be, where the scene leaves them open: of materials with one
+    /// value of what slices span.
+    pub(super) fn settle_on_one_value(&mut self) {
+        if let (true, Some([_, _, slices])) = (self.has_open_slices, self.size.as_deref_mut()) {
+            *slices = SLICED_AXIS_MIN;
+        }
+    }
 }
 
 fn is_usual(n_dot_v: &[f64; 2]) -> bool {
@@ -106,16 +117,17 @@ struct TableFile {
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
     /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
-    /// meets `max_error`; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
+    /// meets `max_error`; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32, and 4
+    /// slices where the materials have one anisotropy or one index of refraction.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`.
     format: Maybe<Word<TexelFormat>>,
     /// What the table is looked up for; default `albedo`, the only one with a third axis.
     serves: Maybe<Word<Serves>>,
-    /// Limit on the lookup error; the bake fails where it is exceeded. Default without `size`:
-    /// 0.001 for `albedo`, 0.003 for `split-sum`, with a third axis 0.002, with the azimuth 0.01;
-    /// with `size`: no limit.
+    /// Limit on the lookup error; the bake fails where it is exceeded. Default of two axes without
+    /// `size`: 0.001 for `albedo`, 0.003 for `split-sum`; else no limit, and the bake says the
+    /// error.
     max_error: Maybe<In<ErrorLimit>>,
     /// Range [lo, hi] of the cosine of the view over which the error is measured and texels are
     /// optimised; default [0.001, 1]. A plain layout cannot follow the lobe at grazing views.
@@ -173,8 +185,10 @@ impl OpenTable {
         }
         let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
         let max_error = self.max_error.or_else(default_limit);
+        let has_open_slices = self.size.is_none() && layout.axes() > 2 && layout != Layout::PathTracer;
         let size = self.size.or_else(|| default_size(lobe, layout));
-        Ok(TableWant { layout, size, format: self.format, serves, max_error, n_dot_v: self.n_dot_v })
+        let (format, n_dot_v) = (self.format, self.n_dot_v);
+        Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, n_dot_v })
     }
 }
 

@@ -188,7 +188,7 @@ fn the_bake_of_another_build_is_not_mixed_in() {
             None => std::fs::remove_file(&record).expect("removed"),
         }
         let (code, said) = bake(folder.path(), &small(""), &["--only", "glass"]);
-        let expected = "error: --only: .: reports/build.txt does not say that this build of lobefit made the bake there, so its other \
+        let expected = "error: --only: .: fits/build.txt does not say that this build of lobefit made the bake there, so its other \
                         effects may not follow any more; bake without --only\n";
         assert_eq!((code, said.as_str()), (2, expected));
         same(&files(folder.path()), full());

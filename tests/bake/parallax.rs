@@ -209,6 +209,33 @@ fn lookups_are_on_the_page() {
 
 /// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe
 /// and the limit.
+/// A probe with lookups calls these alone; another one of the same lobe the width and the levels.
+#[test]
+fn lookups_bring_no_function_that_they_do_not_call() {
+    let room = r#"{"name": "room", "mips": {"map": "log", "count": 7}, "lookups": [{}]}"#;
+    let functions = |probes: &str| -> Vec<String> {
+        let text = format!(
+            r#"{{"schema_version": 1, "languages": ["wgsl"], "materials": [], "probes": [{probes}]}}"#
+        );
+        let scene = Scene::from_json(text.as_bytes(), "test.json").expect("a scene");
+        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+        let calls = baked.calls.iter().map(|call| format!("{} calls {}", call.of, call.function));
+        let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+        let emitted = text.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next());
+        calls.chain(emitted.map(String::from)).collect()
+    };
+    let lookup = [
+        "room calls parallax_lookup_box_smooth_1_log_7",
+        "parallax_meet_box_smooth",
+        "parallax_fetch_box_smooth_log_7",
+        "parallax_lookup_box_smooth_1_log_7",
+    ];
+    assert_eq!(functions(room), lookup);
+    let both = functions(&format!(r#"{room}, {{"name": "hall"}}"#));
+    assert_eq!(both[..2], ["hall calls parallax_width", "room calls parallax_lookup_box_smooth_1_log_7"]);
+    assert_eq!(both[2], "parallax_width");
+}
+
 #[test]
 fn lookups_without_a_fit_are_told() {
     let lookups = |probe: &str| baked(probe).broken;

@@ -151,6 +151,25 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
     );
 }
 
+/// The form for three channels counts against the budgets of metals, which alone call it: scenes
+/// pass together that pass apart.
+#[test]
+fn budgets_cover_what_their_materials_call() {
+    let plain = metal("b", r#"{"max_ops": 15, "max_error": 0.0105}"#).replace("metal", "dielectric");
+    let plain = plain.replace("\"f0\": 0.9", "\"ior\": 1.5");
+    for budget in [14, 16] {
+        let both = [metal("a", &format!(r#"{{"max_ops": {budget}, "max_error": 0.3}}"#)), plain.clone()];
+        let baked = baked(r#""languages": ["wgsl"],"#, &both.join(","));
+        assert!(baked.broken.is_empty(), "{budget}: {:?}", baked.broken);
+        assert_eq!(emitted(&baked)[0].0, 15);
+        let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+        assert!(text.contains("/// 19 operations: 15 of N"), "{text}");
+    }
+    let equal = metal("a", r#"{"max_ops": 15, "max_error": 0.0105}"#);
+    let broken = baked("", &[equal, plain].join(",")).broken;
+    assert!(broken[0].contains("with 19 operations"), "a metal's own budget holds: {broken:?}");
+}
+
 #[test]
 fn outputs_that_are_no_words_are_refused() {
     for (fields, part) in [

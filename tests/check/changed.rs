@@ -21,17 +21,39 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
     assert_eq!(code, Some(1), "{text}");
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
-        lines[..3],
+        lines[..4],
         [
             "the scene changed: materials[0].roughness[0]: 0.4 became 0.5",
             "the scene changed: name: \"game\" became \"play\"",
+            "files that differ: fits/lobefit.c, manifest.json",
             "bake it again: lobefit bake - --out assets"
         ],
         "{text}"
     );
-    assert_eq!(lines.len(), 4, "no line for each file: {text}");
+    assert_eq!(lines.len(), 5, "no line for each file: {text}");
     let json = run(&["check", "-", "--against", "assets", "--json"], &changed).1;
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["scene_changes"].as_array().map(Vec::len), Some(2));
     assert!(!json["differences"].as_array().expect("a list").is_empty());
+}
+
+/// Names change no number: `--values` does not mind them, short as they may be, and minds everything
+/// else of a scene.
+#[test]
+fn a_renamed_material_passes_by_its_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run =
+        |arguments: &[&str], scene: &str| lobefit(folder.path(), arguments, scene.as_bytes()).status.code();
+    let check = |scene: &str| run(&["check", "-", "--values", "0"], scene);
+    let scene = SCENE.replace("\"reports\":false,", "").replace("steel", "a");
+    assert_eq!(run(&["bake", "-", "--quiet"], &scene), Some(0));
+    let renamed = scene.replace("\"a\"", r#""an \"old\" name""#).replace("game", "e");
+    assert_eq!(run(&["check", "-"], &renamed), Some(1));
+    assert_eq!(check(&renamed), Some(0));
+    assert_eq!(check(&renamed.replace("[0.4,1]", "[0.5,1]")), Some(1));
+    assert_eq!(check(&renamed.replace("\"f0\":1", "\"f0\":0.9")), Some(1));
+    let manifest = folder.path().join("manifest.json");
+    let text = std::fs::read_to_string(&manifest).expect("a manifest");
+    std::fs::write(&manifest, text.replace("\"of\": \"a\"", "\"of\": \"b\"")).expect("written");
+    assert_eq!(check(&renamed), Some(1), "a name that is none of the scene's");
 }

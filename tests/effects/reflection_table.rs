@@ -51,7 +51,8 @@ fn plain_layouts_are_what_engines_have() {
     assert!(squared.lookup.max < plain.lookup.max && squared.lookup.max > 5e-3, "{:?}", squared.lookup);
 }
 
-/// E of a fully rough surface seen from above is 0.307, and by sampled texels of a plain 32x32 table
+/// E of a fully rough surface seen from above is 0.307, and by sampled texels of a plain 32x32
+/// table
 /// 0.326, since a lookup clamps to the last row: balanced texels halve the error.
 #[test]
 fn plain_texels_are_balanced_where_the_lookup_clamps() {

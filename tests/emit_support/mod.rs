@@ -25,7 +25,8 @@ use lobefit::scene::Scene;
 use lobefit_truth::points;
 use lobefit_truth::quantity::TRUTH_ERROR;
 
-/// The built-in scene's bake with every approximation, once per test binary, with the fit that it called for.
+/// The built-in scene's bake with every approximation, once per test binary, with the fit that it
+/// called for.
 pub fn baked() -> &'static (Baked, Job) {
     static BAKED: OnceLock<(Baked, Job)> = OnceLock::new();
     BAKED.get_or_init(|| {

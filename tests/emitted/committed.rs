@@ -61,3 +61,18 @@ fn the_committed_files_are_the_bake_of_the_built_in_scene() {
     }
     say(&format!("committed: {} files, every byte the same", files.len()));
 }
+
+/// Bytes of all reports together.
+const BYTES: u64 = 6 << 20;
+
+fn bytes(folder: &Path) -> u64 {
+    let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry"));
+    let of = |path: &Path| if path.is_dir() { bytes(path) } else { path.metadata().expect("a file").len() };
+    entries.map(|entry| of(&entry.path())).sum()
+}
+
+#[test]
+fn the_committed_reports_are_at_most_6_mib() {
+    let found = bytes(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reports"));
+    assert!(found <= BYTES, "{found} bytes");
+}

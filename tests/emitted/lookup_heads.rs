@@ -62,6 +62,8 @@ fn lookups_say_what_they_hold_of() {
             for told in lobe {
                 assert!(head.contains(told), "{told} in {head}");
             }
+            let closed = head.contains("The planes enclose the probe");
+            assert_eq!(closed, emitted.lookup.planes.is_some(), "{head}");
             for told in [
                 ops.as_str(),
                 pairing.as_str(),

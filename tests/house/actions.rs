@@ -1,5 +1,5 @@
-//! The action and its workflows: the YAML is well formed, what one file names is in another, and the script does on a desk what it
-//! does on a runner.
+//! The action and its workflows: the YAML is well formed, what one file names is in another, and
+//! the script does on a desk what it does on a runner.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,8 @@ fn named<'a>(text: &'a str, context: &str) -> BTreeSet<&'a str> {
     expressions.filter_map(|e| e.strip_prefix(context)).collect()
 }
 
-/// A step runs a command in bash, or uses an action, and gives the runner nothing that it does not know.
+/// A step runs a command in bash, or uses an action, and gives the runner nothing that it does not
+/// know.
 fn step(what: &str, step: &Yaml, shell: bool) {
     let known = set(["name", "uses", "with", "run", "shell", "env"]);
     assert!(keys(step).is_subset(&known), "{what}: {step:?}");

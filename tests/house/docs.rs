@@ -1,5 +1,5 @@
-//! The pages in `docs/`: figures are those of the committed bake, study and record, code is emitted,
-//! links resolve.
+//! The pages in `docs/`: figures are those of the committed bake, study and record, code is
+//! emitted, links resolve.
 
 use std::path::Path;
 

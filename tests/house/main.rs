@@ -10,6 +10,5 @@ mod floors;
 mod from_outside;
 mod languages;
 mod readme;
-mod reports;
 mod texts;
 mod toy_effect;

@@ -1,5 +1,6 @@
-//! Every page in a browser: the committed ones and those of a small bake, wide and narrow. A copy of each page reports its errors;
-//! the page that holds the copies tries what a reader would, and leaves what it found in an attribute.
+//! Every page in a browser: the committed ones and those of a small bake, wide and narrow. A copy
+//! of each page reports its errors; the page that holds the copies tries what a reader would, and
+//! leaves what it found in an attribute.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -225,7 +226,8 @@ fn agrees(live: &Live) {
             one.truths.iter().for_each(|place| is_the_truth(*place, one));
         }
         if one.certified > 0.0 {
-            // The certificate of a table is of E, which is above 0.3; fetches have 8 bits between texels, and f16 rounds.
+            // The certificate of a table is of E, which is above 0.3; fetches have 8 bits between
+            // texels, and f16 rounds.
             let of_e = one.standing == "table" && one.drawn == COMPENSATION;
             let most = if of_e { 3.3 * one.certified } else { one.certified };
             let slack = if one.standing == "table" { 1e-3 } else { 3.0 * one.truth * (1.0 + one.certified) };

@@ -64,7 +64,7 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
     let [brushed, glass] = &jobs[..] else { panic!("{jobs:?}") };
     assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
     assert_eq!((brushed.size.clone(), brushed.layout), (Some(vec![64, 64, 32]), Layout::Optimised));
-    assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, Some(2e-3)));
+    assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, None));
     assert_eq!(
         (brushed.roughness, brushed.slices),
         ([0.2, 0.6], Some(Slices { axis: SliceAxis::Anisotropy, range: [0.3, 0.5] }))
@@ -99,7 +99,7 @@ fn names_say_what_tells_tables_apart() {
         ]
     );
     let limits: Vec<Option<f64>> = jobs.iter().map(|job| job.max_error).collect();
-    assert_eq!(limits, [Some(1e-2), None, None, None, None]);
+    assert_eq!(limits, [None; 5], "where the default size is one, nothing is promised by default");
 }
 
 #[test]
@@ -109,6 +109,22 @@ fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
     assert_eq!((limit.size.clone(), limit.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
     assert_eq!((size.size.clone(), size.max_error), (Some(vec![16, 8, 4]), None));
+}
+
+/// Materials of one index of refraction take as few slices as there may be, if the scene leaves them
+/// open; another one that may share their table does not.
+#[test]
+fn one_value_takes_few_slices() {
+    let glass = |name: &str, ior: &str, more: &str| glass(name, more).replace("[1.2,1.6]", ior);
+    let sizes = |materials: &[&str]| -> Vec<_> {
+        sliced(&of(materials)).iter().map(|job| job.size.clone().expect("a size")).collect()
+    };
+    let both = tables(r#"{},{"size":[8,8,8]}"#);
+    assert_eq!(sizes(&[&glass("a", "1.505", &both)]), [vec![128, 128, 4], vec![8, 8, 8]]);
+    assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.5", "")]), [vec![128, 128, 4]]);
+    assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", "")]), [vec![128, 128, 32]]);
+    let slices = sliced(&of(&[&glass("a", "1.505", "")]))[0].slices.expect("slices");
+    assert_eq!(slices.range, [1.5, 1.51], "in the digits that a person would write");
 }
 
 #[test]

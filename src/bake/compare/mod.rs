@@ -78,8 +78,8 @@ impl fmt::Display for Difference {
 /// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in
 /// the folder, links in the places of files among it. With `tolerance`, files whose decoded values
 /// are all within it pass, but never a table that breaks its stated error. Another version of the
-/// tool, or another recipe, is then no difference; pages of the report are not compared, since they
-/// are drawn from the figures.
+/// tool, another recipe, or another name in the scene is then no difference; pages of the report
+/// are not compared, since they are drawn from the figures.
 pub fn compare(
     baked: &Baked,
     found: &Files,
@@ -92,7 +92,7 @@ pub fn compare(
     let restated = tolerance.map(|_| Restated::new(&baked.files, found));
     for (file, expected) in &baked.files {
         let bytes = found.get(file).map(|bytes| match &restated {
-            Some(restated) => restated.apply(bytes),
+            Some(restated) => restated.apply(bytes, expected),
             None => Cow::Borrowed(bytes.as_slice()),
         });
         match bytes {

@@ -1,4 +1,5 @@
-//! The path tracer's layout of anisotropic reflection: 64 x 64 x 32, separable Smith, alpha = roughness.
+//! The path tracer's layout of anisotropic reflection: 64 x 64 x 32, separable Smith, alpha =
+//! roughness.
 
 use crate::data::{Axis, Warp};
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{HYPOTHESES, PUBLISHED};
-use crate::data::{MipChain, ProbeLookup};
+use crate::data::{MipChain, Pick, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
 use crate::scene::{Probe, Scene};
@@ -27,6 +27,9 @@ pub struct Lobe {
     pub kernel: Kernel,
     /// The different chains of levels, in the order of the probes.
     pub chains: Vec<MipChain>,
+    /// Whether the width and the functions of levels are called: by the probes without lookups, or
+    /// by who compares.
+    pub width: bool,
     /// The different lookups, with the chain of the probe that they fetch from, in the order of the
     /// probes.
     pub lookups: Vec<(ProbeLookup, Option<MipChain>)>,
@@ -78,7 +81,9 @@ pub(super) fn left_out(scene: &Scene) -> String {
 /// What the probes of a job want; `None` of a job without probes.
 pub(super) fn wanted(scene: &Scene, job: &Job) -> Option<Lobe> {
     let probes: Vec<&Probe> = job.demands.iter().filter_map(|demand| scene.probes.get(demand.of)).collect();
-    let mut lobe = Lobe { kernel: probes.first()?.kernel.clone(), chains: Vec::new(), lookups: Vec::new() };
+    let width = scene.output.pick != Pick::Best || probes.iter().any(|probe| probe.lookups.is_empty());
+    let kernel = probes.first()?.kernel.clone();
+    let mut lobe = Lobe { kernel, width, chains: Vec::new(), lookups: Vec::new() };
     for probe in probes {
         let new = probe.mips.clone().filter(|chain| !lobe.chains.contains(chain));
         lobe.chains.extend(new);
@@ -99,7 +104,7 @@ pub fn lobes(scene: &Scene) -> Vec<Lobe> {
 /// What a plan says of a job.
 pub(super) fn summary(scene: &Scene, job: &Job) -> Option<JobSummary> {
     let lobe = wanted(scene, job)?;
-    let chains = match lobe.chains.len() {
+    let chains = match if lobe.width { lobe.chains.len() } else { 0 } {
         0 => String::new(),
         1 => ", and functions of the level of a chain".into(),
         n => format!(", and functions of the level of {n} chains"),

@@ -136,13 +136,16 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
     }
 }
 
+fn is_metal(scene: &Scene, demand: &Demand) -> bool {
+    scene.materials.get(demand.of).is_some_and(|material| material.kind == Kind::Metal)
+}
+
 impl FitJob {
     /// What the materials of a job of fits want.
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
         let mut fits = FitJob::default();
-        let metal = |demand: &Demand| scene.materials.get(demand.of).is_some_and(|m| m.kind == Kind::Metal);
-        fits.coloured = job.demands.iter().any(metal);
+        fits.coloured = job.demands.iter().any(|demand| is_metal(scene, demand));
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
             fits.blend |= want.blend;
@@ -153,12 +156,22 @@ impl FitJob {
         fits
     }
 
-    /// Operations that the dearest call takes beside the normalisation.
+    /// The widest budget of the materials, and what the calls that it is stated for take beside the
+    /// normalisation: a metal calls the form for three channels. The budget that leaves most for
+    /// the normalisation is the widest.
     ///
     /// # Errors
     /// A text that does not parse, a defect of this program.
-    pub fn beside(&self) -> Result<u32, ShadeError> {
-        if self.coloured { compensation::coloured_ops() } else { Ok(0) }
+    pub fn budget(scene: &Scene, job: &Job) -> Result<(Option<u32>, u32), ShadeError> {
+        let coloured = compensation::coloured_ops()?;
+        let beside = |budget: Option<u32>| {
+            let of_budget = job.demands.iter().filter(|demand| demand.goals.max_ops == budget);
+            if of_budget.into_iter().any(|demand| is_metal(scene, demand)) { coloured } else { 0 }
+        };
+        let budgets = job.demands.iter().map(|demand| demand.goals.max_ops);
+        let left = |budget: &Option<u32>| budget.map_or(u32::MAX, |ops| ops.saturating_sub(beside(*budget)));
+        let widest = budgets.max_by_key(left).flatten();
+        Ok((widest, beside(widest)))
     }
 }
 

@@ -14,7 +14,8 @@
 //!
 //! The plain layouts hold what engines hold today, E or (A, B) at texel centres over the whole of
 //! roughness [0, 1]. Their texels are optimised too: before the first texel and after the last a
-//! lookup clamps, and E changes fast at grazing views, so that sampled texels leave twice the error.
+//! lookup clamps, and E changes fast at grazing views, so that sampled texels leave twice the
+//! error.
 
 use super::{BuildError, Spec};
 use crate::data::{Axis, Channel, Layout, Registration, Serves, Surface, Table, Warp};
@@ -136,7 +137,8 @@ fn losses(spec: &Spec, lattice: (&Lattice, usize), dense: &[Node]) -> Vec<Channe
     if spec.serves == Serves::Albedo {
         return vec![loss];
     }
-    // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
+    // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they
+    // can.
     let looked_up = texels::looked_up(lattice.0, &loss.texels);
     let albedos = || looked_up.iter().map(|loss| 1.0 - loss);
     let exact: Vec<f64> = dense.iter().map(|n| n.bias(n.e)).collect();

@@ -1,11 +1,12 @@
-//! What keeps a limit that a table does not: larger sizes and other layouts, measured.
+//! What keeps a limit that a table does not: larger sizes, other layouts and wider texels,
+//! measured.
 
 use std::sync::Arc;
 
 use super::bake::finish;
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
-use crate::data::Layout;
+use crate::data::{Layout, TexelFormat};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
@@ -15,8 +16,8 @@ use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
 
 /// In words, what keeps the limit of a job whose tables of this size do not: sizes doubled until
-/// one keeps it, and the other layouts of its kind at the job's size. `judge` has the truth of the
-/// job.
+/// one keeps it, the other layouts of its kind at the job's size, and in place of f16 the smallest
+/// of these sizes with f32 texels that keeps it. `judge` has the truth of the job.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -27,7 +28,8 @@ pub(super) fn instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
-    let error = |layout: Layout, size: &[usize]| measured(family, (job, layout, size), judge, context);
+    let of = |job: TableJob, size: &[usize]| measured(family, (&job, size), judge, context);
+    let error = |layout: Layout, size: &[usize]| of(TableJob { layout, ..job.clone() }, size);
     let words = |size: &[usize], error: f64| {
         format!("{}: {error}{}", size_text(size), if error <= limit { " keeps it" } else { "" })
     };
@@ -42,6 +44,15 @@ pub(super) fn instead(
     }
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
         parts.push(format!("layout `{}` at {}", layout.name(), words(&own, error(layout, &own)?)));
+    }
+    let mut wider = if job.format == TexelFormat::F16 { vec![own, size.clone()] } else { Vec::new() };
+    wider.dedup();
+    for size in wider {
+        let error = of(TableJob { format: TexelFormat::F32, ..job.clone() }, &size)?;
+        if error <= limit {
+            parts.push(format!("format `f32` at {}", words(&size, error)));
+            break;
+        }
     }
     let chosen = job.size.is_some() && size.len() == 2 && kept && size.iter().all(|n| *n <= AUTO_SIDE);
     parts.extend(chosen.then(|| "without `size` lobefit chooses one that keeps it".to_string()));
@@ -67,14 +78,14 @@ fn is_measured(size: &[usize]) -> bool {
     }
 }
 
-/// The largest lookup error of the tables of a job in another layout and size.
+/// The largest lookup error of the tables of a job in a size.
 fn measured(
     family: &dyn Family,
-    (job, layout, size): (&TableJob, Layout, &[usize]),
+    (job, size): (&TableJob, &[usize]),
     judge: &Arc<Judge>,
     context: &Context,
 ) -> Result<f64, BakeError> {
-    let spec = TableJob { layout, ..job.clone() }.spec(size.to_vec(), &size_text(size));
+    let spec = job.spec(size.to_vec(), &size_text(size));
     let (tables, made) = family.build(&spec, &context.counter)?;
     let mut worst = 0.0_f64;
     for (i, table) in tables.iter().enumerate() {

@@ -2,12 +2,12 @@
 //! formula to keep.
 
 mod aids;
+mod output;
 mod pair;
 mod space;
-mod told;
 
 pub use aids::{AidKind, Aids, Tried};
-pub use told::{document, files, summary};
+pub use output::{document, files, summary};
 
 use super::catalogue::{self, CatalogueFit};
 use super::{Demand, FittingError};

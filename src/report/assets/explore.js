@@ -1,12 +1,14 @@
 "use strict";
 (() => {
   const data = JSON.parse(document.getElementById("explored").textContent);
-  const lobes = data.effects.flatMap((effect) => effect.shown);
   const root = document.getElementById("explore");
   const canvas = root.querySelector(".stage canvas");
   const gl = canvas.getContext("webgl2", { antialias: false });
   if (!gl) return;
   const linear = gl.getExtension("OES_texture_float_linear");
+  const drawable = (lobe) => lobe.approximations.filter((one) => !one.texels || one.texels.format === "f16" || linear);
+  const lobes = data.effects.flatMap((effect) => effect.shown).filter((lobe) => drawable(lobe).length > 0);
+  if (lobes.length === 0) return;
   document.getElementById("unable").hidden = true;
   document.getElementById("still").hidden = true;
   root.hidden = false;
@@ -30,7 +32,7 @@
   const state = { lobe: lobes[0].name, a: "", b: "", roughness: 0.9, f0: [1, 1, 1], under: "furnace", times: 50 };
   const light = [-0.45, 0.6, 0.66];
   const lobe = () => find(lobes, state.lobe);
-  const offered = () => lobe().approximations.filter((one) => !one.texels || one.texels.format === "f16" || linear);
+  const offered = () => drawable(lobe());
   const chosen = (side) => find(offered(), state[side]);
 
   // The nearest state that can be drawn.
@@ -106,11 +108,11 @@
     const source = [
       "#version 300 es",
       "precision highp float; precision highp int; precision highp sampler2D;",
-      ...[...drawn, of.smith, ...(measure === "measure" ? ["measure"] : [])].map((word) => `#define ${word.toUpperCase()}`),
-      `#define ALPHA(roughness) (${of.alpha})`,
-      texels ? "uniform sampler2D texels;" : "",
+      ...[...drawn, of.smith, ...(measure === "measure" ? ["measure"] : [])].map((word) => `#define LIVE_${word.toUpperCase()}`),
+      `#define LIVE_ALPHA(roughness) (${of.alpha})`,
+      texels ? "uniform sampler2D live_texels;" : "",
       text,
-      `float approximation(float roughness, float alpha, float mu, float f0) { float n_dot_v = mu; return ${call}; }`,
+      `float live_approximation(float roughness, float alpha, float mu, float f0) { float n_dot_v = mu; return ${call}; }`,
       document.getElementById("shader").textContent,
     ].join("\n");
     const made = gl.createProgram();
@@ -123,7 +125,7 @@
     const count = gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS);
     for (let i = 0; i < count; i++) {
       const { name } = gl.getActiveUniform(made, i);
-      places[name] = gl.getUniformLocation(made, name);
+      places[name.replace("live_", "")] = gl.getUniformLocation(made, name);
     }
     return { made, places };
   });
@@ -212,7 +214,7 @@
       const group = select.appendChild(document.createElement("optgroup"));
       group.label = label;
       for (const { name, cost, certificate } of all) {
-        make("option", certificate ? `${name}: ${cost.ops} ops, ${figure(certificate.max_abs)}` : name, group).value = name;
+        make("option", certificate ? `${name}: ${cost.ops} ops` : name, group).value = name;
       }
     }
   };

@@ -1,5 +1,5 @@
-//! What the live page draws: quantities with what stands for them, as GLSL and texels. Every text of a function is what the
-//! printer of the include files prints.
+//! What the live page draws: quantities with what stands for them, as GLSL and texels. Every text
+//! of a function is what the printer of the include files prints.
 
 mod truth;
 
@@ -132,7 +132,8 @@ pub struct ExploredApproximation {
     pub source: String,
     /// GLSL functions; empty where an expression is all.
     pub text: String,
-    /// A GLSL expression of `roughness`, `alpha`, `mu` or `n_dot_v`, `f0`, and `texels` where there are any.
+    /// A GLSL expression of `roughness`, `alpha`, `mu` or `n_dot_v`, `f0`, and `live_texels` where
+    /// there are any.
     pub call: String,
     /// What it takes.
     pub cost: Cost,
@@ -165,6 +166,9 @@ pub struct Times {
     /// By function.
     pub microseconds: BTreeMap<String, f64>,
 }
+
+/// How the names of the live page's own GLSL begin.
+pub const PREFIX: &str = "live_";
 
 /// Begins the data in the page.
 const OPEN: &str = "<script type=\"application/json\" id=\"explored\">";

@@ -64,8 +64,8 @@ fn range(values: &[f64]) -> [f64; 2] {
     values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
 }
 
-/// The column of a view, from 0 to 1: half of it in the coordinate that resolves the layer mu ~ alpha
-/// at every width, half of it in sqrt(mu) for what lies beyond the layer.
+/// The column of a view, from 0 to 1: half of it in the coordinate that resolves the layer mu ~
+/// alpha at every width, half of it in sqrt(mu) for what lies beyond the layer.
 pub fn across(mu: f64, [low, high]: [f64; 2], alpha: f64) -> f64 {
     let layer = |mu: f64| (mu * (1.0 + alpha) / (mu + alpha)).sqrt();
     let part = |of: &dyn Fn(f64) -> f64| (of(mu) - of(low)) / (of(high) - of(low));

@@ -154,8 +154,8 @@ impl Curves {
         Ok(())
     }
 
-    /// The names of what is drawn as a line, in order: of a line without a name that of the first of
-    /// its style, and what stands at its end.
+    /// The names of what is drawn as a line, in order: of a line without a name that of the first
+    /// of its style, and what stands at its end.
     fn lines(&self) -> Vec<String> {
         let drawn = self.series.iter().filter(|s| !matches!(s.style, Style::Measured | Style::Bars));
         let named = |s: &Series| {
@@ -271,8 +271,8 @@ impl Curves {
     }
 }
 
-/// Width of a coloured line. Where colours repeat the style sheet dashes the line, which it tells by
-/// its width.
+/// Width of a coloured line. Where colours repeat the style sheet dashes the line, which it tells
+/// by its width.
 fn width(i: usize) -> f64 {
     if i < LINES.len() { 1.6 } else { 1.7 }
 }

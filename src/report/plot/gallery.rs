@@ -179,7 +179,8 @@ impl Gallery {
         self.side.min(self.cell.ceil() as usize)
     }
 
-    /// The pixels of a picture that one of those shown covers along an axis, with their parts of it.
+    /// The pixels of a picture that one of those shown covers along an axis, with their parts of
+    /// it.
     fn covered(&self, i: usize) -> Vec<(usize, f64)> {
         let ratio = self.side as f64 / self.shown() as f64;
         let (from, to) = (i as f64 * ratio, (i + 1) as f64 * ratio);

@@ -102,8 +102,8 @@ impl Scale {
         }
     }
 
-    /// Zero, then ones, fives, twos and others times powers of ten as far as they find room, in rising
-    /// order.
+    /// Zero, then ones, fives, twos and others times powers of ten as far as they find room, in
+    /// rising order.
     fn root_ticks(self, count: usize) -> Vec<Tick> {
         let apart = 0.8 / count.max(1) as f64;
         let top = exponent(self.max);

@@ -94,12 +94,14 @@ impl Figure for Scatter {
 
 impl Figure for Frontiers {
     fn svg(&self) -> Result<String, ReportError> {
-        let mut names: Vec<&String> = self.groups.iter().map(|(name, _)| name).collect();
-        names.dedup();
-        let place = |name: &String| names.iter().position(|known| *known == name).unwrap_or(0);
-        let colour = |name: &String| LINES[place(name) % LINES.len()];
-        let mut entries: Vec<Entry> =
-            names.iter().map(|name| ((*name).clone(), colour(name), Key::Disc)).collect();
+        let mut entries: Vec<Entry> = Vec::new();
+        let mut colours = Vec::new();
+        for (name, _) in &self.groups {
+            if entries.last().is_none_or(|(last, ..)| last != name) {
+                entries.push((name.clone(), LINES[entries.len() % LINES.len()], Key::Disc));
+            }
+            colours.extend(entries.last().map(|(_, colour, _)| *colour));
+        }
         let mut dots = self.groups.iter().flat_map(|(_, dots)| dots);
         if dots.clone().any(|dot| dot.table) {
             entries.push(("table".into(), INK, Key::Square));
@@ -107,7 +109,7 @@ impl Figure for Frontiers {
         if dots.any(|dot| dot.published) {
             entries.push(("published".into(), GREY, Key::Disc));
         }
-        let groups = self.groups.iter().map(|(name, dots)| (dots, colour(name)));
+        let groups = self.groups.iter().map(|(_, dots)| dots).zip(colours);
         let groups: Vec<Group> =
             groups.map(|(dots, colour)| Group { dots, named: &self.named, colour, line: colour }).collect();
         chart(&self.title, (&self.x, &self.y), self.size, (entries, &groups))

@@ -151,6 +151,9 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
     let cost = offer.cost;
     let time = time.map_or_else(String::new, |time| format!(", {} µs at 4K", significant(time, 3)));
     let mut rows = vec![("Cost".to_string(), format!("{}{time}", words::operations(cost.ops)))];
+    if offer.function.as_ref().is_some_and(|function| *function != offer.name) {
+        rows.insert(0, (if cost.bytes > 0 { "Table" } else { "Formula" }.into(), offer.name.clone()));
+    }
     let fetches = words::count(cost.fetches as usize, "fetch", "fetches");
     match (cost.fetches, cost.bytes) {
         (0, _) => {}

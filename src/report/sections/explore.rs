@@ -1,4 +1,5 @@
-//! The live page: its data, its controls, and still pictures in their place where nothing can be drawn.
+//! The live page: its data, its controls, and still pictures in their place where nothing can be
+//! drawn.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -3,8 +3,8 @@
 use super::{figures, words};
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
-    Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Page, ReportError, Scatter, Section, Spread,
-    TextTable,
+    Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, Page, ReportError, Scatter, Section,
+    Spread, TextTable,
 };
 
 /// Pixels of a screen of 3840 by 2160.
@@ -36,8 +36,8 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     }
     Ok(Page {
         title: format!("lobefit on {}", record.device.adapter),
-        origin: record.origin.clone(),
-        lead: "Time per evaluation of the emitted WGSL on one graphics processor. The times hold for the recipe above and for no other; \
+        origin: Origin { pages: vec![("index".into(), "../index.html".into())], ..record.origin.clone() },
+        lead: "Time per evaluation of the emitted WGSL on one graphics processor. The times hold for the recipe below and for no other; \
                `lobefit check` tells which functions have changed since."
             .into(),
         sections,

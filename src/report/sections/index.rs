@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Block, Section, numbers};
+use crate::report::{Block, ReportError, Section, check, numbers};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -19,20 +19,21 @@ const COLUMNS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-const CALLS: [(&str, bool); 7] = [
+const CALLS: [(&str, bool); 8] = [
     ("call", false),
     ("effect", false),
     ("for", false),
     ("max error", true),
+    ("which error", false),
     ("ops", true),
     ("fetches", true),
     ("bytes", true),
 ];
 
-pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
+pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
     if manifest.effects.is_empty() {
-        return vec![called_for];
+        return Ok(vec![called_for]);
     }
     let summary = "Materials, ranges, and what was left out".into();
     called_for.blocks = vec![Block::Fold { summary, blocks: called_for.blocks }];
@@ -44,9 +45,8 @@ pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
             summary: "All functions".into(),
             blocks: vec![Block::Table(words::table(
                 &CALLS,
-                calls(manifest),
-                "The largest error of the use, rounded up: lookup error of a table, furnace error of an energy compensation. \
-                 The functions stand in fits/, in each language; their comments say more.",
+                calls(manifest)?,
+                "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.",
             ))],
         }],
     };
@@ -65,7 +65,23 @@ pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
             ))],
         }],
     };
-    vec![call, made, called_for]
+    Ok(vec![call, made, called_for])
+}
+
+/// Pages that lie beside those of the built-in scene in the repository of this program.
+pub(super) fn beside(command: &str) -> Option<Section> {
+    let pages = [
+        ("Study: lookups of probes in rooms whose light is known", "studies/parallax/index.html"),
+        ("Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
+        ("Times of the functions on an NVIDIA H200", "gpu/nvidia-h200.html"),
+    ];
+    let rows = pages.map(|(shown, file)| (shown.to_string(), file.to_string())).to_vec();
+    (command == "lobefit bake").then(|| Section {
+        id: "beside".into(),
+        title: "Studies and times".into(),
+        lead: "They lie beside this page in lobefit's repository; other commands make them.".into(),
+        blocks: vec![Block::Links { rows }],
+    })
 }
 
 /// What came of the scene, in one sentence.
@@ -82,7 +98,7 @@ pub(super) fn conclusion(manifest: &Manifest) -> String {
 }
 
 /// A row for each function, with who calls it.
-fn calls(manifest: &Manifest) -> Vec<Vec<String>> {
+fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
         match found.iter_mut().find(|(known, _)| known.function == call.function) {
@@ -92,9 +108,17 @@ fn calls(manifest: &Manifest) -> Vec<Vec<String>> {
     }
     let row = |(call, names): (&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
-        let figures = [words::max(call.max_error), ops.to_string(), fetches.to_string(), bytes.to_string()];
-        let words = [manifest.signature(call), call.effect.clone(), numbers::shortened(&names.join(", "))];
-        words.into_iter().chain(figures).collect()
+        let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([bytes.to_string()]);
+        let problem =
+            || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
+        let words = [
+            manifest.signature(call).ok_or_else(problem)?,
+            call.effect.clone(),
+            numbers::shortened(&names.join(", ")),
+            words::max(call.max_error),
+            call.metric.clone(),
+        ];
+        Ok(words.into_iter().chain(figures).collect())
     };
     found.into_iter().map(row).collect()
 }

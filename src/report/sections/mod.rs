@@ -60,7 +60,8 @@ pub(crate) fn of_index(
         sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
-    sections.extend(index::sections(drawn.manifest));
+    sections.extend(index::sections(drawn.manifest)?);
+    sections.extend(index::beside(&origin.command));
     Ok(Page {
         title: format!("lobefit report: {}", origin.scene),
         origin,

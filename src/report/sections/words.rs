@@ -49,12 +49,12 @@ pub fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
 
 /// A maximum, rounded up.
 pub fn max(x: f64) -> String {
-    bound(x, 3)
+    bound(x, 4)
 }
 
 /// A mean or root mean square.
 pub fn mean(x: f64) -> String {
-    significant(x, 3)
+    significant(x, 4)
 }
 
 /// `1 operation`, `13 operations`.

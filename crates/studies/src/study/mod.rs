@@ -96,7 +96,7 @@ impl dyn Study + '_ {
             recipe: self.recipe(size)?,
             tool: env!("CARGO_PKG_VERSION").into(),
             command: format!("lobefit report --study {}{reduced}", self.name()),
-            pages: Vec::new(),
+            pages: vec![("index".into(), "../../index.html".into())],
         })
     }
 }

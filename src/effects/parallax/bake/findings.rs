@@ -68,7 +68,7 @@ fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
     })
 }
 
-/// Published formulas that people know, and the best of ours.
+/// Published formulas that people know, and the best of ours; without any, the one of lookups.
 fn shown<'a>(lobe: &'a Lobe) -> Vec<&'a Fit> {
     let of_published = |name: &&str| lobe.fits.iter().find(|fit| fit.approximation.name == **name);
     let published: Vec<&Fit> = SHOWN.iter().filter_map(of_published).collect();
@@ -76,7 +76,8 @@ fn shown<'a>(lobe: &'a Lobe) -> Vec<&'a Fit> {
     let best = lobe.best().filter(|best| {
         cheapest.is_none_or(|cheapest| cheapest.approximation.name != best.approximation.name)
     });
-    published.into_iter().chain(cheapest).chain(best).collect()
+    let flow = lobe.flow().filter(|_| cheapest.is_none()).map(|(fit, _)| fit);
+    published.into_iter().chain(cheapest).chain(best).chain(flow).collect()
 }
 
 fn of_fit(fit: &Fit, variation: &Variation) -> VariationFinding {

@@ -12,6 +12,7 @@ use crate::effects::parallax::{Gives, TapRule, named};
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header;
 use crate::emit::manifest::CostEntry;
+use lobefit_truth::quantity::PARALLAX;
 
 /// A lookup with its cost.
 pub(super) struct Lookup {
@@ -138,6 +139,7 @@ impl Lookup {
             name: self.fit.clone(),
             file: None,
             max_error: self.max_error,
+            metric: PARALLAX.metric.into(),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
         });
         call.collect()

@@ -7,7 +7,7 @@ mod lookups;
 
 use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all, of_chain, variations};
 use crate::approximate::{Dropped, Emission, Fit, FitSet};
-use crate::data::{Arguments, MipChain, Source};
+use crate::data::{Arguments, MipChain, Pick, Source};
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
@@ -56,14 +56,21 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let wants: Vec<(&Job, demand::Lobe)> = wants.collect::<Result<_, BakeError>>()?;
     let identifiers = identifiers(wants.iter().flat_map(|(_, lobe)| &lobe.chains));
     let fitted = wants.into_iter().map(|(job, wants)| Lobe::fitted(job, wants, &identifiers, context));
-    let lobes: Vec<Lobe> = fitted.collect::<Result<_, _>>()?;
-    let least = |lobe: &Lobe| Some(lobe.least_variation(None)?.1);
+    let mut lobes: Vec<Lobe> = fitted.collect::<Result<_, _>>()?;
+    let least = |lobe: &Lobe| {
+        if lobe.wants.width { Some(lobe.least_variation(None)?.1) } else { lobe.flow()?.1.max() }
+    };
     let worst = lobes.iter().filter_map(least).reduce(f64::max);
     let mut made =
         Made::new(called, worst, "largest total variation of the best fit, where a fetch is not saturated");
-    for lobe in &lobes {
+    for lobe in &mut lobes {
         made.broken.extend(lobe.job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
         made.broken.extend(lobe.without_lookups());
+        if !lobe.wants.width {
+            // what lookups need of them is in their own code
+            lobe.fits.iter_mut().for_each(|fit| fit.emitted = false);
+            lobe.functions.clear();
+        }
         entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }
     if context.reports(called.effect) {
@@ -72,7 +79,12 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     made.code(context, |language| code::in_language(language, &lobes))?;
     for lobe in &lobes {
-        made.fits_called(lobe.job, &lobe.fits);
+        let calling = |demand: &&Demand| context.scene.output.pick != Pick::Best || !lobe.looks_up(demand);
+        let names: Vec<String> =
+            lobe.job.demands.iter().filter(calling).map(|demand| demand.name.clone()).collect();
+        for fit in lobe.fits.iter().filter(|fit| fit.emitted) {
+            made.called_by(names.clone(), fit.hypothesis.name(), &fit.approximation, None);
+        }
         made.part.entries.calls.extend(lobe.lookups.iter().flat_map(|lookup| lookup.calls(lobe)));
     }
     for lobe in lobes {
@@ -209,6 +221,11 @@ impl<'a> Lobe<'a> {
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// Whether a probe has lookups.
+    fn looks_up(&self, demand: &Demand) -> bool {
+        self.scene.probes.get(demand.of).is_some_and(|probe| !probe.lookups.is_empty())
+    }
+
     /// What says that lookups are wanted and the fit of their width is not there: every lookup is a
     /// promise.
     fn without_lookups(&self) -> Option<String> {
@@ -216,9 +233,7 @@ impl<'a> Lobe<'a> {
             return None;
         }
         let kernel = &self.spec.kernel;
-        let wants =
-            |demand: &&Demand| self.scene.probes.get(demand.of).is_some_and(|p| !p.lookups.is_empty());
-        let wanting = self.job.demands.iter().filter(wants);
+        let wanting = self.job.demands.iter().filter(|demand| self.looks_up(demand));
         let names: Vec<String> =
             wanting.map(|demand| format!("{} ({}.lookups)", demand.name, demand.field)).collect();
         let limit = match self.spec.max_ops {

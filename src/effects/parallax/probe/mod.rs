@@ -152,6 +152,7 @@ impl Wanted {
             "The engine has found what the ray hits: offset is from the probe to there, distance from the shading point to there.".into(),
             "The width follows the ratio of the distances, which does not jump at edges, and ignores slants.".into(),
             format!("Domain: alpha in [0, 1], distances of 0 or more; their ratio is clamped to [{low}, {high}]."),
+            "offset is not zero: what lies at the probe itself is seen in no direction.".into(),
             self.sum(),
         ]
     }
@@ -169,6 +170,11 @@ impl Wanted {
             SurfaceLobe::Fitted => (lobe::lines(self.lookup.taps), "normal, view"),
             SurfaceLobe::Mirror => (MIRROR.map(String::from).to_vec(), "ray"),
         };
+        if self.lookup.planes.is_some() {
+            let closed =
+                "The planes enclose the probe: every ray has one ahead, or what is fetched is not a number.";
+            lines.push(closed.into());
+        }
         lines.extend([
             format!("place, {body}, probe, {ray} are in one frame and one unit of length; the cubemap's axes are the frame's."),
             "probe is strictly inside the proxy. Domain: alpha in [0, 1], places anywhere: a wall that the place is outside of".into(),

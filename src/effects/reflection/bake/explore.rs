@@ -1,4 +1,5 @@
-//! What the live page draws of this effect: a metal with its compensation, and the albedo of a dielectric.
+//! What the live page draws of this effect: a metal with its compensation, and the albedo of a
+//! dielectric.
 
 use crate::approximate::{Fit, Region};
 use crate::data::Use;

@@ -90,18 +90,16 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
 fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
     context.progress.stage("fits");
     let wants = FitJob::of(context.scene, job);
+    let (max_ops, beside) = FitJob::budget(context.scene, job).map_err(CodeError::from)?;
     let spec = FitSpec {
         smith: context.scene.smith,
         region: job.region(context.scene.alpha)?,
-        max_ops: job.goals.max_ops,
+        max_ops,
         norms: job.goals.norms.clone(),
         average: wants.average,
         blend: wants.blend,
         hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
-        emission: Emission {
-            beside: wants.beside().map_err(CodeError::from)?,
-            ..job.emission(context.scene, NORMALISATION)
-        },
+        emission: Emission { beside, ..job.emission(context.scene, NORMALISATION) },
     };
     Ok(fit_all(&spec, &context.counter)?)
 }

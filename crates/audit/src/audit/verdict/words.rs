@@ -6,7 +6,7 @@ use crate::audit::convention::Convention;
 use crate::audit::table::Source;
 use lobefit::data::Place;
 
-/// `ggx-reflection holding E (the albedo), of separable Smith, with mu along x at texel centres, ...`.
+/// `ggx-reflection holding E (the albedo), of separable Smith, with mu along x at texel centres`.
 pub(super) fn reading(audit: &Audit) -> String {
     let best = audit.best();
     let holds: Vec<String> = audit

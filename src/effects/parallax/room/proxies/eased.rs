@@ -15,8 +15,8 @@ use lobefit_math::vector::{Vec3, dot, length, plus, scaled};
 /// gradient gives the normal: continuous, also where a plane comes ahead (s_i = 0), as k <= m.
 /// Turning the ray by an angle e changes s_i by n_i.e/h_i: a lobe that is alpha wide reaches over
 /// alpha/h_i of it, so that k = min([`Eased::REACH`] alpha max(1/h_a, 1/h_b), m) is what it reaches
-/// over at the edge. 1/h_a of planes that are joined is the largest of theirs, each by its part; the
-/// normal is the gradient at a fixed k.
+/// over at the edge. 1/h_a of planes that are joined is the largest of theirs, each by its part;
+/// the normal is the gradient at a fixed k.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Eased {
     /// The planes.

@@ -31,7 +31,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     };
     let caption = "Errors: geometric mean over the roughnesses of the relative L2 against GGX at points of a room that is none of those above, \
                    half of them on its walls, looked up through the smooth proxy. Columns are of the rational width, as all lookups above; “as emitted” is the same \
-                   with the width that emitted lookups take, `parallax_cubic` of the built-in scene.";
+                   with the width that emitted lookups take, `parallax_1` of the built-in scene.";
     Ok(Section {
         id: "lobes".into(),
         title: "The lobe of a surface".into(),
