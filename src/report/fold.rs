@@ -5,7 +5,7 @@ use super::sections::words;
 
 /// Pixels of a page of usual width before a reader opens anything; what is estimated here is off by
 /// some percent.
-const TALL: f64 = 5500.0;
+const TALL: f64 = 5700.0;
 
 /// Width of a page's content in pixels, and of a character of its tables and of its text.
 const WIDTH: f64 = 1160.0;

@@ -68,20 +68,22 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
     Ok(vec![call, made, called_for])
 }
 
-/// Pages that lie beside those of the built-in scene in the repository of this program.
-pub(super) fn beside(command: &str) -> Option<Section> {
+/// Pages that other commands put beside those of the built-in scene, as they lie in the repository of
+/// this program.
+pub(super) fn beside(command: &str) -> Vec<(String, String)> {
     let pages = [
-        ("Study: lookups of probes in rooms whose light is known", "studies/parallax/index.html"),
-        ("Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
-        ("Times of the functions on an NVIDIA H200", "gpu/nvidia-h200.html"),
+        (
+            "Study: lookups of probes in rooms whose light is known (in lobefit's repository)",
+            "studies/parallax/index.html",
+        ),
+        (
+            "Study: diffuse bases under specular lobes (in lobefit's repository)",
+            "studies/coupling/index.html",
+        ),
+        ("Times of the functions on an NVIDIA H200 (in lobefit's repository)", "gpu/nvidia-h200.html"),
     ];
-    let rows = pages.map(|(shown, file)| (shown.to_string(), file.to_string())).to_vec();
-    (command == "lobefit bake").then(|| Section {
-        id: "beside".into(),
-        title: "Studies and times".into(),
-        lead: "They lie beside this page in lobefit's repository; other commands make them.".into(),
-        blocks: vec![Block::Links { rows }],
-    })
+    let pages = pages.into_iter().filter(|_| command == "lobefit bake");
+    pages.map(|(shown, file)| (shown.to_string(), file.to_string())).collect()
 }
 
 /// What came of the scene, in one sentence.

@@ -56,12 +56,12 @@ pub(crate) fn of_index(
         let link = |(_, file): &(String, String)| {
             ("Spheres drawn by the emitted GLSL, beside the truth".into(), file.clone())
         };
-        cards.blocks.splice(0..0, live.map(|page| Block::Links { rows: vec![link(page)] }));
+        let rows: Vec<_> = live.map(link).into_iter().chain(index::beside(&origin.command)).collect();
+        cards.blocks.splice(0..0, (!rows.is_empty()).then_some(Block::Links { rows }));
         sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
     sections.extend(index::sections(drawn.manifest)?);
-    sections.extend(index::beside(&origin.command));
     Ok(Page {
         title: format!("lobefit report: {}", origin.scene),
         origin,
