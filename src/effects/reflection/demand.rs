@@ -144,8 +144,8 @@ impl FitJob {
     /// What the materials of a job of fits want.
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
-        let mut fits = FitJob::default();
-        fits.coloured = job.demands.iter().any(|demand| is_metal(scene, demand));
+        let coloured = job.demands.iter().any(|demand| is_metal(scene, demand));
+        let mut fits = FitJob { coloured, ..FitJob::default() };
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
             fits.blend |= want.blend;
