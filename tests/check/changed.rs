@@ -25,7 +25,7 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
         [
             "the scene changed: materials[0].roughness[0]: 0.4 became 0.5",
             "the scene changed: name: \"game\" became \"play\"",
-            "files that differ: fits/lobefit.c, manifest.json",
+            "files that differ: fits/lobefit.h, manifest.json",
             "bake it again: lobefit bake - --out assets"
         ],
         "{text}"
@@ -37,8 +37,8 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
     assert!(!json["differences"].as_array().expect("a list").is_empty());
 }
 
-/// Names change no number: `--values` does not mind them, short as they may be, and minds everything
-/// else of a scene.
+/// Names change no number: `--values` does not mind them, short as they may be, and minds
+/// everything else of a scene.
 #[test]
 fn a_renamed_material_passes_by_its_values() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -111,8 +111,8 @@ fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
     assert_eq!((size.size.clone(), size.max_error), (Some(vec![16, 8, 4]), None));
 }
 
-/// Materials of one index of refraction take as few slices as there may be, if the scene leaves them
-/// open; another one that may share their table does not.
+/// Materials of one index of refraction take as few slices as there may be, if the scene leaves
+/// them open; another one that may share their table does not.
 #[test]
 fn one_value_takes_few_slices() {
     let glass = |name: &str, ior: &str, more: &str| glass(name, more).replace("[1.2,1.6]", ior);
@@ -204,10 +204,11 @@ fn the_reason_tells_where_rows_begin() {
     }
     let alone = because("[0,1]", r#"{"layout":"path-tracer"}"#);
     assert!(alone.contains("(roughness 0.0001 to 1, in rows from 0.0004 on, "), "{alone}");
-    let below = of(&[&brushed("b", "").replace("[0.2,0.6]", "[0.012,0.015]"), &brushed("c", "")]);
+    let limited = |name: &str| brushed(name, &tables(r#"{"max_error":0.002}"#));
+    let below = of(&[&limited("b").replace("[0.2,0.6]", "[0.012,0.015]"), &limited("c")]);
     let jobs = sliced(&below);
     assert_eq!(jobs[0].unjudged_by.as_deref().expect("one"), "b (materials[0].wants.tables[0].max_error)");
-    assert_eq!(sliced(&of(&[&brushed("c", "")]))[0].unjudged_by, None);
+    assert_eq!(sliced(&of(&[&limited("c")]))[0].unjudged_by, None);
 }
 
 #[test]
@@ -301,7 +302,7 @@ fn the_json_of_a_plan_has_the_fields_of_the_contract() {
     assert_eq!(effect["bytes"], json!(2 * 64 * 64 * 32 * 2 + 64 * 16 * 16 * 4 * 4));
     // The table in the path tracer's layout has no limit.
     assert_eq!(effect["expected_error"], json!(null));
-    assert_eq!(effect["jobs"][1]["expected_error"], json!(0.01));
+    assert_eq!(effect["jobs"][0]["expected_error"], json!(0.002));
     assert!(effect["seconds"].as_f64().unwrap() > 0.0);
     assert!(effect["approximation"].as_str().unwrap().contains("table 64x64x32 f16, optimised layout"));
     let left = plan["left_out"].as_array().unwrap();

@@ -68,8 +68,8 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
     Ok(vec![call, made, called_for])
 }
 
-/// Pages that other commands put beside those of the built-in scene, as they lie in the repository of
-/// this program.
+/// Pages that other commands put beside those of the built-in scene, as they lie in the repository
+/// of this program.
 pub(super) fn beside(command: &str) -> Vec<(String, String)> {
     let pages = [
         (
