@@ -45,8 +45,9 @@ fn sides() -> [Vec3; 2] {
     [side, cross(NORMAL, side)]
 }
 
-/// Width at alpha = 0: the emitted form takes the reciprocal root of at least 1e-24.
-const FLOOR: f64 = 1e-12;
+/// Width at alpha = 0: the emitted form takes the reciprocal root of at least 1e-24, and its
+/// weights of several fetches sum to 1 to a few ulp of f32.
+const FLOOR: f64 = 1.000_001e-12;
 
 /// Widths of the surface on a path.
 const ALPHAS: [f64; 7] = [0.0, 0.01, 0.03, 0.1, 0.4, 0.7, 1.0];

@@ -2,6 +2,7 @@
 
 use super::beam::usable;
 use super::form::Form;
+use super::helper::Helper;
 use super::link::Link;
 use super::score::Score;
 use super::space::Space;
@@ -62,14 +63,7 @@ impl Draft {
         let ops = written.graph.cost(written.result);
         let constants = written.constants.iter().map(|helper| helper.constant());
         let values = written.order.iter().map(|(part, k)| parts[*part].scaled[*k]).chain(constants).collect();
-        let name = format!("{name}{ops}");
         let body = written.graph.text(written.result, &written.arguments, &written.names);
-        let reads = |argument: &&String| {
-            body.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == *argument)
-        };
-        let arguments: Vec<String> =
-            written.arguments.iter().filter(reads).map(|a| format!("{a}: f32")).collect();
-        let title: String = title.lines().map(|line| format!("/// {line}\n")).collect();
         let kinds: Vec<String> =
             parts.iter().map(|part| link.map_or("", Link::words).to_string() + &part.words()).collect();
         let kinds = match kinds.as_slice() {
@@ -77,8 +71,20 @@ impl Draft {
             several => format!("{} in {}", capital(&several.join(" and ")), counted(ops)),
         };
         let function =
-            format!("{title}/// {kinds}.\nfn {name}({}) -> f32 {{\n{body}}}\n", arguments.join(", "));
-        Draft { name, parameters: written.names, values, constants: written.constants.len(), function }
+            Function { name: format!("{name}{ops}"), title, kinds, arguments: &written.arguments, body };
+        Draft { values, constants: written.constants.len(), ..function.draft(written.names) }
+    }
+
+    /// A nested sum with a reciprocal: the lines of its body; values of `c0, c1, ...` and `k0`.
+    pub fn nested(space: &Space, ops: u32, (helper, body): (Helper, &str), values: Vec<f64>) -> Draft {
+        let arguments: Vec<String> =
+            space.axes.iter().flat_map(|a| &a.arguments).map(|(name, _)| name.clone()).collect();
+        let kinds = format!("A nested sum with {} of {}", helper.words(), counted(ops));
+        let name = format!("{}{ops}", space.name);
+        let function =
+            Function { name, title: &space.title, kinds, arguments: &arguments, body: body.to_string() };
+        let names = (0..values.len() - 1).map(|k| format!("c{k}")).chain(["k0".to_string()]).collect();
+        Draft { values, constants: 1, ..function.draft(names) }
     }
 
     /// The hypothesis that starts at these values.
@@ -87,6 +93,31 @@ impl Draft {
             |(name, value): (&String, &f64)| format!("override {name}: f32 = {:?};\n", *value as f32);
         let declared: String = self.parameters.iter().zip(values).map(declare).collect();
         Ok(Hypothesis::parse(&format!("{}.wgsl", self.name), &format!("{declared}\n{}", self.function))?)
+    }
+}
+
+/// A function before its text is put together.
+struct Function<'a> {
+    name: String,
+    title: &'a str,
+    kinds: String,
+    arguments: &'a [String],
+    body: String,
+}
+
+impl Function<'_> {
+    /// The text, with the arguments that it reads; no values yet.
+    fn draft(self, parameters: Vec<String>) -> Draft {
+        let reads = |argument: &&String| {
+            self.body.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == *argument)
+        };
+        let arguments: Vec<String> =
+            self.arguments.iter().filter(reads).map(|a| format!("{a}: f32")).collect();
+        let title: String = self.title.lines().map(|line| format!("/// {line}\n")).collect();
+        let Function { name, kinds, body, .. } = &self;
+        let function =
+            format!("{title}/// {kinds}.\nfn {name}({}) -> f32 {{\n{body}}}\n", arguments.join(", "));
+        Draft { name: self.name, parameters, values: Vec::new(), constants: 0, function }
     }
 }
 

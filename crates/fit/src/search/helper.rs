@@ -70,6 +70,22 @@ impl Helper {
         FIRST.iter().map(|step| Instance { kind: self, step: *step }).collect()
     }
 
+    /// Its values, from the axes' columns.
+    pub(super) fn values(self, axes: &[Vec<f64>], k: f64) -> Vec<f64> {
+        let one = |axis: u8, f: &dyn Fn(f64) -> f64| axes[usize::from(axis)].iter().map(|x| f(*x)).collect();
+        let sums = |x: u8, y: u8, power: u8| {
+            let pairs = axes[usize::from(x)].iter().zip(&axes[usize::from(y)]);
+            pairs.map(move |(x, y)| x + k * raised(*y, power))
+        };
+        match self {
+            Helper::Complement { axis } => one(axis, &|x| 1.0 - x),
+            Helper::Root { axis } => one(axis, &f64::sqrt),
+            Helper::Decay { axis, power } => one(axis, &|x| ops::exp2(-k * raised(x, power))),
+            Helper::Reciprocal { x, y, power } => sums(x, y, power).map(f64::recip).collect(),
+            Helper::RootReciprocal { x, y, power } => sums(x, y, power).map(|s| 1.0 / s.sqrt()).collect(),
+        }
+    }
+
     /// What it is, for documentation.
     pub(super) fn words(self) -> &'static str {
         match self {
@@ -110,22 +126,7 @@ impl Instance {
 
     /// Its values, from the axes' columns. None where they are not finite.
     pub fn column(self, axes: &[Vec<f64>]) -> Option<Vec<f64>> {
-        let k = self.constant();
-        let column: Vec<f64> = match self.kind {
-            Helper::Complement { axis } => axes[axis as usize].iter().map(|x| 1.0 - x).collect(),
-            Helper::Root { axis } => axes[axis as usize].iter().map(|x| x.sqrt()).collect(),
-            Helper::Decay { axis, power } => {
-                axes[axis as usize].iter().map(|x| ops::exp2(-k * raised(*x, power))).collect()
-            }
-            Helper::Reciprocal { x, y, power } => {
-                let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
-                pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power))).collect()
-            }
-            Helper::RootReciprocal { x, y, power } => {
-                let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
-                pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power)).sqrt()).collect()
-            }
-        };
+        let column = self.kind.values(axes, self.constant());
         column.iter().all(|v| v.is_finite()).then_some(column)
     }
 }

@@ -8,7 +8,8 @@
 //! smallest forms, the best of every cost are changed by one step (a term added, dropped, moved, a
 //! factor, a helper) until nothing new is found. What is left is the frontier: every form that no
 //! cheaper or equal one beats. Which helpers and functions of the whole pay is tried beforehand
-//! ([`scout`]).
+//! ([`scout`]). Where the space has a reciprocal, nested sums of connected monomials are searched
+//! too (`nested`): from 12 operations on they are what the frontier of the furnace is made of.
 //!
 //! Deterministic for any number of threads.
 
@@ -19,6 +20,7 @@ mod form;
 mod graph;
 mod helper;
 mod link;
+mod nested;
 mod pair;
 mod pairing;
 mod score;
@@ -85,6 +87,7 @@ pub fn search(
 ) -> Result<Vec<Found>, FitError> {
     space.check(samples)?;
     let mut found = solved(space, samples, progress)?;
+    found.extend(nested::found(space, samples, progress)?);
     for link in &space.links {
         let Some(space) = space.with(Aid::Link(*link)) else { continue };
         found.extend(solved(&space, samples, progress)?);

@@ -1,0 +1,177 @@
+//! Connected monomials: every one is another one times a step, so that their sum is one nested
+//! Horner tree in which each costs a multiply-add.
+
+use super::super::form::Term;
+use super::super::helper::{Helper, raised};
+use super::super::space::{SLOTS, Space};
+
+/// What monomials are multiplied by to give others: the arguments, a reciprocal, and products of
+/// these that are computed once.
+#[derive(Clone, Debug)]
+pub(super) struct Steps {
+    pub helper: Helper,
+    /// By name, with the powers of axes and, behind them, of the reciprocal.
+    pub steps: Vec<(String, Term)>,
+    /// Products: name, and the two steps that it is made of.
+    pub products: Vec<(String, [usize; 2])>,
+    /// Operations of the reciprocal and the products.
+    pub ops: u32,
+}
+
+/// Operations of a reciprocal of x + k y, or of its root.
+const RECIPROCAL: u32 = 5;
+
+impl Steps {
+    /// The arguments and the reciprocal; none if it is of no arguments.
+    pub fn of(space: &Space, helper: Helper) -> Option<Steps> {
+        reciprocal(space, helper)?;
+        let mut steps = Vec::new();
+        for (axis, own) in space.axes.iter().enumerate() {
+            for (name, power) in &own.arguments {
+                let mut term = [0; SLOTS];
+                term[axis] = *power as u8;
+                steps.push((name.clone(), term));
+            }
+        }
+        let mut term = [0; SLOTS];
+        term[space.axes.len()] = 1;
+        steps.push((helper.name().to_string(), term));
+        Some(Steps { helper, steps, products: Vec::new(), ops: RECIPROCAL })
+    }
+
+    /// With the product of two steps in addition.
+    pub fn with(&self, pair: [usize; 2]) -> Steps {
+        let mut more = self.clone();
+        let [(first, a), (second, b)] = pair.map(|k| &self.steps[k]);
+        let mut term = *a;
+        term.iter_mut().zip(b).for_each(|(t, p)| *t += p);
+        let name = format!("{first}_{second}");
+        more.steps.push((name.clone(), term));
+        more.products.push((name, pair));
+        more.ops += 1;
+        more
+    }
+
+    /// Index of a step by its powers.
+    pub fn place(&self, term: &Term) -> Option<usize> {
+        self.steps.iter().position(|(_, own)| own == term)
+    }
+}
+
+/// Names of x and y of a reciprocal of x + k y; none if they are no arguments.
+pub(super) fn reciprocal(space: &Space, helper: Helper) -> Option<[&str; 2]> {
+    let (Helper::Reciprocal { x, y, power } | Helper::RootReciprocal { x, y, power }) = helper else {
+        return None;
+    };
+    let named = |axis: u8, power: u32| {
+        let arguments = &space.axes[usize::from(axis)].arguments;
+        arguments.iter().find(|(_, own)| *own == power).map(|(name, _)| name.as_str())
+    };
+    Some([named(x, 1)?, named(y, u32::from(power))?])
+}
+
+/// The monomials of a sum, in rising order. The 1 that all grow from is among them where it has a
+/// coefficient: where nothing is anchored.
+pub(super) type Terms = Vec<Term>;
+
+/// Terms that are one step away.
+pub(super) fn additions(space: &Space, steps: &Steps, terms: &Terms) -> Terms {
+    let root = [0; SLOTS];
+    let mut found: Terms = Vec::new();
+    for from in terms.iter().chain([&root]) {
+        for (_, step) in &steps.steps {
+            let mut term = *from;
+            term.iter_mut().zip(step).for_each(|(t, p)| *t += p);
+            if !terms.contains(&term) && allowed(space, &term) {
+                found.push(term);
+            }
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// Highest power of the reciprocal.
+const DEGREE: u8 = 6;
+
+fn allowed(space: &Space, term: &Term) -> bool {
+    let zeros = space.anchor.iter().flat_map(|a| &a.zeros);
+    let within = space.axes.iter().zip(term).all(|(axis, power)| *power <= axis.degree);
+    within && term[space.axes.len()] <= DEGREE && zeros.into_iter().all(|k| term[*k] > 0)
+}
+
+/// From which term, and by which step, each is reached; none where one is not. `None` as a parent:
+/// from 1.
+pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<(Option<usize>, usize)>> {
+    let root = [0; SLOTS];
+    let mut reached: Vec<Option<(Option<usize>, usize)>> = vec![None; terms.len()];
+    let mut order: Vec<(Option<usize>, Term)> = vec![(None, root)];
+    let mut next = 0;
+    while next < order.len() {
+        let (parent, from) = order[next];
+        next += 1;
+        for (k, (_, step)) in steps.steps.iter().enumerate() {
+            let mut term = from;
+            term.iter_mut().zip(step).for_each(|(t, p)| *t += p);
+            if let Some(at) = terms.iter().position(|own| *own == term)
+                && reached[at].is_none()
+            {
+                reached[at] = Some((parent, k));
+                order.push((Some(at), term));
+            }
+        }
+    }
+    let at = |(k, place): (usize, Option<(Option<usize>, usize)>)| match terms[k] == root {
+        true => Some((None, usize::MAX)),
+        false => place,
+    };
+    reached.into_iter().enumerate().map(at).collect()
+}
+
+/// A monomial's values.
+pub(super) fn column(axes: &[Vec<f64>], inverse: &[f64], scale: &[f64], term: &Term) -> Vec<f64> {
+    let mut column = scale.to_vec();
+    for (factor, power) in axes.iter().map(Vec::as_slice).chain([inverse]).zip(term) {
+        if *power > 0 {
+            column.iter_mut().zip(factor).for_each(|(c, x)| *c *= raised(*x, *power));
+        }
+    }
+    column
+}
+
+/// The sum as WGSL: lets, then the nested tree; coefficients `c0, c1, ...` by term, `k0` inside the
+/// reciprocal.
+pub(super) fn text(space: &Space, steps: &Steps, terms: &Terms) -> Option<String> {
+    let tree = nested(steps, terms)?;
+    let [x, y] = reciprocal(space, steps.helper)?;
+    let name = steps.helper.name();
+    let mut text = match steps.helper {
+        Helper::Reciprocal { .. } => format!("    let {name} = 1.0 / ({x} + k0 * {y});\n"),
+        _ => format!("    let {name} = inverseSqrt({x} + k0 * {y});\n"),
+    };
+    for (name, pair) in &steps.products {
+        let [first, second] = pair.map(|k| &steps.steps[k].0);
+        text += &format!("    let {name} = {first} * {second};\n");
+    }
+    let root = terms.iter().position(|t| *t == [0; SLOTS]).map(|k| format!("c{k}"));
+    let anchored = space.base().map(|base| format!("{base:?}"));
+    let branches = branches(steps, &tree, None);
+    let sum: Vec<String> = anchored.into_iter().chain(root).chain(branches).collect();
+    Some(format!("{text}    return {};\n", sum.join(" + ")))
+}
+
+/// What is added to a monomial's coefficient: step (coefficient + ...) of everything that is
+/// reached from it.
+fn branches(steps: &Steps, tree: &[(Option<usize>, usize)], from: Option<usize>) -> Vec<String> {
+    let own = tree.iter().enumerate().filter(|(_, (parent, step))| *parent == from && *step != usize::MAX);
+    let branch = |(k, (_, step)): (usize, &(Option<usize>, usize))| {
+        let inner = branches(steps, tree, Some(k));
+        let name = &steps.steps[*step].0;
+        match inner.is_empty() {
+            true => format!("{name} * c{k}"),
+            false => format!("{name} * (c{k} + {})", inner.join(" + ")),
+        }
+    };
+    own.map(branch).collect()
+}
