@@ -269,15 +269,16 @@ impl std::fmt::Display for Grown {
     }
 }
 
-/// Operations by the model of the functions that a bake's manifest states them of; none where the
-/// files hold no manifest.
-pub fn operations(files: &Files) -> BTreeMap<String, u32> {
-    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
-    let Entries { tables, fits, mips, lookups, calls, .. } =
-        manifest.map(|manifest| manifest.entries).unwrap_or_default();
+/// Operations by the model of the functions that a bake's manifest states them of.
+///
+/// # Errors
+/// Files without a manifest of this version.
+pub fn operations(files: &Files) -> Result<BTreeMap<String, u32>, serde_json::Error> {
+    let manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+    let Entries { tables, fits, mips, lookups, calls, .. } = manifest.entries;
     let of = calls.into_iter().map(|entry| (entry.function, entry.cost.ops));
     let of = of.chain(mips.into_iter().map(|entry| (entry.function, entry.ops)));
     let of = of.chain(tables.into_iter().map(|entry| (entry.function, entry.cost.ops)));
     let of = of.chain(lookups.into_iter().map(|entry| (entry.function, entry.cost.ops)));
-    of.chain(fits.into_iter().map(|entry| (entry.function, entry.cost.ops))).collect()
+    Ok(of.chain(fits.into_iter().map(|entry| (entry.function, entry.cost.ops))).collect())
 }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use family::{Driver, Machine, RADV, Source};
 use lobefit::bake::Progress;
 use lobefit::emit::include::Include;
-use lobefit::store::Files;
+use lobefit::store::{Files, MANIFEST};
 use lobefit::timing::isa::{IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
 use shader::Shader;
 
@@ -59,7 +59,9 @@ impl Jobs {
         let module = naga::front::wgsl::parse_str(&include.text).map_err(wrong)?;
         let mut names: Vec<&str> = module.functions.iter().filter_map(|(_, f)| f.name.as_deref()).collect();
         names.sort_unstable();
-        let (mut jobs, ops) = (Jobs::default(), operations(files));
+        let mut jobs = Jobs::default();
+        let ops = operations(files)
+            .map_err(|e| GpuError::Bake { place: MANIFEST.into(), reason: e.to_string() })?;
         for name in names {
             for precision in precisions {
                 jobs.add(include, &module, name, *precision)?;
