@@ -231,6 +231,8 @@ fn lookups_bring_no_function_that_they_do_not_call() {
         "parallax_lookup_box_smooth_1_log_7",
     ];
     assert_eq!(functions(room), lookup);
+    let linear = functions(&room.replace("log", "linear"));
+    assert_eq!(linear[1], "parallax_level_linear_7", "what a lookup calls");
     let both = functions(&format!(r#"{room}, {{"name": "hall"}}"#));
     assert_eq!(both[..2], ["hall calls parallax_width", "room calls parallax_lookup_box_smooth_1_log_7"]);
     assert_eq!(both[2], "parallax_width");

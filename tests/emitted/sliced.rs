@@ -71,9 +71,9 @@ fn naga_validates_the_lookups_and_compensations() {
         assert!(uvw.iter().all(|a| solid.arguments.contains(&a.as_str())), "{name}: {uvw:?}");
         let decode = arguments(&format!("{name}_decode"));
         let beside: &[&str] = match solid.decode {
-            Decode::LossBias | Decode::SplitSum => &["n_dot_v"],
+            Decode::LossBias => &["n_dot_v"],
             Decode::AzimuthCubic => &["anisotropy", "cos2_phi"],
-            Decode::Albedo | Decode::Loss => &[],
+            Decode::Albedo | Decode::Loss | Decode::SplitSum => &[],
         };
         assert_eq!(decode[0], "texel", "{name}");
         assert_eq!(decode[1..], *beside, "{name}");

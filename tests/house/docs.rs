@@ -229,9 +229,12 @@ fn the_output_is_the_commands() {
         blocks(&page, "text")[0].lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
     assert!(rows.len() > 3);
     for row in rows {
-        let of = row[5..].join(" ");
+        let rest = row[5..].join(" ");
+        let words = |call: &Value| {
+            ["metric", "of"].map(|key| call[key].as_str().expect("a word").to_string()).join(" ")
+        };
         let calls = manifest["calls"].as_array().expect("a list");
-        let call = calls.iter().find(|call| call["function"] == row[0] && call["of"] == of.as_str());
+        let call = calls.iter().find(|call| call["function"] == row[0] && words(call) == rest);
         let call = call.unwrap_or_else(|| panic!("{row:?}"));
         let cost = ["ops", "fetches", "bytes"].map(|name| call["cost"][name].to_string());
         assert_eq!(cost.each_ref().map(String::as_str), row[1..4], "{row:?}");

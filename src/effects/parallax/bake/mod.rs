@@ -67,9 +67,9 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.broken.extend(lobe.job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
         made.broken.extend(lobe.without_lookups());
         if !lobe.wants.width {
-            // what lookups need of them is in their own code
-            lobe.fits.iter_mut().for_each(|fit| fit.emitted = false);
-            lobe.functions.clear();
+            let Lobe { fits, functions, lookups, .. } = lobe;
+            fits.iter_mut().for_each(|fit| fit.emitted = false);
+            functions.retain(|one| lookups.iter().any(|l| l.wanted.called() == Some(one.hypothesis.name())));
         }
         entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }

@@ -80,6 +80,11 @@ pub struct Wanted {
 }
 
 impl Wanted {
+    /// The function of the level that a lookup calls; a logarithm of the width is written out.
+    pub fn called(&self) -> Option<&str> {
+        self.level.as_ref().filter(|level| level.logarithmic().is_none()).map(|level| level.name.as_str())
+    }
+
     /// What is fetched by, beside the direction: a width, 1 over `narrow`, or its level.
     fn fetched(&self) -> String {
         let Some(level) = &self.level else { return "1.0 / narrow".into() };
