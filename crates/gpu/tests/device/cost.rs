@@ -85,8 +85,13 @@ fn assert_whole(baked: &Baked, record: &GpuRecord) {
     assert_eq!(stale(record, baked), Vec::<String>::new(), "measured from this bake");
     assert_eq!(untimed(record, baked), Vec::<String>::new(), "all of it");
     let (html, figures) = page(record).expect("a page");
-    assert_eq!(&read(&figures).expect("a record"), record);
     assert!(html.contains(&blake3::hash(&figures).to_hex().to_string()), "the page names its record");
+    let again = read(&figures).expect("a record");
+    for (read, row) in again.rows.iter().zip(&record.rows) {
+        let off = read.nanoseconds.median / row.nanoseconds.median - 1.0;
+        assert!(read.name == row.name && off.abs() < 1e-8, "nine digits are kept: {} {off}", row.name);
+    }
+    assert_eq!(page(&again).expect("a page"), (html, figures), "written again it is the same");
 }
 
 #[test]
