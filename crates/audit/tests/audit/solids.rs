@@ -97,7 +97,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
         Defect::Part { texels, mean, range, .. } => Some((*texels, *mean, range.clone())),
         _ => None,
     });
-    let (texels, mean, range) = part.expect("the part is told");
+    let (texels, mean, range) = part.expect("the part is named");
     assert!(mean > 0.1 && texels[0] > 100, "{texels:?} {mean}");
     assert_eq!(range[2][0], 4);
     assert!(
@@ -108,8 +108,8 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     assert!(!found.passes(Some(0.5)));
 }
 
-/// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes
-/// i/n.
+/// The path tracer's table of these sizes over mu, alpha and the square root of the anisotropy,
+/// nodes i/n.
 fn of_the_path_tracer(size: [usize; 3]) -> Vec<f64> {
     let at = |i: usize, n: usize| i as f64 / n as f64;
     let place = |i: usize| {
@@ -203,7 +203,7 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
         Defect::Clamped { value, texels, truth } => Some((*value, *texels, *truth)),
         _ => None,
     });
-    let (end, texels, truth) = stuck.expect("the clamp is told");
+    let (end, texels, truth) = stuck.expect("the clamp is named");
     assert!(end == 1.0 && texels >= 2 && truth > 1.2, "{texels} {truth}");
     // Half vectors drawn by D but weighted as if drawn uniformly, with roughness for alpha: the
     // ratio to the truth runs from 0.4 to 1.4.

@@ -218,8 +218,8 @@ fn a_split_sum_at_one_f0_is_told() {
 
 #[test]
 fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
-    // The path tracer of the sources, a slice: nodes i/64 clamped to [1e-4, 0.9999], roughness is
-    // alpha, separable.
+    // A slice of the path tracer's table: nodes i/64 clamped to [1e-4, 0.9999], roughness is alpha,
+    // separable.
     let at = |i: usize| (i as f64 / 64.0).clamp(1e-4, 0.9999);
     let found = reflection_of(&table(
         [64, 64],
