@@ -43,10 +43,8 @@ impl Steps {
     pub fn with(&self, pair: [usize; 2]) -> Steps {
         let mut more = self.clone();
         let [(first, a), (second, b)] = pair.map(|k| &self.steps[k]);
-        let mut term = *a;
-        term.iter_mut().zip(b).for_each(|(t, p)| *t += p);
         let name = format!("{first}_{second}");
-        more.steps.push((name.clone(), term));
+        more.steps.push((name.clone(), times(a, b)));
         more.products.push((name, pair));
         more.ops += 1;
         more
@@ -80,8 +78,7 @@ pub(super) fn additions(space: &Space, steps: &Steps, terms: &Terms) -> Terms {
     let mut found: Terms = Vec::new();
     for from in terms.iter().chain([&root]) {
         for (_, step) in &steps.steps {
-            let mut term = *from;
-            term.iter_mut().zip(step).for_each(|(t, p)| *t += p);
+            let term = times(from, step);
             if !terms.contains(&term) && allowed(space, &term) {
                 found.push(term);
             }
@@ -101,19 +98,20 @@ fn allowed(space: &Space, term: &Term) -> bool {
     within && term[space.axes.len()] <= DEGREE && zeros.into_iter().all(|k| term[*k] > 0)
 }
 
-/// From which term, and by which step, each is reached; none where one is not. `None` as a parent:
-/// from 1.
-pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<(Option<usize>, usize)>> {
+/// How a monomial is reached: from which term, `None` being 1, and by which step.
+pub(super) type Place = (Option<usize>, usize);
+
+/// The places of terms, of 1 itself none; none at all where a term is not reached.
+pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<Option<Place>>> {
     let root = [0; SLOTS];
-    let mut reached: Vec<Option<(Option<usize>, usize)>> = vec![None; terms.len()];
+    let mut reached: Vec<Option<Place>> = vec![None; terms.len()];
     let mut order: Vec<(Option<usize>, Term)> = vec![(None, root)];
     let mut next = 0;
     while next < order.len() {
         let (parent, from) = order[next];
         next += 1;
         for (k, (_, step)) in steps.steps.iter().enumerate() {
-            let mut term = from;
-            term.iter_mut().zip(step).for_each(|(t, p)| *t += p);
+            let term = times(&from, step);
             if let Some(at) = terms.iter().position(|own| *own == term)
                 && reached[at].is_none()
             {
@@ -122,11 +120,15 @@ pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<(Option<usize>,
             }
         }
     }
-    let at = |(k, place): (usize, Option<(Option<usize>, usize)>)| match terms[k] == root {
-        true => Some((None, usize::MAX)),
-        false => place,
-    };
-    reached.into_iter().enumerate().map(at).collect()
+    let whole = terms.iter().zip(&reached).all(|(term, place)| place.is_some() || *term == root);
+    whole.then_some(reached)
+}
+
+/// A monomial times a step.
+fn times(term: &Term, step: &Term) -> Term {
+    let mut product = *term;
+    product.iter_mut().zip(step).for_each(|(t, p)| *t += p);
+    product
 }
 
 /// A monomial's values.
@@ -163,15 +165,15 @@ pub(super) fn text(space: &Space, steps: &Steps, terms: &Terms) -> Option<String
 
 /// What is added to a monomial's coefficient: step (coefficient + ...) of everything that is
 /// reached from it.
-fn branches(steps: &Steps, tree: &[(Option<usize>, usize)], from: Option<usize>) -> Vec<String> {
-    let own = tree.iter().enumerate().filter(|(_, (parent, step))| *parent == from && *step != usize::MAX);
-    let branch = |(k, (_, step)): (usize, &(Option<usize>, usize))| {
+fn branches(steps: &Steps, tree: &[Option<Place>], from: Option<usize>) -> Vec<String> {
+    let own = tree.iter().enumerate().filter_map(|(k, place)| place.map(|(parent, step)| (k, parent, step)));
+    let branch = |(k, _, step): (usize, Option<usize>, usize)| {
         let inner = branches(steps, tree, Some(k));
-        let name = &steps.steps[*step].0;
+        let name = &steps.steps[step].0;
         match inner.is_empty() {
             true => format!("{name} * c{k}"),
             false => format!("{name} * (c{k} + {})", inner.join(" + ")),
         }
     };
-    own.map(branch).collect()
+    own.filter(|(_, parent, _)| *parent == from).map(branch).collect()
 }
