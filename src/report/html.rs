@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::fold;
+use super::{bar, fold};
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
 
 /// The font of the drawings, that of the plots in the container of the web: its tables are packed.
@@ -64,6 +64,9 @@ fn bar(out: &mut String, page: &Page) {
     out.push_str("<nav class=\"bar\" aria-label=\"Pages\">\n");
     for (shown, file) in &page.origin.pages {
         put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
+    }
+    for (shown, _, file) in bar::beside(&page.origin.command) {
+        put(out, format_args!("<a href=\"{file}\">{shown}</a>\n"));
     }
     out.push_str("</nav>\n");
 }

@@ -7,6 +7,7 @@
 //! number of threads: rows of pictures are computed in parallel and joined in order, coordinates
 //! have fixed decimals, and nothing reads a clock.
 
+mod bar;
 pub mod check;
 mod error;
 pub mod explore;
@@ -27,6 +28,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::emit::manifest::Manifest;
 use crate::store::Files;
+pub use bar::bar_from;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{

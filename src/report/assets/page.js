@@ -1,8 +1,7 @@
 "use strict";
 // Marks the page in the bar.
-const here = location.pathname.split("/").pop();
 document.querySelectorAll("nav.bar a").forEach((a) => {
-  if (a.getAttribute("href") === here) a.setAttribute("aria-current", "page");
+  if (a.pathname === location.pathname) a.setAttribute("aria-current", "page");
 });
 // Numbers as pages write them: a minus and an exponent of their own characters, a unit after them.
 const number = (text) => parseFloat(text.replace(/\u2212/g, "-").replace(/[\u00a0\u202f,]/g, ""));

@@ -4,7 +4,7 @@ use super::{figures, words};
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
     Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, Page, ReportError, Scatter, Section,
-    Spread, TextTable,
+    Spread, TextTable, bar_from,
 };
 
 /// Pixels of a screen of 3840 by 2160.
@@ -34,9 +34,10 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     if !record.left_out.is_empty() {
         sections.push(left_out(record));
     }
+    let pages = if record.origin.scene == "default" { bar_from("../")? } else { Vec::new() };
     Ok(Page {
         title: format!("lobefit on {}", record.device.adapter),
-        origin: Origin { pages: vec![("index".into(), "../index.html".into())], ..record.origin.clone() },
+        origin: Origin { pages, ..record.origin.clone() },
         lead: "Time per evaluation of the emitted WGSL on one graphics processor. The times hold for the recipe below and for no other; \
                `lobefit check` tells which functions have changed since."
             .into(),

@@ -15,7 +15,7 @@ use lobefit::approximate::FitStageError;
 use lobefit::bake::{Progress, TOOL};
 use lobefit::cli::{CliError, PackageError};
 use lobefit::fitting::FittingError;
-use lobefit::report::{Origin, Page, ReportError, html};
+use lobefit::report::{Origin, Page, ReportError, bar_from, html};
 use lobefit::store::Files;
 use lobefit_fit::FitError;
 use lobefit_shade::ShadeError;
@@ -96,7 +96,7 @@ impl dyn Study + '_ {
             recipe: self.recipe(size)?,
             tool: env!("CARGO_PKG_VERSION").into(),
             command: format!("lobefit report --study {}{reduced}", self.name()),
-            pages: vec![("index".into(), "../../index.html".into())],
+            pages: bar_from("../../")?,
         })
     }
 }
