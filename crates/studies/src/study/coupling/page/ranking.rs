@@ -12,7 +12,7 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     let caption = "Largest departure from white in the furnace against the mean HDR-FLIP under the environment; both logarithmic. What \
                    lies above the trend errs much where nobody looks, what lies below it errs little where everybody does. The two couplings \
                    that are exact in energy have no departure and are not drawn. Names ending in “perceptual”: constants fitted for what is \
-                   seen; in “reciprocal”: made reciprocal.";
+                   seen; in “reciprocal”: made reciprocal. Ours have the number of their name here: 19 is coupling_normalised_19.";
     let mut blocks = vec![figures(&charts, caption)?];
     for ranking in &study.rankings {
         blocks.push(Block::Heading { text: format!("Specular lobe: {}", ranking.lobe) });
@@ -40,8 +40,9 @@ fn list(values: &[f64]) -> String {
 
 fn chart(ranking: &Ranking) -> Scatter {
     let shown = ranking.rows.iter().filter(|r| r.flip > 0.0 && r.furnace_max > NOTHING);
+    let prefix = format!("coupling_{}_", ranking.lobe);
     let dot = |r: &Ranked| Dot {
-        name: r.name.clone(),
+        name: r.name.strip_prefix(&prefix).unwrap_or(&r.name).into(),
         x: r.flip,
         y: r.furnace_max,
         published: !r.ours,
@@ -99,7 +100,7 @@ fn table(ranking: &Ranking) -> TextTable {
          them, as by lobefit fit --weight perceptual. To reciprocal: FLIP of the same pictures against Kelemen-Szirmay-Kalos, which is reciprocal \
          and exact in energy too; how far the two exact ones are apart is what choosing between them changes. Ops: operations of a channel that \
          the coupling adds to those of the lobe; texels: what lobe and coupling read. Reciprocity: the largest |f(l, v) − f(v, l)| of the base \
-         alone over the mean of their sizes, as measured; 1e−14 and less is rounding. Ours in black; the constants of a form that has any \
+         alone over the mean of their sizes, as measured; 1e−14 and less is rounding. Ours in the colour of the text, others grey; the constants of a form that has any \
          minimise the largest error, or, where it says so, the perceptual RMS.",
         list(&ranking.f0),
         bound(noise, 1)
@@ -148,23 +149,28 @@ fn disagreement(ranking: &Ranking) -> String {
     )
 }
 
-/// The coupling of ours that is seen least under the first lobe, beside the best published one.
+/// The coupling of ours that is seen least under the first lobe, beside the best published one; both
+/// read no texel but those of the lobe.
 pub(super) fn conclusion(study: &CouplingStudy) -> String {
     let Some(ranking) = study.rankings.first() else { return String::new() };
-    let seen =
-        || ranking.rows.iter().filter(|row| row.flip > 0.0 && row.furnace_max > NOTHING && row.fetches == 0);
+    let of_lobe = ranking.rows.iter().map(|row| row.fetches).min();
+    let seen = || {
+        let inexact = ranking.rows.iter().filter(|row| row.flip > 0.0 && row.furnace_max > NOTHING);
+        inexact.filter(|row| Some(row.fetches) == of_lobe)
+    };
     let least = |ours: bool| seen().filter(|row| row.ours == ours).min_by(|a, b| a.flip.total_cmp(&b.flip));
     let Some((best, theirs)) = least(true).zip(least(false)) else { return String::new() };
     format!(
-        "Under the lobe {}, {} takes {} operations, {} times less seen (mean FLIP {}) and {} times less lost at worst than {}, the best \
-         published coupling that reads no table and is not exact.\n",
+        "Under the lobe “{}” {} ({} operations) has a mean FLIP of {} and departs from white by at most {}; {}, the best published coupling \
+         that reads no table of its own, has {} and {}.\n",
         ranking.lobe,
         best.name,
         best.ops,
-        significant(theirs.flip / best.flip, 2),
-        significant(best.flip, 2),
-        significant(theirs.furnace_max / best.furnace_max, 2),
+        significant(best.flip, 3),
+        words::max(best.furnace_max),
         theirs.name,
+        significant(theirs.flip, 3),
+        words::max(theirs.furnace_max),
     )
 }
 
