@@ -70,7 +70,7 @@ pub const AVERAGE: [Column; 5] =
     [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
 
 /// What a column of one f0 is.
-const FIXED: &str = "F0 A + B at that F0, fixed";
+const FIXED: &str = "f0 A + B at that f0, fixed";
 
 impl Column {
     /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
@@ -82,15 +82,15 @@ impl Column {
     fn told(self) -> (&'static str, &'static str) {
         match self {
             Column::E | Column::RT => ("E", "the albedo"),
-            Column::A => ("A", "scale of F0"),
-            Column::B => ("B", "bias of F0"),
+            Column::A => ("A", "scale of f0"),
+            Column::B => ("B", "bias of f0"),
             Column::Loss | Column::LossRT => ("1-E", "the loss"),
             Column::Inverse | Column::InverseRT => ("1/E", "a normalisation"),
             Column::Excess => ("1/E-1", "the share that a compensation adds"),
             Column::Share => ("B/E", "a ratio"),
-            Column::At(2) => ("F0=0.02", FIXED),
-            Column::At(4) => ("F0=0.04", FIXED),
-            Column::At(_) => ("F0=0.08", FIXED),
+            Column::At(2) => ("f0=0.02", FIXED),
+            Column::At(4) => ("f0=0.04", FIXED),
+            Column::At(_) => ("f0=0.08", FIXED),
             Column::R => ("R", "reflected"),
             Column::T => ("T", "transmitted"),
             Column::ShareR => ("R/E", "a ratio"),

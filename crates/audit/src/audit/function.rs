@@ -13,7 +13,7 @@ use lobefit_truth::quantity::Quantity;
 const PLACES: [usize; 3] = [512, 128, 20];
 
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
-const BLENDS: [(f32, &str); 2] = [(0.0, "at F0 = 0"), (1.0, "at F0 = 1")];
+const BLENDS: [(f32, &str); 2] = [(0.0, "at f0 = 0"), (1.0, "at f0 = 1")];
 
 /// A function over as many arguments as the quantity has inputs; `set` gives others a value, by
 /// name, and `axes` says what the remaining ones are given, if the user does.

@@ -46,6 +46,7 @@ pub use table::{AuditedChannel, AuditedTable, MOST_TEXELS, Source};
 pub use truth::Lobe;
 pub use two_lobes::TwoLobes;
 pub use verdict::limit_judged;
+pub(crate) use verdict::place;
 
 use defects::grain;
 use errors::Residuals;

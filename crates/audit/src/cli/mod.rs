@@ -35,11 +35,17 @@ Examples:
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
-F0, ...;
+f0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
-Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
---smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says. Else it only tells, and the exit code is 0.
+Exit codes:
+  0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, \"Do not ship it\" too,
+     but for the two cases of 1
+  1  with --limit: over it, not all judged, or no convention fits; without --limit: no convention fits that options (--axes,
+     --registration, --smith, --side, --meaning) leave open, or
+     the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says
+  2  options, or a file that cannot be read or judged
+  3  --out, or standard output, cannot be written
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them: where it claims something, and it passes no --limit if its axes cover

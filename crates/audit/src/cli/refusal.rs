@@ -7,10 +7,12 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
     let function = done.source == Source::Function;
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
         let given = if done.fixed { " that the options leave open" } else { "" };
+        let limit = limit.map_or(String::new(), |limit| format!(", the limit is {limit:e}"));
+        let off = format!("; by the nearest it is off by {:.3e}{limit}", done.worst());
         return match (function, &done.two_lobes) {
-            (_, Some(_)) => "audit failed: a part of the table is of another shadowing form".into(),
-            (true, None) => format!("audit failed: it follows no reading of its arguments{given}"),
-            (false, None) => format!("audit failed: it fits no convention{given}"),
+            (_, Some(_)) => format!("audit failed: a part of the table is of another shadowing form{off}"),
+            (true, None) => format!("audit failed: it follows no reading of its arguments{given}{off}"),
+            (false, None) => format!("audit failed: it fits no convention{given}{off}"),
         };
     };
     let places = if function { "at the points judged" } else { "at a texel" };

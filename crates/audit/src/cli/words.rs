@@ -32,6 +32,7 @@ pub(super) fn column(quantity: &dyn Quantity, name: &str) -> Result<Column, Stri
         "loss_avg" => "1-E_avg",
         other => other,
     };
+    let alias = alias.replace("F0", "f0");
     columns.iter().copied().find(|c| c.name() == alias).ok_or_else(|| {
         let names: Vec<&str> = columns.iter().map(|c| c.name()).collect();
         format!(
@@ -48,6 +49,7 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
         (_, Some(rest)) => (rest, true),
         (name, None) => (name, false),
     };
+    let name = name.replace("F0", "f0");
     let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
     found.ok_or_else(|| {
         let names: Vec<&str> = SCALES.iter().map(|s| s.name()).collect();

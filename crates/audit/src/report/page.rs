@@ -1,7 +1,7 @@
 //! The page of an audit: verdict, conventions tried, errors of every channel.
 
 use super::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings};
-use crate::audit::{LookupErrors, TexelErrors};
+use crate::audit::{LookupErrors, TexelErrors, place};
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::{
     Block, Curves, HeatMap, Page, ReportError, Section, Series, Spread, Style, check, figures, signed, words,
@@ -15,11 +15,29 @@ pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
     Ok(Page {
         title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
         origin: audit.origin.clone(),
-        lead: "A table or function that somebody ships beside the truth: how it is best read, how far off it is, and what is wrong \
-               with it. Figures in full digits: the JSON file beside this page."
-            .into(),
+        lead: format!("{}\n{LEAD}", conclusion(audit)),
         sections,
     })
+}
+
+const LEAD: &str = "A table or function that somebody ships beside the truth: how it is best read, how far off it is, and what is wrong \
+     with it. Figures in full digits: the JSON file beside this page.";
+
+/// What came of it, in one sentence.
+fn conclusion(audit: &AuditFindings) -> String {
+    let AuditFindings { file, quantity, .. } = audit;
+    let told = match (audit.stated, audit.fits.as_str()) {
+        (true, "whole") => format!("{file} is what it says, {quantity}"),
+        (true, _) => format!("{file} is not the {quantity} that it says it is"),
+        (false, "whole") => format!("{file} is {quantity}"),
+        (false, "part") => format!("{file} is {quantity} in part"),
+        (false, _) => format!("{file} is not {quantity} by any convention"),
+    };
+    let limit = audit.limit.map_or(String::new(), |limit| {
+        let kept = if audit.passed { "kept" } else { "not kept" };
+        format!("; the limit {} is {kept}", brief(limit, 3))
+    });
+    format!("{told}: the largest error is {}{limit}.", words::max(audit.max_error))
 }
 
 /// Whether the axes are arguments, which lie nowhere.
@@ -50,15 +68,15 @@ fn verdict(audit: &AuditFindings) -> Section {
         let range = format!("{} to {}", significant(furnace.least, 3), significant(furnace.most, 3));
         facts.push((
             "Furnace E/E' \u{2212} 1".into(),
-            format!("{range}, worst at {}", words::place(&furnace.at)),
+            format!("{range}, worst at {}", place(&furnace.at)),
         ));
     }
     facts.push(("Error of the truth".into(), words::max(audit.truth_error)));
     Section {
         id: "verdict".into(),
         title: "Verdict".into(),
-        lead: audit.verdict.clone(),
-        blocks: vec![Block::Facts { rows: facts }],
+        lead: String::new(),
+        blocks: vec![Block::Facts { rows: facts }, Block::Text { text: audit.verdict.clone() }],
     }
 }
 
@@ -184,10 +202,10 @@ fn errors(channel: &AuditChannel, stated: bool) -> lobefit::report::TextTable {
     };
     let noun = if channel.lookup.is_some() { "texels" } else { "points" };
     let what = if judged == all { noun.into() } else { format!("{noun} ({judged} of {all})") };
-    let mut rows = vec![cells(what, *max, *rms, *mean, words::place(at))];
+    let mut rows = vec![cells(what, *max, *rms, *mean, place(at))];
     let mut lookup = |name: &str, l: &Option<LookupErrors>| {
         if let Some(l) = l {
-            rows.push(cells(name.into(), l.max, l.rms, l.mean, words::place(&l.at)));
+            rows.push(cells(name.into(), l.max, l.rms, l.mean, place(&l.at)));
         }
     };
     lookup("lookup, texels where they are", &channel.lookup);
@@ -220,7 +238,7 @@ fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
     let style = if curve.at.len() <= 24 { Style::Marked(0) } else { Style::Line(0) };
     Ok(Curves {
         title: curve.title.clone(),
-        x: (words::axis(&curve.x), Spread::Linear),
+        x: (curve.x.clone(), Spread::Linear),
         y: (String::new(), Spread::Linear),
         series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, style)],
         annotations: Vec::new(),

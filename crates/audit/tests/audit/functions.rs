@@ -83,7 +83,7 @@ fn a_blend_over_f0_is_taken_apart() {
         "{}",
         found.verdict
     );
-    assert!(found.channels[0].name.contains("F0 = 0"), "{}", found.channels[0].name);
+    assert!(found.channels[0].name.contains("f0 = 0"), "{}", found.channels[0].name);
 }
 
 #[test]

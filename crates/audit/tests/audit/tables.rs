@@ -206,7 +206,7 @@ fn a_split_sum_at_one_f0_is_told() {
         };
         let found = reflection_of(&table([32, 32], &[("0", &value)]));
         assert_eq!(columns(&found), [Some(column)]);
-        assert!(found.verdict.contains(&format!("F0={f0}")), "{}", found.verdict);
+        assert!(found.verdict.contains(&format!("f0={f0}")), "{}", found.verdict);
     }
     // A bias alone is none, though all of those are near to it.
     let bias = reflection_of(&table(

@@ -36,19 +36,23 @@ pub(super) fn paragraph(found: &Declared) -> String {
             number(found.claimed)
         )
     });
-    let domain = domain(found);
-    for held in &found.held {
-        out.push(format!(
-            "Looked up as it says, {} is off by at most {} (RMS {}) over {} points of {domain}, worst at {}, where it is {} and {} is true.",
+    let held = found.held.iter().map(|held| {
+        format!(
+            "{} is off by at most {} (RMS {}), worst at {}, where it is {} and {} is true",
             held.column.name(),
             number(held.figures.max),
             number(held.figures.rms),
-            held.errors.len(),
             place(&held.figures.at),
             long(held.figures.value),
             long(held.figures.truth),
-        ));
-    }
+        )
+    });
+    let points = found.held.first().map_or(0, |held| held.errors.len());
+    out.push(format!(
+        "Looked up as it says, over {points} points of {}: {}.",
+        domain(found),
+        held.collect::<Vec<_>>().join("; ")
+    ));
     if found.holds() {
         out.push(format!("It claims {}.", number(found.claimed)));
     }

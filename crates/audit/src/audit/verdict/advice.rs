@@ -52,7 +52,8 @@ fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
 fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
     match defect {
         Defect::Part { .. } => Some(
-            "make the table again: a part made by other code, at another time or with too few samples looks like this",
+            "make the table again if a part of it was made by other code, at another time or with too few samples; texels that are optimised for the \
+             bilinear lookup look like this too, since they are not the truth at their centres, and need no mending",
         ),
         Defect::Clamped { .. } if source == Source::Function => {
             Some("the function saturates there: let it go on beyond that value, or clamp what becomes of it")

@@ -7,7 +7,8 @@ mod words;
 
 pub(super) use defect::sentence;
 pub use limit::limit_judged;
-pub(super) use words::{along, long, number, place};
+pub(crate) use words::place;
+pub(super) use words::{along, long, number};
 
 use super::axis::Registration;
 use super::convention::Convention;

@@ -106,7 +106,7 @@ impl AxisReading {
 }
 
 /// `alpha 0.25, mu 0.1`.
-pub(in crate::audit) fn place(at: &Place) -> String {
+pub(crate) fn place(at: &Place) -> String {
     at.iter().map(|(k, v)| format!("{k} {}", number(*v))).collect::<Vec<_>>().join(", ")
 }
 
