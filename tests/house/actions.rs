@@ -109,14 +109,14 @@ fn the_release_workflow_is_well_formed() {
     }
 }
 
-/// The documented workflows, each of six lines at most.
+/// The documented workflows, each of eight lines at most.
 #[test]
 fn the_documented_workflows_are_well_formed() {
     let page = text("docs/ci.md");
     let blocks: Vec<&str> =
         page.split("```yaml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     assert_eq!(blocks.len(), 2);
-    assert!(blocks.iter().all(|block| block.lines().count() <= 6), "six lines");
+    assert!(blocks.iter().all(|block| block.lines().count() <= 8), "eight lines");
     let (github, gitlab) = (yaml("GitHub", blocks[0]), yaml("GitLab", blocks[1]));
     let steps = github["jobs"]["lobefit"]["steps"].as_vec().expect("steps");
     for step_of in steps {
