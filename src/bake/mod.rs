@@ -20,6 +20,7 @@ pub use crate::effects::table::BakedTable;
 use crate::effects::{Made, Part};
 use crate::emit::call::Call;
 use crate::plan::Plan;
+use crate::report::Role;
 use crate::scene::Scene;
 use crate::store::Files;
 pub use build::{BUILD, BUILD_FILE, sign};
@@ -45,6 +46,8 @@ pub struct Baked {
     pub dropped: Vec<Dropped>,
     /// What each material and probe calls.
     pub calls: Vec<Call>,
+    /// Names of the fits that are recommended, one for each purpose.
+    pub recommended: Vec<String>,
 }
 
 impl Baked {
@@ -53,6 +56,9 @@ impl Baked {
         self.broken.extend(made.broken);
         self.tables.extend(made.tables);
         self.fits.extend(made.fits);
+        let choices = made.purposes.into_iter().flat_map(|purpose| purpose.choices);
+        let recommended = choices.filter(|offer| offer.role == Role::Recommended);
+        self.recommended.extend(recommended.map(|offer| offer.name));
         self.dropped.extend(made.dropped);
         self.calls.extend(made.part.entries.calls.iter().cloned());
         made.part
@@ -98,6 +104,7 @@ pub fn bake(
         fits: Vec::new(),
         dropped: Vec::new(),
         calls: Vec::new(),
+        recommended: Vec::new(),
     };
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();

@@ -10,10 +10,13 @@ use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, previous, recipe, sign};
+use crate::data::Pick;
+use crate::effects::RECOMMENDED;
 use crate::emit::call::Call;
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
+use crate::scene::Scene;
 use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
 
@@ -25,6 +28,9 @@ Examples:
 
 Writes tables/ fits/ reports/ and manifest.json in the output folder and nothing else. Files that an older bake left
 there and this one does not have are removed.";
+
+/// Stands before the recommended function where several are emitted.
+const MARK: &str = "*";
 
 /// Options of `bake`.
 #[derive(Args)]
@@ -73,7 +79,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if options.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
     } else if !options.quiet {
-        print(summary(&plan, &baked, &written, options).as_bytes())?;
+        print(summary(&input.scene, &plan, &baked, &written, options).as_bytes())?;
     }
     Ok(Outcome::Done)
 }
@@ -99,8 +105,14 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection,
 
 /// What was made: what each material and probe calls, or everything where more than one function of
 /// a job is emitted; then what was left out and written.
-fn summary(plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> String {
-    let mut lines = table(&baked.calls);
+fn summary(scene: &Scene, plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> String {
+    let mut lines = match scene.output.pick {
+        Pick::Best => table(&baked.calls, &[]),
+        Pick::Frontier | Pick::All => table(&baked.calls, &baked.recommended),
+    };
+    if lines.iter().any(|line| line.starts_with(MARK)) {
+        lines.push(format!("{MARK} is recommended. {RECOMMENDED}"));
+    }
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }
@@ -113,6 +125,7 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> 
         lines.push("the scene calls for no effect:".into());
         lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect, l.reason)));
     }
+    lines.extend(read_by_engines(baked, options));
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
     let index = options.out.join("reports/index.html");
     let page = if baked.files.contains_key("reports/index.html") {
@@ -125,8 +138,24 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> 
     lines.iter().map(|line| visible(line) + "\n").collect()
 }
 
-/// What is called, a row for each function, with who calls it.
-fn table(calls: &[Call]) -> Vec<String> {
+/// The files that an engine reads: include files and tables.
+fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
+    let of = |start: &str| {
+        let files = baked.files.keys().filter(|file| file.starts_with(start));
+        files.map(|file| options.out.join(file).display().to_string()).collect::<Vec<_>>()
+    };
+    let kinds = [("include", of("fits/lobefit.")), ("load", of("tables/"))];
+    let parts: Vec<String> = kinds
+        .into_iter()
+        .filter(|(_, files)| !files.is_empty())
+        .map(|(verb, files)| format!("{verb} {}", files.join(", ")))
+        .collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// What is called, a row for each function, with who calls it; those of `recommended` fits are
+/// marked.
+fn table(calls: &[Call], recommended: &[String]) -> Vec<String> {
     let mut rows: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in calls {
         match rows
@@ -144,7 +173,11 @@ fn table(calls: &[Call]) -> Vec<String> {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
         let [ops, fetches, bytes, error] = figures;
-        [call.function.clone(), ops, fetches, bytes, error, call.metric.clone(), listed(names)]
+        let mark = match recommended {
+            [] => String::new(),
+            _ => format!("{:2}", if recommended.contains(&call.name) { MARK } else { "" }),
+        };
+        [mark + &call.function, ops, fetches, bytes, error, call.metric.clone(), listed(names)]
     };
     let header = [
         ("call", Left),

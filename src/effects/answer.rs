@@ -14,6 +14,10 @@ use lobefit_shade::code::{self, Language};
 /// The error that a recommended fit keeps where the scene states none.
 const USUAL_ERROR: f64 = 0.02;
 
+/// What is recommended.
+pub(crate) const RECOMMENDED: &str =
+    "It is the cheapest within the stated error (0.02 where none is stated), or the most accurate.";
+
 /// Spheres of a strip, and every how many of their cosines it is drawn from.
 const SPHERES: usize = 6;
 const EVERY: usize = 3;
@@ -60,11 +64,18 @@ fn of_group(
     Ok(Some(Purpose {
         name: best.hypothesis.name().into(),
         about,
+        caution: String::new(),
         metric: metric(a),
         choices,
         measured: group.iter().map(|fit| measured(&fit.approximation)).collect(),
         furnace: None,
     }))
+}
+
+/// Of a purpose with several emitted fits, which to take, in words.
+pub(super) fn recommends(purpose: &Purpose) -> Option<String> {
+    let offer = purpose.choices.iter().find(|offer| offer.role == Role::Recommended)?;
+    Some(format!("Recommended: {}. {RECOMMENDED}", offer.function.as_ref()?))
 }
 
 /// The cheapest of the emitted fits that keeps the limit, else the most accurate.
@@ -190,6 +201,7 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     Purpose {
         name: best.names.lookup.clone(),
         about: format!("Table of {} of {}{side}.", a.column, a.quantity),
+        caution: String::new(),
         metric,
         choices,
         measured: group.iter().map(|t| measured(&t.approximation)).collect(),
@@ -198,16 +210,19 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
 }
 
 /// Lookups of probes: the fewest operations, the fewest of those with the most fetches, and the
-/// most operations.
-fn of_lookups(lookups: &[LookupFunction]) -> Option<Purpose> {
+/// most operations. The error of a lookup is that of the width that it fetches.
+fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let ops = |lookup: &&LookupFunction| lookup.cost.ops;
     let most = lookups.iter().map(|lookup| lookup.cost.fetches).max()?;
     let best = lookups.iter().filter(|lookup| lookup.cost.fetches == most).min_by_key(ops)?;
+    let width = |lookup: &LookupFunction| {
+        fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width)
+    };
     let offer = |role: Role, lookup: &LookupFunction| Offer {
         role,
         name: lookup.function.clone(),
         function: Some(lookup.function.clone()),
-        error: None,
+        error: width(lookup).map(errors),
         metric: String::new(),
         cost: Cost { ops: lookup.cost.ops, fetches: lookup.cost.fetches, bytes: lookup.cost.bytes },
         code: Vec::new(),
@@ -219,12 +234,34 @@ fn of_lookups(lookups: &[LookupFunction]) -> Option<Purpose> {
     choices.extend(dear.map(|lookup| offer(Role::Accurate, lookup)));
     Some(Purpose {
         name: best.function.clone(),
-        about: "Lookup of a probe through a proxy of its room.".into(),
-        metric: String::new(),
+        about: format!("Lookup of a probe through a proxy of its room. {}", arguments(&best.inputs)),
+        caution: String::new(),
+        metric: width(best).map_or_else(String::new, |a| format!("{}, of its fetch", metric(a))),
         choices,
         measured: Vec::new(),
         furnace: None,
     })
+}
+
+/// What the arguments of a lookup are, in one sentence; the comment of the function says more.
+fn arguments(inputs: &[String]) -> String {
+    let meaning = |input: &String| {
+        let meaning = match input.as_str() {
+            "place" => "the shaded point",
+            "ray" => "the reflected ray, of unit length",
+            "normal" => "the surface's, of unit length",
+            "view" => "towards the viewer, of unit length",
+            "low" => "corner of the box",
+            "high" => "its opposite corner",
+            "planes" => "those of the proxy",
+            "probe" => "where the cubemap was taken",
+            "offset" => "from the probe to what the ray hits",
+            "distance" => "from the shaded point to there",
+            _ => return input.clone(),
+        };
+        format!("{input} ({meaning})")
+    };
+    format!("Arguments: {}.", inputs.iter().map(meaning).collect::<Vec<_>>().join(", "))
 }
 
 /// The strip of a purpose: the first row of the furnace, and one for each choice that has one.
@@ -269,9 +306,11 @@ fn strip(purpose: &Purpose, furnaces: &[Furnace]) -> Option<Furnace> {
 pub(super) fn answer(made: &Made) -> Answer {
     let mut purposes = made.purposes.clone();
     add_tables(&mut purposes, &made.fits, &made.tables);
-    purposes.splice(0..0, of_lookups(&made.part.entries.lookups));
+    purposes.splice(0..0, of_lookups(&made.part.entries.lookups, &made.fits));
     for purpose in &mut purposes {
         purpose.furnace = strip(purpose, &made.furnaces);
+        let caution = made.cautions.iter().find(|(function, _)| *function == purpose.name);
+        purpose.caution = caution.map(|(_, text)| text.clone()).unwrap_or_default();
     }
     // What has no error of its own is followed by what it is made of.
     let judged = |purpose: &Purpose| purpose.choices.iter().any(|choice| choice.error.is_some());
@@ -299,11 +338,15 @@ fn conclusion(purpose: &Purpose) -> String {
                 &format!(", {times} times less than the best published formula that costs no more ({name})");
         }
     }
+    text.push('.');
+    if !purpose.caution.is_empty() {
+        text += &format!(" {}", purpose.caution);
+    }
     let beside = [Role::Table, Role::Cheap].into_iter().find_map(of);
     if let Some(offer) = beside {
-        text += &format!(". {}: {}{}", titled(offer.role), taken(&offer.cost), kept(offer));
+        text += &format!(" {}: {}{}.", titled(offer.role), taken(&offer.cost), kept(offer));
     }
-    text + "."
+    text
 }
 
 /// A role as it begins a sentence.

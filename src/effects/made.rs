@@ -10,13 +10,14 @@ use super::explore::Exploring;
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
-use crate::data::{Approximation, Use};
+use crate::data::{Approximation, Pick, Use};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Page, Purpose};
 use crate::store::Files;
 use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
 
 /// What one effect adds to the files of a bake. The same recipe gives the same part, so one that an
 /// older bake left on the disk stands for the one that would be made.
@@ -53,6 +54,8 @@ pub struct Made {
     pub tables: Vec<BakedTable>,
     /// What the fits are for.
     pub purposes: Vec<Purpose>,
+    /// Functions of tables, each with what its lookup error does not say.
+    pub cautions: Vec<(String, String)>,
     /// Spheres in a white environment, the rows named after what they show.
     pub furnaces: Vec<Furnace>,
     /// Its page, which waits for the conclusion.
@@ -77,6 +80,7 @@ impl Made {
             dropped: Vec::new(),
             tables: Vec::new(),
             purposes: Vec::new(),
+            cautions: Vec::new(),
             furnaces: Vec::new(),
             draft: None,
         }
@@ -110,10 +114,15 @@ impl Made {
         (fits, dropped): (Vec<Fit>, Vec<Dropped>),
         more: impl Fn(usize, &Fit, FitEntry) -> FitEntry,
     ) -> Result<(), BakeError> {
-        if context.scene.output.reports {
-            let (limit, languages) = (self.part.finding.expected_error, &context.scene.output.languages);
-            self.purposes.extend(answer::of_fits(&fits, limit, languages)?);
+        let (limit, languages) = (self.part.finding.expected_error, &context.scene.output.languages);
+        let purposes = answer::of_fits(&fits, limit, languages)?;
+        if context.scene.output.pick != Pick::Best {
+            let lines: Vec<String> = purposes.iter().flat_map(answer::recommends).collect();
+            for (language, text) in &mut self.part.code {
+                text.insert_str(0, &comment(language.comment(), &lines));
+            }
         }
+        self.purposes.extend(purposes);
         let (effect, alpha_map) = (self.part.by.name(), context.scene.alpha.name());
         let entries = &mut self.part.entries;
         for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {

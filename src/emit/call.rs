@@ -62,6 +62,12 @@ pub struct LookupFunction {
 }
 
 impl Manifest {
+    /// How roughness becomes alpha in its functions, if it has any.
+    pub fn alpha_map(&self) -> Option<&str> {
+        let fits = self.entries.fits.iter().map(|fit| &fit.alpha_map);
+        fits.chain(self.entries.tables.iter().map(|table| &table.alpha_map)).next().map(String::as_str)
+    }
+
     /// A call with its arguments as the include files name them; of a table the texture comes
     /// first. None of a function that no entry has.
     pub fn signature(&self, call: &Call) -> Option<String> {

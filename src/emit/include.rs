@@ -91,9 +91,18 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
+/// How a function is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Called {
+    /// The line.
+    pub call: String,
+    /// What it is called with, as the include file declares it.
+    pub parameters: String,
+}
+
 /// A line that calls a function with the arguments that an include file declares:
 /// `let value = ggx_average_albedo(roughness);`. None where the file does not declare it.
-pub fn call(text: &str, function: &str) -> Option<String> {
+pub fn call(text: &str, function: &str) -> Option<Called> {
     let head = format!(" {function}(");
     let start = text.match_indices(&head).map(|(at, _)| at).find(|&at| {
         let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
@@ -106,14 +115,12 @@ pub fn call(text: &str, function: &str) -> Option<String> {
         depth += i32::from("([<".contains(c)) - i32::from(")]>".contains(c));
         depth == 0
     })?;
-    let arguments: Vec<&str> = parts(&rest[..end]).iter().map(|part| named(part)).collect();
+    let parameters = parts(&rest[..end]);
+    let arguments: Vec<&str> = parameters.iter().map(|part| named(part)).collect();
     let call = format!("{function}({})", arguments.join(", "));
     let result = text[line..start].rsplit(' ').next().unwrap_or_default();
-    Some(if typed_after(result) {
-        format!("let value = {call};")
-    } else {
-        format!("{result} value = {call};")
-    })
+    let word = if typed_after(result) { "let" } else { result };
+    Some(Called { call: format!("{word} value = {call};"), parameters: parameters.join(", ") })
 }
 
 /// Whether types stand after names: whether this word is before the name of a function.
@@ -146,12 +153,15 @@ mod tests {
     #[test]
     fn a_call_has_the_declared_arguments() {
         let wgsl = "// f(\nfn f(\n    table: texture_2d<f32>,\n    f0: vec3<f32>,\n) -> vec3<f32> {\n    return f(1);\n}\n";
-        assert_eq!(call(wgsl, "f").as_deref(), Some("let value = f(table, f0);"));
+        let line = |text: &str| call(text, "f").map(|called| called.call);
+        assert_eq!(line(wgsl).as_deref(), Some("let value = f(table, f0);"));
+        let parameters = call(wgsl, "f").map(|called| called.parameters);
+        assert_eq!(parameters.as_deref(), Some("table: texture_2d<f32>, f0: vec3<f32>"));
         let rust = "pub fn f(texels: &[[f32; 2]], mu: f32) -> [f32; 3] {";
-        assert_eq!(call(rust, "f").as_deref(), Some("let value = f(texels, mu);"));
+        assert_eq!(line(rust).as_deref(), Some("let value = f(texels, mu);"));
         let c = "static inline lobefit_float3 f(const float *texels, float mu) {";
         let expected = "lobefit_float3 value = f(texels, mu);";
-        assert_eq!(call(c, "f").as_deref(), Some(expected));
+        assert_eq!(line(c).as_deref(), Some(expected));
         assert_eq!(call("    float x = f(1.0);", "f"), None);
     }
 }

@@ -62,6 +62,8 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
         let a = &baked.approximation;
         ways.push(Way {
             name: format!("{name}: {}", a.name),
+            function: baked.names.lookup.clone(),
+            resolved: baked.layout == Layout::Azimuth,
             error: ErrorFigure {
                 max: errors.lookup.max,
                 rms: Some(errors.lookup.rms),

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::report::sections::words;
 use crate::report::{EffectFinding, ErrorFigure, Field, Furnace, Origin, TableFinding};
 
 /// What a bake found out about an effect whose tables have slices.
@@ -64,11 +65,36 @@ pub struct WaysFinding {
     pub ways: Vec<Way>,
 }
 
+impl WaysFinding {
+    /// The functions of means, each with what it is off by at one azimuth and the function that is
+    /// not.
+    pub fn cautions(&self) -> impl Iterator<Item = (String, String)> + '_ {
+        let resolved = self.ways.iter().filter(|way| way.resolved);
+        let best = resolved.min_by(|a, b| a.error.max.total_cmp(&b.error.max));
+        let instead = best.map_or_else(String::new, |way| {
+            format!("; {} takes the azimuth and is off by at most {}", way.function, words::max(way.error.max))
+        });
+        self.ways.iter().filter(|way| !way.resolved).map(move |way| {
+            let text = format!(
+                "It returns the mean of E over the azimuth of the view: at one azimuth E is off by at most {}{instead}.",
+                words::max(way.error.max)
+            );
+            (way.function.clone(), text)
+        })
+    }
+}
+
 /// One way to get E at an azimuth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Way {
     /// Its name.
     pub name: String,
+    /// The function that looks it up.
+    #[serde(skip)]
+    pub function: String,
+    /// Whether it holds the azimuth.
+    #[serde(skip)]
+    pub resolved: bool,
     /// Its error over the whole domain.
     pub error: ErrorFigure,
     /// Bytes of texels.

@@ -55,6 +55,7 @@ impl<F: Sliced> Effect for F {
         if context.reports(called.effect) {
             let findings = findings::findings(self, &made.part, &made.tables, context)?;
             made.furnaces.extend(findings.furnaces.iter().map(|finding| finding.furnace.clone()));
+            made.cautions.extend(findings.ways.iter().flat_map(|ways| ways.cautions()));
             made.page(page::page(&findings)?, &findings)?;
         }
         Ok(made)

@@ -23,6 +23,9 @@ pub struct Purpose {
     pub name: String,
     /// What it is, in words.
     pub about: String,
+    /// What its error does not say of it, in sentences; empty where the error says all.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub caution: String,
     /// What its error is, in words.
     pub metric: String,
     /// At most one of each role.

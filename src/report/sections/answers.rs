@@ -1,7 +1,7 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
 use super::{figures, words};
-use crate::emit::include::{Include, call};
+use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
@@ -10,6 +10,7 @@ use crate::report::{
 };
 use crate::store::Files;
 use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
 
 /// Pixels of a screen of 3840 by 2160.
 const SCREEN: f64 = 3840.0 * 2160.0;
@@ -56,7 +57,10 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
         blocks.push(Block::Heading { text: answer.effect.clone() });
         blocks.extend(of(answer)?);
     }
-    let device = drawn.record.map_or_else(String::new, |record| {
+    let offers = answers.iter().flat_map(|answer| &answer.purposes).flat_map(|purpose| &purpose.choices);
+    let timed = |offer: &Offer| time(offer.function.as_deref(), drawn.record, include.as_ref()).is_some();
+    let record = drawn.record.filter(|_| offers.into_iter().any(timed));
+    let device = record.map_or_else(String::new, |record| {
         format!(" Times are those of one call for each pixel of 3840 × 2160 on an {}.", record.device.adapter)
     });
     Ok(Section {
@@ -78,7 +82,7 @@ fn card(
     Ok(Card {
         id: purpose.name.clone(),
         title: purpose.name.clone(),
-        about: purpose.about.clone(),
+        about: format!("{} {}", purpose.about, purpose.caution).trim_end().into(),
         link: (format!("All of {effect}"), format!("{effect}.html")),
         choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
         svg: purpose.furnace.as_ref().map(strip).transpose()?,
@@ -87,22 +91,26 @@ fn card(
 
 fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Include>) -> Choice {
     let function = offer.function.as_deref();
+    // A metal calls the form for three channels.
+    let coloured =
+        drawn.manifest.entries.calls.iter().find(|call| {
+            call.name == offer.name && function.is_some_and(|function| call.function != function)
+        });
     let (calls, code) = match function {
-        Some(function) => called(function, drawn),
+        Some(function) => called(coloured.map_or(function, |call| &call.function), drawn),
         None => {
             let mut code = offer.code.clone();
             code.sort_by_key(|(language, _)| language != FIRST.title());
             (None, code)
         }
     };
-    let wider =
-        drawn.manifest.entries.calls.iter().find(|call| {
-            call.name == offer.name && function.is_some_and(|function| call.function != function)
-        });
-    let note = match (function, wider) {
-        (None, _) => "This scene does not emit it: copy it from here.".to_string(),
-        (_, Some(call)) => {
-            format!("In colour: {}, {}.", call.function, words::operations(call.cost.ops))
+    let note = match (function, coloured) {
+        (None, _) => {
+            let map = drawn.manifest.alpha_map().map(|map| format!("; alpha = {map}")).unwrap_or_default();
+            format!("This scene does not emit it: copy it from here. mu = n_dot_v{map}.")
+        }
+        (Some(function), Some(call)) => {
+            format!("The call is in colour: {}. Cost is that of {function}.", words::operations(call.cost.ops))
         }
         _ => String::new(),
     };
@@ -117,19 +125,27 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
     }
 }
 
-/// The call as WGSL has it, or the first of the languages, and its lines by language.
+/// The call as WGSL has it, or the first of the languages, and by language its lines: where it is
+/// declared, with which parameters, and of a table what to load.
 fn called(function: &str, drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
-    let mut lines: Vec<(Language, String)> = Vec::new();
+    let table = drawn.manifest.entries.tables.iter().find(|table| table.function == function);
+    let mut found: Vec<(Language, Lines)> = Vec::new();
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let text = drawn.files.get(&include.file).map(|bytes| String::from_utf8_lossy(bytes));
-        lines.extend(text.and_then(|text| call(&text, function)).map(|line| (language, line)));
+        let Some(Called { call, parameters }) = text.and_then(|text| call(&text, function)) else { continue };
+        let mut lines = vec![format!("{}: {parameters}", include.file)];
+        lines.extend(table.map(|table| format!("texels: {}", table.file)));
+        found.push((language, (call.clone(), comment(language.comment(), &lines) + &call)));
     }
-    lines.sort_by_key(|(language, _)| *language != FIRST);
-    let first = lines.first().and_then(|(_, line)| line.split_once(" = "));
+    found.sort_by_key(|(language, _)| *language != FIRST);
+    let first = found.first().and_then(|(_, (call, _))| call.split_once(" = "));
     let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
-    (shown, lines.into_iter().map(|(language, line)| (language.title().to_string(), line)).collect())
+    (shown, found.into_iter().map(|(language, (_, code))| (language.title().to_string(), code)).collect())
 }
+
+/// A call, and the call below its comment.
+type Lines = (String, String);
 
 /// Microseconds for a screen, if the function is recorded as it is emitted here.
 pub(super) fn time(
@@ -177,7 +193,7 @@ fn strip(furnace: &Furnace) -> Result<String, ReportError> {
         mu: &furnace.mu,
         rows: furnace.rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
         shade: Shade::Departure { limit: 1.0 / furnace.amplification },
-        unit: String::new(),
+        unit: "radiance − 1".into(),
         cell: CELL,
     };
     spheres.svg()
