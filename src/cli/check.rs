@@ -14,7 +14,7 @@ use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json, say};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
+use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
@@ -123,6 +123,8 @@ struct Found {
     studies_unknown: Option<String>,
     /// What changed in the scene.
     changes: Vec<String>,
+    /// Whether no value did.
+    names_only: bool,
 }
 
 impl Found {
@@ -142,6 +144,9 @@ impl Found {
             studies = studies::studies(root)?;
         }
         let compared = compare(&baked, &found, &strays, options.values, progress);
+        let names_only = options.values.is_none()
+            && !changes.is_empty()
+            && compare(&baked, &found, &strays, Some(0.0), &Silent).is_empty();
         baked.files.retain(|file, _| options.asks_for(file));
         Ok(Found {
             broken: baked.broken,
@@ -153,6 +158,7 @@ impl Found {
             counts,
             studies_unknown: studies.unknown,
             changes,
+            names_only,
         })
     }
 
@@ -184,7 +190,7 @@ impl Found {
             }
             let files: Vec<&str> = self.of_bake.iter().map(|difference| difference.file.as_str()).collect();
             lines.push(format!("files that differ: {}\n", visible(&files.join(", "))));
-            lines.push(format!("bake it again: {}\n", visible(&again(options))));
+            lines.push(format!("bake it again: {}\n", visible(&command("bake", "--out", options))));
         }
         let beside = self.of_studies.iter().chain(&self.of_records);
         lines.extend(beside.map(|difference| format!("{difference}\n")));
@@ -194,6 +200,11 @@ impl Found {
             lines.push(format!("note: reports/studies: not checked: {reason}\n"));
         }
         lines.push(self.closing(options));
+        if self.names_only {
+            let command = command("check", "--against", options);
+            let passes = visible(&format!("{command} --values 0"));
+            lines.push(format!("names only: no value changed; `{passes}` passes\n"));
+        }
         lines.concat()
     }
 
@@ -265,14 +276,14 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     Ok(strays)
 }
 
-/// The command that bakes the scene into the folder.
-fn again(options: &Options) -> String {
+/// The command of a verb on the scene and the folder.
+fn command(verb: &str, folder: &str, options: &Options) -> String {
     let scene =
         options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
     let out =
-        if options.against == Path::new(".") { String::new() } else { format!(" --out {}", shown(options)) };
+        if options.against == Path::new(".") { String::new() } else { format!(" {folder} {}", shown(options)) };
     let pages = if options.pages.no_reports { " --no-reports" } else { "" };
-    format!("lobefit bake{scene}{out}{pages}")
+    format!("lobefit {verb}{scene}{out}{pages}")
 }
 
 /// The folder as the user named it.

@@ -7,19 +7,19 @@ use super::{Certified, Fitting, FittingError, Job, Proof, printed, words};
 use crate::emit::header::{operations, place, short};
 use lobefit_shade::code::Language;
 
-/// The fits in words, each with its code.
-pub fn summary(job: &Job, fitting: &Fitting) -> Result<String, FittingError> {
+/// The fits in words, each with its code, and how to emit it unless it is `written`.
+pub fn summary(job: &Job, fitting: &Fitting, written: bool) -> Result<String, FittingError> {
     let mut out = String::new();
     for fit in &fitting.fits {
         if !out.is_empty() {
             out.push('\n');
         }
-        out += &of_fit(job, fitting, fit)?;
+        out += &of_fit(job, fitting, fit, written)?;
     }
     Ok(out)
 }
 
-fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, FittingError> {
+fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified, written: bool) -> Result<String, FittingError> {
     let (a, target) = (&fit.approximation, &fitting.target);
     let mut out = String::new();
     let mut line = |text: String| {
@@ -83,7 +83,9 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     if let Some(text) = beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs) {
         line(format!("  catalogue    {text}"));
     }
-    line(format!("  emit it      {}", ways_out(target)));
+    if !written {
+        line(format!("  emit it      {}", ways_out(target)));
+    }
     for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.coefficients) {
         line(format!("  {:<12} {value}", parameter.name));
     }

@@ -71,7 +71,7 @@ fn one_planted_texel_is_named_in_every_container() {
         let line =
             text.lines().find(|l| l.starts_with(start)).unwrap_or_else(|| panic!("{start} in\n{text}"));
         assert!(
-            line.contains(" where the recipe gives ") && line.contains("; 1 texels differ, max abs "),
+            line.contains(" where the recipe gives ") && line.contains("; 1 texel differs, max abs "),
             "{line}"
         );
         assert!(line.contains(", max ulp 1; promise "), "{line}");

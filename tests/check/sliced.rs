@@ -59,7 +59,7 @@ fn a_changed_texel_is_told_with_its_cell_and_the_promise() {
         text.contains(&format!("tables/{outside}.exr: channel loss, column 5, row 4, slice 2: ")),
         "{text}"
     );
-    assert!(text.contains("; 1 texels differ, max abs ") && text.contains(", max ulp 1; promise "), "{text}");
+    assert!(text.contains("; 1 texel differs, max abs ") && text.contains(", max ulp 1; promise "), "{text}");
 
     for (name, channel, _) in coarse {
         plant(folder.path(), &baked, name, channel, |texel| texel + 0.25);

@@ -82,7 +82,8 @@ fn texels(
         }
     }
     if let (Some(gap), Some(ulps)) = (difference.max_abs, difference.max_ulp) {
-        difference.detail += &format!("; {count} texels differ, max abs {gap:e}, max ulp {ulps}");
+        let texels = if count == 1 { "texel differs" } else { "texels differ" };
+        difference.detail += &format!("; {count} {texels}, max abs {gap:e}, max ulp {ulps}");
     }
     difference
 }

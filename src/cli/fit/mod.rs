@@ -9,7 +9,7 @@ use super::progress::Spinner;
 use crate::data::Use;
 use crate::fitting::{self, Fitting, Job};
 use crate::scene::escape::visible;
-use crate::store::Folder;
+use crate::store::{Folder, Written};
 
 pub(super) use options::Options;
 
@@ -85,11 +85,19 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if let Some(folder) = &mut folder {
         let written = folder.write(&files)?;
         if !options.quiet && !options.json {
-            let (new, same) = (written.written.len(), written.unchanged.len());
-            print(format!("\n{new} files written, {same} unchanged\n").as_bytes())?;
+            print(written_files(options, &written).as_bytes())?;
         }
     }
     Ok(Outcome::Done)
+}
+
+/// What lies in the output folder now.
+fn written_files(options: &Options, written: &Written) -> String {
+    let folder = options.out.iter().map(|out| visible(&out.display().to_string())).collect::<String>();
+    let mut files: Vec<&str> = written.written.iter().chain(&written.unchanged).map(String::as_str).collect();
+    files.sort_unstable();
+    let (new, same) = (written.written.len(), written.unchanged.len());
+    format!("\nin {folder}: {}\n{new} files written, {same} unchanged\n", visible(&files.join(", ")))
 }
 
 /// Whether every fit can be relied on.
@@ -104,7 +112,7 @@ fn show(options: &Options, job: &Job, fitting: &Fitting) -> Result<(), CliError>
     if options.quiet {
         return Ok(());
     }
-    let text = fitting::summary(job, fitting)?;
+    let text = fitting::summary(job, fitting, options.out.is_some())?;
     let shown: String = text.lines().map(|line| visible(line) + "\n").collect();
     print(shown.as_bytes())
 }

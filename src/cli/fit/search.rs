@@ -23,7 +23,8 @@ pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliErro
     if options.json {
         print(&search::document(job, &searched)?)?;
     } else if !options.quiet {
-        let shown: String = search::summary(&searched).lines().map(|line| visible(line) + "\n").collect();
+        let summary = search::summary(&searched, folder.is_some());
+        let shown: String = summary.lines().map(|line| visible(line) + "\n").collect();
         print(shown.as_bytes())?;
     }
     if let Some(problem) = searched.problem(job.limit) {
@@ -36,8 +37,7 @@ pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliErro
     if let Some(folder) = &mut folder {
         let written = folder.write(&files)?;
         if !options.quiet && !options.json {
-            let (new, same) = (written.written.len(), written.unchanged.len());
-            print(format!("\n{new} files written, {same} unchanged\n").as_bytes())?;
+            print(super::written_files(options, &written).as_bytes())?;
         }
     }
     Ok(Outcome::Done)

@@ -10,6 +10,7 @@ use crate::data::{
 use crate::effects::Albedo;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::emit::header;
 use crate::emit::lookup::TableNames;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
@@ -158,7 +159,8 @@ fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {
     let (name, error) = (&baked.approximation.name, baked.errors.lookup.max);
     let limit = job.max_error.filter(|limit| error.is_nan() || error > *limit)?;
     let by = &job.limited_by;
-    Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}"))
+    let at = header::place(&baked.errors.lookup.at);
+    Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}, the most at {at}"))
 }
 
 fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {

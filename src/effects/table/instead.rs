@@ -15,6 +15,9 @@ use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 /// Larger tables take more seconds than an error message is worth.
 const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
 
+/// Ends what keeps the limit.
+const KEEPS: &str = " keeps it";
+
 /// In words, what keeps the limit of a job whose tables of this size do not: sizes doubled until
 /// one keeps it, the other layouts of its kind at the job's size, and in place of f16 the smallest
 /// of these sizes with f32 texels that keeps it. `judge` has the truth of the job.
@@ -31,7 +34,7 @@ pub(super) fn instead(
     let of = |job: TableJob, size: &[usize]| measured(family, (&job, size), judge, context);
     let error = |layout: Layout, size: &[usize]| of(TableJob { layout, ..job.clone() }, size);
     let words = |size: &[usize], error: f64| {
-        format!("{}: {error}{}", size_text(size), if error <= limit { " keeps it" } else { "" })
+        format!("{}: {error}{}", size_text(size), if error <= limit { KEEPS } else { "" })
     };
     let mut parts = Vec::new();
     let (mut size, mut kept) = (size.to_vec(), false);
@@ -45,11 +48,13 @@ pub(super) fn instead(
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
         parts.push(format!("layout `{}` at {}", layout.name(), words(&own, error(layout, &own)?)));
     }
+    let mut any = parts.iter().any(|part| part.ends_with(KEEPS));
     let mut wider = if job.format == TexelFormat::F16 { vec![own, size.clone()] } else { Vec::new() };
     wider.dedup();
     for size in wider {
         let error = of(TableJob { format: TexelFormat::F32, ..job.clone() }, &size)?;
         if error <= limit {
+            any = true;
             parts.push(format!("format `f32` at {}", words(&size, error)));
             break;
         }
@@ -58,6 +63,12 @@ pub(super) fn instead(
     parts.extend(chosen.then(|| "without `size` lobefit chooses one that keeps it".to_string()));
     if parts.is_empty() {
         return Ok("a larger size is not measured: raise max_error, or the lower end of roughness".into());
+    }
+    if !any {
+        let wider = if job.format == TexelFormat::F16 { ", nor do `f32` texels at these sizes" } else { "" };
+        parts.push(format!(
+            "none of these keeps it{wider}: raise max_error, or narrow `n_dot_v` of the table or the roughness"
+        ));
     }
     Ok(format!("measured instead: {}", parts.join("; ")))
 }

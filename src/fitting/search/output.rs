@@ -17,7 +17,7 @@ use crate::store::Files;
 use lobefit_fit::Goal;
 
 /// A table of the frontier, then each formula.
-pub fn summary(searched: &Searched) -> String {
+pub fn summary(searched: &Searched, written: bool) -> String {
     let target = &searched.target;
     let mut out = format!(
         "{} {} as {}{}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
@@ -53,7 +53,9 @@ pub fn summary(searched: &Searched) -> String {
             writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", rival.ops, rival.max, short(rival.rms), rival.name);
     }
     out += &trials(searched);
-    let _ = writeln!(out, "  emit one: {}", ways_out(target));
+    if !written {
+        let _ = writeln!(out, "  emit one: {}", ways_out(target));
+    }
     for point in &searched.points {
         let _ = write!(out, "\n{}", file(point));
     }
