@@ -21,7 +21,9 @@ pub mod words;
 use super::{
     Answer, Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings,
 };
+use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
+use lobefit_shade::code::Language;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -54,7 +56,7 @@ pub(crate) fn of_index(
         let mut cards = answers::cards(answers, drawn)?;
         let live = origin.pages.iter().find(|(_, file)| EXPLORE.ends_with(file.as_str()));
         let link = |(_, file): &(String, String)| {
-            ("Spheres drawn by the emitted GLSL, beside the truth".into(), file.clone())
+            (format!("Spheres drawn by {}, beside the truth", live_code(drawn.manifest)), file.clone())
         };
         let rows: Vec<_> = live.map(link).into_iter().chain(index::beside(&origin.command)).collect();
         cards.blocks.splice(0..0, (!rows.is_empty()).then_some(Block::Links { rows }));
@@ -68,6 +70,12 @@ pub(crate) fn of_index(
         lead: index::conclusion(drawn.manifest),
         sections,
     })
+}
+
+/// What the live page runs: GLSL, whether the bake emits it or not.
+fn live_code(manifest: &Manifest) -> &'static str {
+    let emitted = manifest.includes.iter().any(|include| include.language == Language::Glsl.name());
+    if emitted { "the emitted GLSL" } else { "the emitted functions, here in GLSL" }
 }
 
 /// The live page.
