@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Block, ReportError, Section, check, numbers};
+use crate::report::{Block, ReportError, Section, bar, check, numbers};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -68,22 +68,10 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
     Ok(vec![call, made, called_for])
 }
 
-/// Pages that other commands put beside those of the built-in scene, as they lie in the repository
-/// of this program.
-pub(super) fn beside(command: &str) -> Vec<(String, String)> {
-    let pages = [
-        (
-            "Study: lookups of probes in rooms whose light is known (in lobefit's repository)",
-            "studies/parallax/index.html",
-        ),
-        (
-            "Study: diffuse bases under specular lobes (in lobefit's repository)",
-            "studies/coupling/index.html",
-        ),
-        ("Times of the functions on an NVIDIA H200 (in lobefit's repository)", "gpu/nvidia-h200.html"),
-    ];
-    let pages = pages.into_iter().filter(|_| command == "lobefit bake");
-    pages.map(|(shown, file)| (shown.to_string(), file.to_string())).collect()
+/// Links to the pages beside those of the built-in scene.
+pub(super) fn beside(command: &str) -> impl Iterator<Item = (String, String)> {
+    bar::beside(command)
+        .map(|(_, shown, file)| (format!("{shown} (in lobefit's repository)"), file.to_string()))
 }
 
 /// What came of the scene, in one sentence.
@@ -94,7 +82,14 @@ pub(super) fn conclusion(manifest: &Manifest) -> String {
         return "The scene calls for no function and no table.".into();
     }
     let functions = words::count(different(|call| &call.function), "function serves", "functions serve");
-    let users = words::count(different(|call| &call.of), "material or probe", "materials and probes");
+    let all: BTreeSet<&str> = calls.iter().map(|call| call.of.as_str()).collect();
+    let named = |list: &str| {
+        let list = manifest.made_from[list].as_array().into_iter().flatten();
+        list.filter(|one| one["name"].as_str().is_some_and(|name| all.contains(name))).count()
+    };
+    let kinds = [(named("materials"), "material", "materials"), (named("probes"), "probe", "probes")];
+    let kinds = kinds.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| words::count(n, one, many));
+    let users = kinds.collect::<Vec<_>>().join(" and ");
     let kept = "every error that the scene states is kept.";
     format!("{functions} {users}; {kept}")
 }
