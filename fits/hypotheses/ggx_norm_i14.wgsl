@@ -1,19 +1,19 @@
-override c0: f32 = -0.32975695;
-override c1: f32 = -2.0795858;
-override c2: f32 = 5.6639857;
-override c3: f32 = 0.315373;
-override c4: f32 = 14.772396;
-override c5: f32 = 11.98678;
-override c6: f32 = -10.902246;
-override k: f32 = 2.1289394;
+override c0: f32 = -0.42208534;
+override c1: f32 = 6.227857;
+override c2: f32 = 0.26572824;
+override c3: f32 = -11.964309;
+override c4: f32 = 12.165692;
+override c5: f32 = -7.986682;
+override c6: f32 = 15.026869;
+override c7: f32 = 2.2315078;
+override k: f32 = 2.2024906;
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
-/// Fourteen operations. One reciprocal: mu and alpha times it depend on mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness.
-/// Exactly 1 for a mirror.
+/// Fourteen operations. One reciprocal, and a nested sum in which each monomial is another one times a step. mu and alpha times
+/// the reciprocal depend on mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness. Exactly 1 for a mirror.
 fn ggx_norm_i14(alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
-    let both = alpha * mu;
     let ratio = alpha * inverse;
-    let square = c2 + c3 * alpha + both * (c4 + c5 * both) + c6 * ratio;
-    return 1.0 + ratio * (c0 + c1 * both + ratio * square);
+    return 1.0 + ratio * (c0 + ratio * (c1 + alpha * (c2 + mu * (c4 + mu * (c5 + alpha * (c6
+        + mu * c7)))) + ratio * c3));
 }

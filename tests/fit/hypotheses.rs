@@ -17,7 +17,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 105] = [
+const COSTS: [(&str, u32); 106] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -25,6 +25,7 @@ const COSTS: [(&str, u32); 105] = [
     ("ggx_norm_i13", 13),
     ("ggx_norm_i14", 14),
     ("ggx_norm_i15", 15),
+    ("ggx_norm_i16", 16),
     ("ggx_norm_i17", 17),
     ("ggx_norm_i19", 19),
     ("ggx_norm_i20", 20),
@@ -245,17 +246,18 @@ fn published_formulas_have_the_errors_that_were_measured_of_them() {
 
 /// Largest error when that is minimised, rms when that is; from the published study of the forms,
 /// and from the search.
-const REACHED: [(&str, f64, f64); 21] = [
+const REACHED: [(&str, f64, f64); 22] = [
     ("ggx_norm_r8", 0.055, 0.02),
     ("ggx_norm_i10", 0.0323, 0.0155),
     ("ggx_norm_i11", 0.0234, 0.0103),
-    ("ggx_norm_i12", 0.0204, 0.0105),
-    ("ggx_norm_i13", 0.015, 0.0085),
-    ("ggx_norm_i14", 0.0125, 0.0065),
-    ("ggx_norm_i15", 0.0088, 0.0035),
-    ("ggx_norm_i17", 0.0068, 0.0036),
-    ("ggx_norm_i19", 0.0047, 0.0023),
-    ("ggx_norm_i20", 0.0043, 0.00202),
+    ("ggx_norm_i12", 0.0198, 0.0105),
+    ("ggx_norm_i13", 0.01134, 0.0085),
+    ("ggx_norm_i14", 0.00972, 0.0065),
+    ("ggx_norm_i15", 0.00753, 0.0035),
+    ("ggx_norm_i16", 0.0049, 0.0025),
+    ("ggx_norm_i17", 0.0034, 0.002),
+    ("ggx_norm_i19", 0.00264, 0.0015),
+    ("ggx_norm_i20", 0.0017, 0.001),
     ("ggx_norm_n2", 0.513, 0.128),
     ("ggx_norm_r1", 0.513, 0.122),
     ("ggx_norm_r2", 0.254, 0.083),

@@ -141,8 +141,8 @@ fn a_nested_sum_is_found_at_its_cost() {
     assert!(last.ops == 10 && last.max < 1e-6, "{}: {}", last.ops, last.max);
 }
 
-/// The shipped form of 13 operations had 0.0150 when quotients alone were searched; the part up to
-/// 12 has 0.0205 there.
+/// The shipped form of 13 operations had 0.0150 when quotients alone were searched, and 0.0128 when
+/// sums grew from good sums alone.
 #[test]
 fn nested_sums_beat_quotients_on_the_furnace() {
     let helpers = vec![Helper::Reciprocal { x: 1, y: 0, power: 2 }];
@@ -150,7 +150,7 @@ fn nested_sums_beat_quotients_on_the_furnace() {
         search(&Space { helpers, width: 4, sweeps: 1, ..normalisation(13) }, &furnace(24), &quiet).unwrap();
     show(&found);
     let last = found.last().unwrap();
-    assert!(last.ops == 13 && last.max < 0.0135, "{}: {}", last.ops, last.max);
+    assert!(last.ops == 13 && last.max < 0.0118, "{}: {}", last.ops, last.max);
 }
 
 fn with(space: &Space, aid: Aid) -> Space {

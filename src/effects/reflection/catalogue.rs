@@ -5,7 +5,7 @@ use super::published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 use crate::approximate::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
-pub const NORMALISATIONS: [Entry; 21] = own![
+pub const NORMALISATIONS: [Entry; 22] = own![
     "ggx_norm_r1",
     "ggx_norm_n2",
     "ggx_norm_r2",
@@ -23,6 +23,7 @@ pub const NORMALISATIONS: [Entry; 21] = own![
     "ggx_norm_i13",
     "ggx_norm_i14",
     "ggx_norm_i15",
+    "ggx_norm_i16",
     "ggx_norm_i17",
     "ggx_norm_i19",
     "ggx_norm_q20",

@@ -6,6 +6,8 @@ use nalgebra::{DMatrix, DVector};
 /// Columns, orthonormal under weights whose sum is 1, and what they leave of a target.
 pub(super) struct Frame {
     basis: Vec<Vec<f64>>,
+    /// The basis times the weights.
+    weighted: Vec<Vec<f64>>,
     weights: Vec<f64>,
     rest: Vec<f64>,
 }
@@ -28,11 +30,18 @@ impl Frame {
         target: &[f64],
         weights: &[f64],
     ) -> Option<Frame> {
-        let mut frame = Frame { basis: Vec::new(), weights: weights.to_vec(), rest: target.to_vec() };
+        let mut frame = Frame {
+            basis: Vec::new(),
+            weighted: Vec::new(),
+            weights: weights.to_vec(),
+            rest: target.to_vec(),
+        };
         for column in columns {
             let across = frame.across(column)?;
-            let along = dot(weights, &frame.rest, &across);
+            let weighted: Vec<f64> = weights.iter().zip(&across).map(|(w, x)| w * x).collect();
+            let along = product(&weighted, &frame.rest);
             frame.rest.iter_mut().zip(&across).for_each(|(r, x)| *r -= along * x);
+            frame.weighted.push(weighted);
             frame.basis.push(across);
         }
         Some(frame)
@@ -42,8 +51,10 @@ impl Frame {
     /// errors of the parts that it takes away.
     pub fn across(&self, mut column: Vec<f64>) -> Option<Vec<f64>> {
         let whole = dot(&self.weights, &column, &column).sqrt();
-        for own in self.basis.iter().chain(&self.basis) {
-            let along = dot(&self.weights, own, &column);
+        for (own, weighted) in
+            self.basis.iter().zip(&self.weighted).chain(self.basis.iter().zip(&self.weighted))
+        {
+            let along = product(weighted, &column);
             column.iter_mut().zip(own).for_each(|(x, q)| *x -= along * q);
         }
         let length = dot(&self.weights, &column, &column).sqrt();
@@ -58,7 +69,6 @@ impl Frame {
     pub fn best(&self, columns: &[&[f64]], sets: Vec<Vec<usize>>, count: usize) -> Vec<Vec<usize>> {
         let weighted = |column: &&[f64]| self.weights.iter().zip(*column).map(|(w, x)| w * x).collect();
         let weighted: Vec<Vec<f64>> = columns.iter().map(weighted).collect();
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let along: Vec<f64> = weighted.iter().map(|column| product(column, &self.rest)).collect();
         let gain = |set: &[usize]| match *set {
             [k] => along[k] * along[k],
@@ -107,11 +117,10 @@ impl Frame {
         for (i, column) in columns.iter().enumerate() {
             let weighted: Vec<f64> = weights.iter().zip(*column).map(|(w, x)| w * x).collect();
             for (j, other) in columns[..=i].iter().enumerate() {
-                let product: f64 = weighted.iter().zip(*other).map(|(a, b)| a * b).sum();
-                squares[(i, j)] = product;
-                squares[(j, i)] = product;
+                squares[(i, j)] = product(&weighted, other);
+                squares[(j, i)] = squares[(i, j)];
             }
-            sides[i] = weighted.iter().zip(&self.rest).map(|(a, b)| a * b).sum();
+            sides[i] = product(&weighted, &self.rest);
         }
         let coefficients = squares.cholesky()?.solve(&sides);
         let mut residuals = self.rest.clone();
@@ -135,4 +144,17 @@ pub(super) fn coefficients(columns: &[Vec<f64>], target: &[f64], weights: &[f64]
 
 fn dot(weights: &[f64], a: &[f64], b: &[f64]) -> f64 {
     weights.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum()
+}
+
+/// The sum of products, in eight sums side by side: one sum waits for every addition.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    let (left, right) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = left.remainder().iter().zip(right.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in left.zip(right) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum += a * b;
+        }
+    }
+    rest + sums.iter().sum::<f64>()
 }

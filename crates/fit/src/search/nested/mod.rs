@@ -5,11 +5,12 @@
 //! steps that is computed once. So each monomial costs one multiply-add, whatever its powers, where
 //! a quotient of sums pays for two sums and a division. A beam keeps the best sums of every cost.
 //! Sums grow by one monomial and by pairs, ranked first by what they take away of the weighted
-//! squares; the best are measured by Lawson's rounds, with several k. Then pairs of the best sums'
-//! monomials are exchanged for others until that no longer helps: good sums need not have good
-//! parts. A sum of 13 operations has 0.0113 of the furnace, and without its last monomial 0.066,
-//! where others have 0.023.
+//! squares; the best are measured by Lawson's rounds, with several k. Good sums need not have good
+//! parts: one of 13 operations has 0.0113 of the furnace, and without its last monomial 0.066, where
+//! others have 0.020. So from the best sums of every cost walks exchange some monomials for others
+//! (`anneal`).
 
+mod anneal;
 mod frame;
 mod tree;
 
@@ -18,7 +19,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use self::frame::{Frame, coefficients};
-use self::tree::{Steps, Terms, additions, column, nested, text};
+use self::tree::{Steps, Terms, additions, column, text};
 use super::draft::Draft;
 use super::finish::finished;
 use super::form::Term;
@@ -29,10 +30,10 @@ use crate::FitError;
 use lobefit_math::ops;
 
 /// Sums of a cost and of one set of products that are built upon.
-const WIDTH: usize = 100;
+const WIDTH: usize = 50;
 
 /// Sums of a cost that are measured, of those ranked.
-const MEASURED: usize = 500;
+const MEASURED: usize = 200;
 
 /// Sums that a sum may grow into that are ranked by rounds, of those ranked by least squares.
 const BEST: usize = 12;
@@ -54,9 +55,9 @@ const FACTORS: [f64; 4] = [1.12, 1.0 / 1.12, 1.35, 1.0 / 1.35];
 /// The first k.
 const FIRST: [f64; 3] = [0.7, 1.4, 2.8];
 
-/// Sums of a cost of which pairs of monomials are exchanged, and how often at most.
-const EXCHANGED: usize = 24;
-const EXCHANGES: usize = 6;
+/// Walks from the best sums of a cost, and the samples, of all and of the edges, that they see.
+const WALKS: usize = 24;
+const FEWER: [usize; 2] = [160, 120];
 
 /// Sums of each cost that are solved on all samples.
 const FINALISTS: usize = 6;
@@ -78,10 +79,10 @@ pub(super) fn found(
     samples: &SearchSamples,
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
-    let ranked = samples.ranked();
+    let (ranked, few) = (samples.ranked(), samples.some(FEWER));
     let mut levels: Vec<Vec<(Steps, Sum)>> = vec![Vec::new(); 1 + space.max_ops as usize];
     for steps in space.helpers.iter().filter_map(|helper| Steps::of(space, *helper)).flat_map(products) {
-        let mut beam = Beam { space, steps: &steps, samples: &ranked, tried: 0 };
+        let mut beam = Beam { space, steps: &steps, samples: &ranked, few: &few, tried: 0 };
         for (level, found) in levels.iter_mut().zip(beam.run(progress)) {
             level.extend(found.into_iter().take(FINALISTS).map(|sum| (steps.clone(), sum)));
         }
@@ -130,6 +131,8 @@ struct Beam<'a> {
     space: &'a Space,
     steps: &'a Steps,
     samples: &'a SearchSamples,
+    /// Those that walks see.
+    few: &'a SearchSamples,
     tried: u64,
 }
 
@@ -147,16 +150,12 @@ impl Beam<'_> {
             let at = ops as usize;
             let mut level = self.grown(&levels[at - 1], 1, &mut seen);
             level.extend(self.grown(&levels[at - 2], 2, &mut seen));
-            for _ in 0..EXCHANGES {
-                level.sort_by(better);
-                level.truncate(WIDTH);
-                let before = level.first().map(|sum| sum.max);
-                level.extend(self.grown(&self.stripped(&level), 2, &mut seen));
-                level.sort_by(better);
-                if level.first().map(|sum| sum.max) == before {
-                    break;
-                }
-            }
+            level.sort_by(better);
+            level.truncate(WIDTH);
+            level.extend(self.annealed(&level));
+            level.sort_by(better);
+            let mut kept = BTreeSet::new();
+            level.retain(|sum| kept.insert((sum.terms.clone(), bucket(sum.k))));
             level.truncate(WIDTH);
             let best = level.first().map_or(f64::INFINITY, |sum| sum.max);
             progress(&Progress { trial: None, sweep: 0, sweeps: 1, ops, max_ops, forms: self.tried, best });
@@ -173,22 +172,17 @@ impl Beam<'_> {
         FIRST.iter().map(seed).collect()
     }
 
-    /// The best sums of a level without two terms, where the others stay connected.
-    fn stripped(&self, level: &[Sum]) -> Vec<Sum> {
-        let mut found = Vec::new();
-        let mut seen = BTreeSet::new();
-        for sum in &level[..level.len().min(EXCHANGED)] {
-            for k in 0..sum.terms.len() {
-                for l in 0..k {
-                    let keep = |i: &usize| *i != k && *i != l;
-                    let terms: Terms = (0..sum.terms.len()).filter(keep).map(|i| sum.terms[i]).collect();
-                    if nested(self.steps, &terms).is_some() && seen.insert((terms.clone(), bucket(sum.k))) {
-                        found.push(Sum { terms, ..sum.clone() });
-                    }
-                }
-            }
-        }
-        found
+    /// The ends of walks from the best sums of a level.
+    fn annealed(&mut self, level: &[Sum]) -> Vec<Sum> {
+        let walks = level[..level.len().min(WALKS)].par_iter().enumerate();
+        let few = Beam { samples: self.few, ..*self };
+        let n = self.samples.len();
+        let end = |(seed, sum)| {
+            let end = few.walk(sum, seed as u64)?;
+            let sum = self.measured(&end.terms, end.k, &vec![1.0 / n as f64; n], ROUNDS[1])?;
+            Some(self.tuned(sum))
+        };
+        walks.filter_map(end).collect()
     }
 
     /// The best sums of one or two terms more, but for those seen before.
