@@ -17,7 +17,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 106] = [
+const COSTS: [(&str, u32); 107] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -77,11 +77,12 @@ const COSTS: [(&str, u32); 106] = [
     ("coupling_normalised_7", 7),
     ("coupling_normalised_8", 8),
     ("coupling_normalised_11", 11),
+    ("coupling_normalised_12", 12),
     ("coupling_normalised_13", 13),
     ("coupling_normalised_14", 14),
     ("coupling_normalised_15", 15),
+    ("coupling_normalised_17", 17),
     ("coupling_normalised_18", 18),
-    ("coupling_normalised_19", 19),
     ("coupling_single_7", 7),
     ("coupling_single_16", 16),
     ("coupling_single_22", 22),

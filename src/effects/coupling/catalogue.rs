@@ -4,15 +4,16 @@ use super::published::{LIGHTS, OWN_SPECULAR, PUBLISHED};
 use crate::approximate::{Entry, own};
 use lobefit_truth::quantity::Specular;
 
-const NORMALISED: [Entry; 8] = own![
+const NORMALISED: [Entry; 9] = own![
     "coupling_normalised_7",
     "coupling_normalised_8",
     "coupling_normalised_11",
+    "coupling_normalised_12",
     "coupling_normalised_13",
     "coupling_normalised_14",
     "coupling_normalised_15",
+    "coupling_normalised_17",
     "coupling_normalised_18",
-    "coupling_normalised_19",
 ];
 
 const SINGLE: [Entry; 4] =
