@@ -280,8 +280,11 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
 fn command(verb: &str, folder: &str, options: &Options) -> String {
     let scene =
         options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
-    let out =
-        if options.against == Path::new(".") { String::new() } else { format!(" {folder} {}", shown(options)) };
+    let out = if options.against == Path::new(".") {
+        String::new()
+    } else {
+        format!(" {folder} {}", shown(options))
+    };
     let pages = if options.pages.no_reports { " --no-reports" } else { "" };
     format!("lobefit {verb}{scene}{out}{pages}")
 }

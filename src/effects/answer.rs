@@ -215,9 +215,8 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let ops = |lookup: &&LookupFunction| lookup.cost.ops;
     let most = lookups.iter().map(|lookup| lookup.cost.fetches).max()?;
     let best = lookups.iter().filter(|lookup| lookup.cost.fetches == most).min_by_key(ops)?;
-    let width = |lookup: &LookupFunction| {
-        fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width)
-    };
+    let width =
+        |lookup: &LookupFunction| fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width);
     let offer = |role: Role, lookup: &LookupFunction| Offer {
         role,
         name: lookup.function.clone(),
@@ -236,7 +235,7 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
         name: best.function.clone(),
         about: format!("Lookup of a probe through a proxy of its room. {}", arguments(&best.inputs)),
         caution: String::new(),
-        metric: width(best).map_or_else(String::new, |a| format!("{}, of its fetch", metric(a))),
+        metric: width(best).map_or_else(String::new, |a| metric(a)),
         choices,
         measured: Vec::new(),
         furnace: None,
@@ -251,8 +250,9 @@ fn arguments(inputs: &[String]) -> String {
             "ray" => "the reflected ray, of unit length",
             "normal" => "the surface's, of unit length",
             "view" => "towards the viewer, of unit length",
-            "low" => "corner of the box",
-            "high" => "its opposite corner",
+            "alpha" => "the lobe's width",
+            "low" => "lowest corner of the box",
+            "high" => "its highest corner",
             "planes" => "those of the proxy",
             "probe" => "where the cubemap was taken",
             "offset" => "from the probe to what the ray hits",

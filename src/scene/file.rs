@@ -24,6 +24,9 @@ const DEFAULT_MU: [f64; 2] = [0.01, 1.0];
 /// Largest side of a table whose size is left to the bake.
 const AUTO_SIDE: usize = 128;
 
+/// The name of a scene that states none.
+pub const UNNAMED: &str = "scene";
+
 /// A validated scene: every field in its range, names unique, sizes within the [limits].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Scene {
@@ -164,7 +167,7 @@ impl Scene {
             reports: parsed.reports.0.unwrap_or(true),
         };
         let mut scene = Scene {
-            name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
+            name: parsed.name.0.map_or_else(|| UNNAMED.into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
             mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),

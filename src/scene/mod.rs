@@ -22,7 +22,7 @@ mod value;
 mod wants;
 
 pub use error::{Position, SceneError};
-pub use file::{Scene, schema};
+pub use file::{Scene, UNNAMED, schema};
 pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};
 pub use layers::*;

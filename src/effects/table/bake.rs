@@ -160,7 +160,9 @@ fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {
     let limit = job.max_error.filter(|limit| error.is_nan() || error > *limit)?;
     let by = &job.limited_by;
     let at = header::place(&baked.errors.lookup.at);
-    Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}, the most at {at}"))
+    Some(format!(
+        "table {name}: lookup error {error} exceeds the max_error {limit} of {by}, the most at {at}"
+    ))
 }
 
 fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {

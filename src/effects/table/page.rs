@@ -22,7 +22,7 @@ const LIST: [(&str, bool); 8] = [
 pub(super) fn page(findings: &SlicedFindings) -> Result<Page, ReportError> {
     let effect = &findings.effect.effect;
     Ok(Page {
-        title: format!("lobefit report: {}: {effect}", findings.origin.scene),
+        title: findings.origin.title("lobefit report", effect),
         origin: findings.origin.clone(),
         lead: format!(
             "What the scene called for, the tables made for it with their measured errors, and what a shader gets from each \

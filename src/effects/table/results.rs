@@ -72,7 +72,11 @@ impl WaysFinding {
         let resolved = self.ways.iter().filter(|way| way.resolved);
         let best = resolved.min_by(|a, b| a.error.max.total_cmp(&b.error.max));
         let instead = best.map_or_else(String::new, |way| {
-            format!("; {} takes the azimuth and is off by at most {}", way.function, words::max(way.error.max))
+            format!(
+                "; {} takes the azimuth and is off by at most {}",
+                way.function,
+                words::max(way.error.max)
+            )
         });
         self.ways.iter().filter(|way| !way.resolved).map(move |way| {
             let text = format!(

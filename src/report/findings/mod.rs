@@ -11,6 +11,7 @@ mod table;
 use serde::{Deserialize, Serialize};
 
 use super::Field;
+use crate::scene::UNNAMED;
 
 pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use answer::{Answer, Measured, Offer, Purpose, Role};
@@ -37,6 +38,14 @@ pub struct Origin {
     /// The pages that are written with it: what they show, and their file. Every page links them.
     #[serde(skip)]
     pub pages: Vec<(String, String)>,
+}
+
+impl Origin {
+    /// Title of a page: what it is of what; a scene without a name adds none.
+    pub fn title(&self, page: &str, of: &str) -> String {
+        let scene = if self.scene == UNNAMED { "" } else { &self.scene };
+        [page, scene, of].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(": ")
+    }
 }
 
 /// What the bake of a scene found out.

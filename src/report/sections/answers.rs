@@ -110,7 +110,10 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
             format!("This scene does not emit it: copy it from here. mu = n_dot_v{map}.")
         }
         (Some(function), Some(call)) => {
-            format!("The call is in colour: {}. Cost is that of {function}.", words::operations(call.cost.ops))
+            format!(
+                "The call is in colour: {}. Cost is that of {function}.",
+                words::operations(call.cost.ops)
+            )
         }
         _ => String::new(),
     };

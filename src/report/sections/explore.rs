@@ -13,7 +13,7 @@ use crate::report::{Block, Page, ReportError, Section, Shade, SphereRow, Spheres
 /// Radiance of white: above 1, so that gains show too.
 const WHITE: f64 = 1.25;
 
-pub(super) fn page(explore: ExplorePage, drawn: &Drawn) -> Result<Page, ReportError> {
+pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Page, ReportError> {
     let ramp = STANDARD.encode(Shade::Signed { limit: 1.0, spread: Spread::Linear }.palette());
     let include = Include::with(drawn.files, Some(drawn.manifest));
     let shown = explore.effects.iter().flat_map(|effect| &effect.shown).flat_map(|one| &one.approximations);
@@ -33,11 +33,12 @@ pub(super) fn page(explore: ExplorePage, drawn: &Drawn) -> Result<Page, ReportEr
         blocks: vec![Block::Live { data, still }],
     };
     Ok(Page {
-        title: format!("lobefit live: {}", explore.origin.scene),
+        title: explore.origin.title("lobefit live", ""),
         origin: explore.origin,
-        lead: "The emitted GLSL on spheres, beside the truth: choose what is approximated, by which formula or table, and for which \
-               material. In a white furnace a sphere that loses no energy cannot be seen."
-            .into(),
+        lead: format!(
+            "Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
+             material. In a white furnace a sphere that loses no energy cannot be seen."
+        ),
         sections: vec![spheres],
     })
 }

@@ -35,7 +35,7 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);
     sections.extend(study::section(&findings.studies)?);
     Ok(Page {
-        title: format!("lobefit report: {}: {effect}", findings.origin.scene),
+        title: findings.origin.title("lobefit report", effect),
         origin: findings.origin.clone(),
         lead: format!(
             "What the scene called for, every approximation made for it with its measured error and its cost, \
@@ -65,7 +65,7 @@ pub(crate) fn of_index(
     }
     sections.extend(index::sections(drawn.manifest)?);
     Ok(Page {
-        title: format!("lobefit report: {}", origin.scene),
+        title: origin.title("lobefit report", ""),
         origin,
         lead: index::conclusion(drawn.manifest),
         sections,
@@ -80,7 +80,7 @@ fn live_code(manifest: &Manifest) -> &'static str {
 
 /// The live page.
 pub(crate) fn of_explore(page: ExplorePage, drawn: &answers::Drawn) -> Result<Page, ReportError> {
-    explore::page(page, drawn)
+    explore::page(page, live_code(drawn.manifest), drawn)
 }
 
 /// The page of a measurement of time.

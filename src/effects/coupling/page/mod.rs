@@ -19,7 +19,7 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
         sections.extend(materials::of_lobe(one)?);
     }
     Ok(Page {
-        title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),
+        title: findings.origin.title("lobefit report", &findings.effect.effect),
         origin: findings.origin.clone(),
         lead: format!(
             "How much light a specular lobe leaves for the diffuse base below it: the factor by which a white base is multiplied so \

@@ -17,7 +17,7 @@ pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
         sections.extend(of_lobe(one)?);
     }
     Ok(Page {
-        title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),
+        title: findings.origin.title("lobefit report", &findings.effect.effect),
         origin: findings.origin.clone(),
         lead: format!(
             "How wide a lobe to fetch from a prefiltered probe so that it covers the wall as a lobe of the shading point does: the \
