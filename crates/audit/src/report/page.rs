@@ -25,19 +25,21 @@ const LEAD: &str = "A table or function that somebody ships beside the truth: ho
 
 /// What came of it, in one sentence.
 fn conclusion(audit: &AuditFindings) -> String {
-    let AuditFindings { file, quantity, .. } = audit;
+    let file = &audit.file;
+    let held = audit.channels.iter().map(|channel| channel.holds.as_str()).collect::<Vec<_>>();
+    let quantity = format!("{}, {}", audit.quantity, held.join(" and "));
     let told = match (audit.stated, audit.fits.as_str()) {
-        (true, "whole") => format!("{file} is what it says, {quantity}"),
-        (true, _) => format!("{file} is not the {quantity} that it says it is"),
+        (true, "whole") => format!("{file} is what it says: {quantity}"),
+        (true, _) => format!("{file} says that it is {quantity}, and is not"),
         (false, "whole") => format!("{file} is {quantity}"),
-        (false, "part") => format!("{file} is {quantity} in part"),
-        (false, _) => format!("{file} is not {quantity} by any convention"),
+        (false, "part") => format!("{file} is in part {quantity}"),
+        (false, _) => format!("{file} fits no convention, the nearest is {quantity}"),
     };
     let limit = audit.limit.map_or(String::new(), |limit| {
         let kept = if audit.passed { "kept" } else { "not kept" };
         format!("; the limit {} is {kept}", brief(limit, 3))
     });
-    format!("{told}: the largest error is {}{limit}.", words::max(audit.max_error))
+    format!("{told}; the largest error is {}{limit}.", words::max(audit.max_error))
 }
 
 /// Whether the axes are arguments, which lie nowhere.
