@@ -30,7 +30,7 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
         ],
         "{text}"
     );
-    assert_eq!(lines.len(), 5, "no line for each file: {text}");
+    assert_eq!(lines.len(), 5, "no line for each file, nor that of names alone: {text}");
     let json = run(&["check", "-", "--against", "assets", "--json"], &changed).1;
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["scene_changes"].as_array().map(Vec::len), Some(2));
@@ -48,7 +48,10 @@ fn a_renamed_material_passes_by_its_values() {
     let scene = SCENE.replace("\"reports\":false,", "").replace("steel", "a");
     assert_eq!(run(&["bake", "-", "--quiet"], &scene), Some(0));
     let renamed = scene.replace("\"a\"", r#""an \"old\" name""#).replace("game", "e");
-    assert_eq!(run(&["check", "-"], &renamed), Some(1));
+    let plain = lobefit(folder.path(), &["check", "-"], renamed.as_bytes());
+    let (code, text) = (plain.status.code(), String::from_utf8(plain.stdout).expect("text"));
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.ends_with("names only: no value changed; `lobefit check - --values 0` passes\n"), "{text}");
     assert_eq!(check(&renamed), Some(0));
     assert_eq!(check(&renamed.replace("[0.4,1]", "[0.5,1]")), Some(1));
     assert_eq!(check(&renamed.replace("\"f0\":1", "\"f0\":0.9")), Some(1));

@@ -285,6 +285,8 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     let end = |line: &str, word: &str| line.find(word).expect("the word") + word.len();
     assert_eq!(end(lines[0], "bytes"), end(lines[1], " 128"), "{out}");
     assert!(lines[2].starts_with("ggx_energy_compensation_rgb  ") && lines[2].ends_with("  m"), "{out}");
+    let read = "; load ./tables/ggx-dfg-correlated-8x8-plain.exr";
+    assert!(lines[3].starts_with("include ./fits/lobefit.") && lines[3].ends_with(read), "{out}");
     assert!(err.lines().count() >= 3 && err.starts_with("[1/"), "{err}");
     assert!(err.contains("] table ggx-dfg-correlated-8x8-plain\n"), "{err}");
     for quiet in ["--quiet", "--json"] {
