@@ -12,7 +12,7 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     let caption = "Largest departure from white in the furnace against the mean HDR-FLIP under the environment; both logarithmic. What \
                    lies above the trend errs much where nobody looks, what lies below it errs little where everybody does. The two couplings \
                    that are exact in energy have no departure and are not drawn. Names ending in “perceptual”: constants fitted for what is \
-                   seen; in “reciprocal”: made reciprocal. Ours have the number of their name here: 19 is coupling_normalised_19.";
+                   seen; in “reciprocal”: made reciprocal. Ours have the number of their name here: 18 is coupling_normalised_18.";
     let mut blocks = vec![figures(&charts, caption)?];
     for ranking in &study.rankings {
         blocks.push(Block::Heading { text: format!("Specular lobe: {}", ranking.lobe) });
