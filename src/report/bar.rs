@@ -11,7 +11,11 @@ const ANSWERS: &str = include_str!("../../reports/index.json");
 /// Pages that other commands put beside those of the built-in scene, as they lie in the repository
 /// of this program: their word in the bar, what they show, and their file.
 const BESIDE: [(&str, &str, &str); 3] = [
-    ("study: parallax", "Study: lookups of probes in rooms whose light is known", "studies/parallax/index.html"),
+    (
+        "study: parallax",
+        "Study: lookups of probes in rooms whose light is known",
+        "studies/parallax/index.html",
+    ),
     ("study: coupling", "Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
     ("times", "Times of the functions on an NVIDIA H200", "gpu/nvidia-h200.html"),
 ];

@@ -5,8 +5,8 @@ use std::fmt::{self, Display, Formatter, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{bar, fold};
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
+use super::{bar, fold};
 
 /// The font of the drawings, that of the plots in the container of the web: its tables are packed.
 const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.woff");

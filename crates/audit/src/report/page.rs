@@ -68,10 +68,7 @@ fn verdict(audit: &AuditFindings) -> Section {
     }
     if let Some(furnace) = &audit.furnace {
         let range = format!("{} to {}", significant(furnace.least, 3), significant(furnace.most, 3));
-        facts.push((
-            "Furnace E/E' \u{2212} 1".into(),
-            format!("{range}, worst at {}", place(&furnace.at)),
-        ));
+        facts.push(("Furnace E/E' \u{2212} 1".into(), format!("{range}, worst at {}", place(&furnace.at))));
     }
     facts.push(("Error of the truth".into(), words::max(audit.truth_error)));
     Section {
