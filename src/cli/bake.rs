@@ -138,18 +138,19 @@ fn summary(scene: &Scene, plan: &Plan, baked: &Baked, written: &Written, options
     lines.iter().map(|line| visible(line) + "\n").collect()
 }
 
-/// The files that an engine reads: include files and tables.
+/// The files that an engine reads: include files and tables, as a shell would write them.
 fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
-    let of = |start: &str| {
-        let files = baked.files.keys().filter(|file| file.starts_with(start));
-        files.map(|file| options.out.join(file).display().to_string()).collect::<Vec<_>>()
+    let of = |verb: &str, start: &str| {
+        let ends: Vec<&str> = baked.files.keys().filter_map(|file| file.strip_prefix(start)).collect();
+        let at = options.out.join(start).display().to_string();
+        match ends[..] {
+            [] => None,
+            [end] => Some(format!("{verb} {at}{end}")),
+            _ => Some(format!("{verb} {at}{{{}}}", ends.join(","))),
+        }
     };
-    let kinds = [("include", of("fits/lobefit.")), ("load", of("tables/"))];
-    let parts: Vec<String> = kinds
-        .into_iter()
-        .filter(|(_, files)| !files.is_empty())
-        .map(|(verb, files)| format!("{verb} {}", files.join(", ")))
-        .collect();
+    let parts: Vec<String> =
+        [of("include", "fits/lobefit."), of("load", "tables/")].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 

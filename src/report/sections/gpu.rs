@@ -38,11 +38,34 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     Ok(Page {
         title: format!("lobefit on {}", record.device.adapter),
         origin: Origin { pages, ..record.origin.clone() },
-        lead: "Time per evaluation of the emitted WGSL on one graphics processor. The times hold for the recipe below and for no other; \
-               `lobefit check` tells which functions have changed since."
-            .into(),
+        lead: conclusion(record) + LEAD,
         sections,
     })
+}
+
+const LEAD: &str = "Time per evaluation of the emitted WGSL on one graphics processor. A time holds for the code of its function, whatever the \
+    scene; `lobefit check` says which functions have changed since.";
+
+/// The least and the most expensive function, in one sentence.
+fn conclusion(record: &GpuRecord) -> String {
+    let timed = || record.rows.iter().filter(|row| row.function.is_some() && row.resolved());
+    let by_time = |a: &&GpuRow, b: &&GpuRow| a.nanoseconds.median.total_cmp(&b.nanoseconds.median);
+    let Some((least, most)) = timed().min_by(by_time).zip(timed().max_by(by_time)) else {
+        return String::new();
+    };
+    let [from, to] = [least, most].map(|row| format!("{} µs ({})", significant(frame(row), 3), name(row)));
+    format!("A call for each pixel of 3840 × 2160 takes {from} to {to} on {}.\n", record.device.adapter)
+}
+
+/// What a shader calls, or what is fetched.
+fn name(row: &GpuRow) -> String {
+    let name = row.function.as_ref().unwrap_or(&row.name);
+    if row.kind == GpuKind::LookupFetches { format!("{name}, with its fetches") } else { name.clone() }
+}
+
+/// Microseconds of a call for each pixel of a screen.
+fn frame(row: &GpuRow) -> f64 {
+    1e-3 * row.nanoseconds.median * SCREEN
 }
 
 const LOOKUPS: &str = "From the shading point and the reflected ray to what is fetched, and the same with its fetches from a cubemap of 128 texels \
@@ -50,8 +73,7 @@ const LOOKUPS: &str = "From the shading point and the reflected ray to what is f
 
 const TABLES: &str = "Plain fetches, at coordinates that need no arithmetic, and the lookups of tables: coordinates, the fetch, decoding.";
 
-const FITS: &str = "Formulas alone. Where a time differs from 0, the charts set it against the certified error: what an operation \
-    less is worth on this device.";
+const FITS: &str = "Formulas alone, without a fetch.";
 
 const LEVELS: &str =
     "From roughness to the level that holds it, back, and to the level that a corrected fetch takes.";
@@ -87,9 +109,14 @@ fn measured(record: &GpuRecord, hash: &str) -> Section {
                pixel waits. What runs beside the making of inputs adds nothing, and a compiler may unroll the shorter loop further: of \
                little weight in lookups, but times of formulas of few operations are rough. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles."
             .into(),
-        blocks: vec![Block::Facts { rows }],
+        blocks: vec![Block::Facts { rows }, Block::Text { text: COLUMNS.into() }],
     }
 }
+
+/// What the columns of every table are.
+const COLUMNS: &str = "In the tables: medians, with the quartiles in brackets. `× of the loop`: the loop with the evaluation over the loop without. \
+    `× of a fetch`: over what a plain fetch of the kind adds, two-dimensional for formulas. A dash: does not apply. Below noise: the lower quartile \
+    is not above 0.";
 
 fn plain(id: &str, title: &str, lead: &str, rows: &[&GpuRow]) -> Section {
     let blocks = vec![Block::Table(table(rows))];
@@ -125,7 +152,7 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
     let dot = |row: &&GpuRow| {
         let error = row.error.as_ref().filter(|error| error.max > 0.0 && row.resolved())?;
         let x = picoseconds(row.nanoseconds.median);
-        Some(Dot { name: row.name.clone(), x, y: error.max, published: error.published, table: false })
+        Some(Dot { name: name(row), x, y: error.max, published: error.published, table: false })
     };
     let dots: Vec<Dot> = group.iter().filter_map(dot).collect();
     if !words::worth_a_chart(&dots) {
@@ -157,35 +184,25 @@ fn table(rows: &[&GpuRow]) -> TextTable {
         ("× of a fetch", true),
     ];
     let cells = rows.iter().map(|row| cells(row)).collect();
-    let mut table = words::table(
-        &columns,
-        cells,
-        "Medians, with the quartiles in brackets. `× of the loop`: the loop with the evaluation over the loop without. `× of a fetch`: over \
-         what a plain fetch of the kind adds, two-dimensional for formulas. A dash: not told from 0.",
-    );
+    let mut table = words::table(&columns, cells, "");
     table.muted = rows.iter().map(|row| row.error.as_ref().is_some_and(|error| error.published)).collect();
     table
 }
 
 fn cells(row: &GpuRow) -> Vec<String> {
-    let told = |text: String| if row.resolved() { text } else { "–".into() };
-    let name = match row.kind {
-        GpuKind::LookupFetches => format!("{}, with its fetches", row.name),
-        _ => row.name.clone(),
-    };
+    let told = |text: String| if row.resolved() { text } else { "below noise".into() };
     let time = row.nanoseconds;
     let time = GpuSpread {
         low: picoseconds(time.low),
         median: picoseconds(time.median),
         high: picoseconds(time.high),
     };
-    let frame = 1e-3 * row.nanoseconds.median * SCREEN;
     vec![
-        name,
+        name(row),
         row.ops.map_or_else(|| "–".into(), |ops| ops.to_string()),
         row.fetches.to_string(),
         told(spread(time)),
-        told(significant(frame, 3)),
+        told(significant(frame(row), 3)),
         spread(row.ratio),
         row.against.as_ref().map_or_else(|| "–".into(), |against| told(spread(against.ratio))),
     ]
