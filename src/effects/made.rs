@@ -118,8 +118,9 @@ impl Made {
         let purposes = answer::of_fits(&fits, limit, languages)?;
         if context.scene.output.pick != Pick::Best {
             let lines: Vec<String> = purposes.iter().flat_map(answer::recommends).collect();
-            for (language, text) in &mut self.part.code {
-                text.insert_str(0, &comment(language.comment(), &lines));
+            // Behind the head of a file, where Rust takes no inner documentation.
+            for text in self.part.code.values_mut() {
+                text.insert_str(0, &comment("//", &lines));
             }
         }
         self.purposes.extend(purposes);

@@ -112,7 +112,8 @@ fn the_frontier_is_what_none_beats_and_its_names_say_the_cost() {
 fn functions_take_the_arguments_that_are_asked_for() {
     let text = |arguments: &str| {
         let fields = format!(r#""arguments": "{arguments}", "languages": ["c"],"#);
-        let baked = baked(&fields, &metal("m", r#"{"max_error": 0.009}"#));
+        // The formula of 20 operations has both roughness and alpha.
+        let baked = baked(&fields, &metal("m", r#"{"max_ops": 24}"#));
         String::from_utf8_lossy(&baked.files["fits/lobefit.h"]).into_owned()
     };
     assert!(text("roughness").contains("(float roughness, float n_dot_v)"));
@@ -161,13 +162,13 @@ fn budgets_cover_what_their_materials_call() {
         let both = [metal("a", &format!(r#"{{"max_ops": {budget}, "max_error": 0.3}}"#)), plain.clone()];
         let baked = baked(r#""languages": ["wgsl"],"#, &both.join(","));
         assert!(baked.broken.is_empty(), "{budget}: {:?}", baked.broken);
-        assert_eq!(emitted(&baked)[0].0, 15);
+        assert_eq!(emitted(&baked)[0].0, 14);
         let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
-        assert!(text.contains("/// 19 operations: 15 of N"), "{text}");
+        assert!(text.contains("/// 18 operations: 14 of N"), "{text}");
     }
     let equal = metal("a", r#"{"max_ops": 15, "max_error": 0.0105}"#);
     let broken = baked("", &[equal, plain].join(",")).broken;
-    assert!(broken[0].contains("with 19 operations"), "a metal's own budget holds: {broken:?}");
+    assert!(broken[0].contains("with 18 operations"), "a metal's own budget holds: {broken:?}");
 }
 
 #[test]

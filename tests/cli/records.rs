@@ -236,7 +236,7 @@ fn check_fails_where_a_record_is_none_or_its_page_is_of_another() {
 fn a_page_is_written_again_from_its_record_and_from_nothing_else() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
-    let made = record(vec![row("fetch", None, None), row("a<b", Some("f"), Some("0".repeat(64)))]);
+    let made = record(vec![row("fetch", None, None), row("a<b", Some("a<b"), Some("0".repeat(64)))]);
     let (html, figures) = page(&made).expect("a page");
     assert!(html.contains("a&lt;b") && html.contains("Some &lt;Device&gt;"), "names are escaped");
     assert_eq!(read(&figures).expect("a record"), made);
