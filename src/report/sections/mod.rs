@@ -72,9 +72,12 @@ pub(crate) fn of_index(
     })
 }
 
-/// What the live page runs: GLSL, whether the bake emits it or not.
+/// What a browser draws with, whether the bake emits it or not.
+const LIVE: Language = Language::Glsl;
+
+/// What the live page runs.
 fn live_code(manifest: &Manifest) -> &'static str {
-    let emitted = manifest.includes.iter().any(|include| include.language == Language::Glsl.name());
+    let emitted = manifest.includes.iter().any(|include| include.language == LIVE.name());
     if emitted { "the emitted GLSL" } else { "the emitted functions, here in GLSL" }
 }
 
