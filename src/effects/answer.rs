@@ -235,7 +235,7 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
         name: best.function.clone(),
         about: format!("Lookup of a probe through a proxy of its room. {}", arguments(&best.inputs)),
         caution: String::new(),
-        metric: width(best).map_or_else(String::new, |a| metric(a)),
+        metric: width(best).map_or_else(String::new, metric),
         choices,
         measured: Vec::new(),
         furnace: None,
