@@ -52,7 +52,6 @@ fn bars() {
         ("ggx_eavg_3", 3, 0.00145),
         ("ggx_eavg_4", 4, 0.00031),
         ("ggx_eavg_5p", 5, 6.2e-5),
-        ("ggx_eavg_10", 10, 2.5e-6),
         ("ggx_eavg_12", 12, 2.5e-6),
     ] {
         println!("{name}: {} max {} rms {}", ops(name), max(name), rms(&format!("{name}_rms")));

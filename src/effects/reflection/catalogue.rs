@@ -31,8 +31,7 @@ pub const NORMALISATIONS: [Entry; 22] = own![
 ];
 
 /// E_avg(alpha) with free parameters.
-pub const AVERAGES: [Entry; 6] =
-    own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_10", "ggx_eavg_12"];
+pub const AVERAGES: [Entry; 5] = own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_12"];
 
 /// f0 A + B with free parameters, by rising cost.
 pub const BLENDS: [Entry; 8] = own![
