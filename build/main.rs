@@ -1,4 +1,5 @@
-//! Gives the library a hash of its own sources, `LOBEFIT_BUILD`.
+//! Gives the library hashes of its own sources: `LOBEFIT_BUILD` of all, `LOBEFIT_CODE` of all but the
+//! formulas.
 
 mod sources;
 
@@ -12,5 +13,7 @@ fn main() -> std::io::Result<()> {
         println!("cargo:rerun-if-changed={place}");
     }
     println!("cargo:rustc-env=LOBEFIT_BUILD={}", sources::hash(root, &places, |bytes| bytes)?);
+    let code: Vec<String> = places.into_iter().filter(|place| place != sources::FORMULAS).collect();
+    println!("cargo:rustc-env=LOBEFIT_CODE={}", sources::hash(root, &code, |bytes| bytes)?);
     Ok(())
 }

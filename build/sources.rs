@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
+/// The folder of formulas, which are data to the code.
+pub const FORMULAS: &str = "fits/hypotheses";
+
 /// What a package consists of beside the packages of the workspace that it depends on.
-const OWN: [&str; 6] =
-    ["Cargo.lock", "Cargo.toml", "build", "fits/hypotheses", "reports/gpu/nvidia-h200.json", "src"];
+const OWN: [&str; 6] = ["Cargo.lock", "Cargo.toml", "build", FORMULAS, "reports/gpu/nvidia-h200.json", "src"];
 
 /// The files and folders that the package in a folder is built from. Of the packages that its
 /// `[dependencies]` name `lobefit-NAME`, these are the folders `crates/NAME`: what depends on this

@@ -73,6 +73,7 @@ inline float3 ggx_compensate_glass(float3 f, float e) {
 /// error (furnace error |E N - 1|): max 0.009712, rms 0.005961, mean -0.0004252
 ///   worst at alpha = 1, mu = 0.06746851, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], mu [0.01, 1], roughness [0.02, 1]
+///   in f16: max 0.01178, rms 0.005975
 inline float ggx_energy_compensation(float roughness, float n_dot_v) {
     const float alpha = roughness * roughness;
     const float inverse = 1.0f / (n_dot_v + 2.2024913f * alpha);
@@ -99,6 +100,7 @@ inline float3 ggx_energy_compensation_rgb(float roughness, float n_dot_v, float3
 /// error (absolute): max 0.000001997, rms 0.000001291, mean 0.00000008931
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
+///   in f16: max 0.001461, rms 0.0002527
 inline float ggx_average_albedo(float roughness) {
     const float alpha = roughness * roughness;
     const float loss = alpha * (-4.9915252e-5f
@@ -288,9 +290,10 @@ inline float ggx_glass_albedo_inside(
 /// error (of the factor: of the furnace, the lobe exact and the base white): max 0.006601, rms 0.003157, mean -0.00168
 ///   worst at alpha = 0.0004, f0 = 0.04, mu = 0.087113336, roughness = 0.02; measured at 352262 points in f32
 ///   domain: alpha [0.0004, 1], f0 [0.04, 0.04], mu [0.01, 1], roughness [0.02, 1]
-/// over f0 in [0, 1]: max 0.006876, the largest found at 4118 places of roughness and mu for every f0
+///   in f16: max 0.007934, rms 0.003187
+/// over f0 in [0, 1], in f32: max 0.006876, the largest found at 4118 places of roughness and mu for every f0
 ///   worst at alpha = 0.0004, f0 = 0, mu = 0.087113336, roughness = 0.02
-/// proven, rounding included: no pole and no value below 0 for f0 [0, 1], mu [0, 1], roughness [0, 1]
+/// proven, rounding in f32 included: no pole and no value below 0 for f0 [0, 1], mu [0, 1], roughness [0, 1]
 inline float diffuse_coupling(float roughness, float n_dot_v, float f0) {
     const float alpha = roughness * roughness;
     const float falloff = 18.199848f + roughness * (-26.837181f + 643.67145f * alpha)
@@ -335,6 +338,7 @@ inline float3 diffuse_coupled_normalised_rgb(float3 lobe, float3 albedo, float r
 /// error (of the width, relative to the best one, where that is below 1): max 0.0267, rms 0.0145, mean -0.00901
 ///   worst at alpha = 0.5284578, rho = 0.0625, roughness = 0.72695106; measured at 3830 points in f32
 ///   domain: alpha [0.01, 1], rho [0.0625, 8], roughness [0.1, 1]
+///   in f16: max 0.02813, rms 0.01448
 /// total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 /// total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
 inline float parallax_width(float alpha, float rho) {

@@ -96,6 +96,7 @@ pub fn ggx_compensate_glass(f: [f32; 3], e: f32) -> [f32; 3] {
 /// error (furnace error |E N - 1|): max 0.009712, rms 0.005961, mean -0.0004252
 ///   worst at alpha = 1, mu = 0.06746851, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], mu [0.01, 1], roughness [0.02, 1]
+///   in f16: max 0.01178, rms 0.005975
 pub fn ggx_energy_compensation(roughness: f32, n_dot_v: f32) -> f32 {
     let alpha = roughness * roughness;
     let inverse = 1.0 / (n_dot_v + 2.2024913 * alpha);
@@ -122,6 +123,7 @@ pub fn ggx_energy_compensation_rgb(roughness: f32, n_dot_v: f32, f0: [f32; 3]) -
 /// error (absolute): max 0.000001997, rms 0.000001291, mean 0.00000008931
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
+///   in f16: max 0.001461, rms 0.0002527
 pub fn ggx_average_albedo(roughness: f32) -> f32 {
     let alpha = roughness * roughness;
     let loss = alpha * (-4.9915252e-5 + alpha * (-0.7275766
@@ -297,9 +299,10 @@ pub fn ggx_glass_albedo_inside(texels: &[f32], roughness: f32, n_dot_v: f32, ior
 /// error (of the factor: of the furnace, the lobe exact and the base white): max 0.006601, rms 0.003157, mean -0.00168
 ///   worst at alpha = 0.0004, f0 = 0.04, mu = 0.087113336, roughness = 0.02; measured at 352262 points in f32
 ///   domain: alpha [0.0004, 1], f0 [0.04, 0.04], mu [0.01, 1], roughness [0.02, 1]
-/// over f0 in [0, 1]: max 0.006876, the largest found at 4118 places of roughness and mu for every f0
+///   in f16: max 0.007934, rms 0.003187
+/// over f0 in [0, 1], in f32: max 0.006876, the largest found at 4118 places of roughness and mu for every f0
 ///   worst at alpha = 0.0004, f0 = 0, mu = 0.087113336, roughness = 0.02
-/// proven, rounding included: no pole and no value below 0 for f0 [0, 1], mu [0, 1], roughness [0, 1]
+/// proven, rounding in f32 included: no pole and no value below 0 for f0 [0, 1], mu [0, 1], roughness [0, 1]
 pub fn diffuse_coupling(roughness: f32, n_dot_v: f32, f0: f32) -> f32 {
     let alpha = roughness * roughness;
     let falloff = 18.199848 + roughness * (-26.837181 + 643.67145 * alpha)
@@ -349,6 +352,7 @@ pub fn diffuse_coupled_normalised_rgb(
 /// error (of the width, relative to the best one, where that is below 1): max 0.0267, rms 0.0145, mean -0.00901
 ///   worst at alpha = 0.5284578, rho = 0.0625, roughness = 0.72695106; measured at 3830 points in f32
 ///   domain: alpha [0.01, 1], rho [0.0625, 8], roughness [0.1, 1]
+///   in f16: max 0.02813, rms 0.01448
 /// total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 /// total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
 pub fn parallax_width(alpha: f32, rho: f32) -> f32 {

@@ -4,6 +4,7 @@ use super::target::TargetSpec;
 use super::{Fit, FitStageError};
 use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick};
 use lobefit_shade::Hypothesis;
+use lobefit_shade::code::Float;
 
 /// The error that is kept where a scene states neither an error nor a budget. Beside a true picture
 /// two percent of a lobe's energy are hard to see; the figure is a choice.
@@ -25,6 +26,8 @@ pub struct Emission {
     pub max_error: Option<f64>,
     /// Whether the most accurate is taken where the scene states neither an error nor a budget.
     pub most_accurate: bool,
+    /// The numbers that the functions compute with, and that the fits are measured in.
+    pub float: Float,
     /// Operations that a material's call takes beside the formula; the budget covers them.
     pub beside: u32,
 }
@@ -38,6 +41,7 @@ impl Default for Emission {
             role: String::new(),
             max_error: None,
             most_accurate: false,
+            float: Float::F32,
             beside: 0,
         }
     }
@@ -109,7 +113,7 @@ impl Emission {
         let call = call.replacen(formula.name(), original.name(), 1);
         let function =
             format!("fn {name}({}) -> f32 {{\n{lets}    return {call};\n}}\n", arguments.join(", "));
-        Ok(original.wrapped(&function)?.with_arguments(&ARGUMENT_NAMES))
+        Ok(original.wrapped(&function)?.with_arguments(&ARGUMENT_NAMES).in_float(self.float))
     }
 }
 

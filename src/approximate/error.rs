@@ -52,6 +52,16 @@ pub enum FitStageError {
         /// What was found instead.
         reason: String,
     },
+    /// A formula that is not finite in half precision, which the scene asks for.
+    #[error("{hypothesis}, norm {norm}: {reason}")]
+    Refused {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// Norm that was minimised.
+        norm: String,
+        /// What is not finite, and where.
+        reason: String,
+    },
     /// A formula for whose target no samples were made: a defect of the program.
     #[error("{hypothesis}: no samples were made for its target")]
     Unprepared {

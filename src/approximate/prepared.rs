@@ -2,12 +2,13 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::certificate::{approximation, certificate, formula};
+use super::certificate::{approximation, certificate, formula, half, worse};
 use super::search::{Searched, searched};
 use super::target::{Sampled, Target};
 use super::{Entry, Fit, FitStageError, Safe, SafeProof, SafeRange};
-use crate::data::{Norm, Source};
+use crate::data::{Form, Half, HalfRefusal, Norm, Source};
 use lobefit_fit::{Constraint, Options, Samples};
+use lobefit_shade::code::Float;
 use lobefit_shade::{Domain, Hypothesis, Precision};
 
 /// Counts the truths that were integrated: how `bake` shows that nothing is computed which the
@@ -84,7 +85,22 @@ impl Prepared {
         Ok(Fit { termination: fit.termination, emitted: true, safe: fit.safe.clone(), ..called })
     }
 
-    /// Measures a formula in f32 as emitted.
+    /// Measures an emitted fit in half precision, unless it was.
+    pub fn halve(&self, fit: &mut Fit) -> Result<(), FitStageError> {
+        let (hypothesis, coefficients) = (&fit.hypothesis, fit.coefficients());
+        if let Form::Formula(formula) = &mut fit.approximation.form
+            && formula.half.is_none()
+        {
+            let found = half(hypothesis, &coefficients, &self.target, &self.measured)?;
+            formula.half = Some(Half::from(&found));
+        }
+        Ok(())
+    }
+
+    /// Measures a formula in the numbers that it is emitted with.
+    ///
+    /// # Errors
+    /// A formula of f16 that is not finite there.
     fn measure(
         &self,
         hypothesis: Hypothesis,
@@ -92,8 +108,19 @@ impl Prepared {
         norm: &str,
         source: Source,
     ) -> Result<Fit, FitStageError> {
-        let form = formula(&hypothesis, coefficients, norm);
-        let found = certificate(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
+        let mut form = formula(&hypothesis, coefficients, norm);
+        let mut found = certificate(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
+        if hypothesis.float() == Float::F16 {
+            let half = half(&hypothesis, coefficients, &self.target, &self.measured)?;
+            form.half = Some(Half::from(&half));
+            // A compiler may keep f32 where f16 is enough.
+            let refused = |refusal: HalfRefusal| FitStageError::Refused {
+                hypothesis: hypothesis.file().into(),
+                norm: norm.into(),
+                reason: refusal.refused,
+            };
+            found = worse(half.map_err(refused)?, found);
+        }
         let approximation = approximation(&hypothesis, form, &self.target, source, found);
         Ok(Fit { approximation, hypothesis, termination: None, emitted: false, safe: None })
     }

@@ -6,6 +6,7 @@ use super::target::{Target, TargetSpec};
 use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
 use crate::data::{AlphaMap, Norm, Pick};
 use lobefit_fit::FitError;
+use lobefit_shade::code::Float;
 use lobefit_shade::{Hypothesis, ShadeError};
 use rayon::prelude::*;
 
@@ -45,9 +46,10 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let squared = wanted.spec.alpha_map == AlphaMap::RoughnessSquared;
     let published = wanted.published.iter().copied().filter(|entry| squared || !entry.takes("roughness"));
     let published: Vec<&Entry> = published.collect();
-    let own = parse(wanted.own.iter().map(|entry| (entry.file, entry.source)))?;
-    let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())))?;
-    let known = parse(published.iter().map(|entry| (entry.file, entry.source)))?;
+    let float = wanted.emission.float;
+    let own = parse(wanted.own.iter().map(|entry| (entry.file, entry.source)), float)?;
+    let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())), float)?;
+    let known = parse(published.iter().map(|entry| (entry.file, entry.source)), Float::F32)?;
     let mut dropped = Vec::new();
     let (own, dear): (Vec<Hypothesis>, Vec<Hypothesis>) = own.into_iter().partition(|h| wanted.affords(h));
     let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter)?;
@@ -57,6 +59,8 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let mut fits = kept(&jobs, results, &mut dropped)?;
     stage.pick(&mut fits)?;
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
+    let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
+    emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
     let measured = pairs.par_iter().map(|(entry, h)| stage.of(h)?.published(entry, h));
@@ -64,8 +68,11 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     Ok(FitSet { fits, dropped, nearest })
 }
 
-fn parse<'a>(sources: impl Iterator<Item = (&'a str, &'a str)>) -> Result<Vec<Hypothesis>, ShadeError> {
-    sources.map(|(file, source)| Hypothesis::parse(file, source)).collect()
+fn parse<'a>(
+    sources: impl Iterator<Item = (&'a str, &'a str)>,
+    float: Float,
+) -> Result<Vec<Hypothesis>, ShadeError> {
+    sources.map(|(file, source)| Ok(Hypothesis::parse(file, source)?.in_float(float))).collect()
 }
 
 impl Wanted<'_> {
@@ -195,6 +202,7 @@ fn is_unreliable(error: &FitStageError) -> bool {
             | FitStageError::RunAway { .. }
             | FitStageError::Unkept { .. }
             | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))
+            | FitStageError::Refused { .. }
     )
 }
 

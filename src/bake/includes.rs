@@ -38,7 +38,7 @@ pub fn includes(
         let notes: Vec<String> = language.notes().iter().map(ToString::to_string).collect();
         let mut text =
             comment(language.comment(), &[context.recipe.lines(), opening.to_vec(), notes].concat());
-        let preamble = language.preamble();
+        let preamble = language.preamble(context.scene.output.float);
         if !preamble.is_empty() {
             text += &format!("\n{preamble}");
         }

@@ -3,6 +3,7 @@
 
 mod assemble;
 mod build;
+mod cached;
 mod compare;
 mod includes;
 mod names;
@@ -12,17 +13,18 @@ mod recipe;
 
 use rayon::prelude::*;
 
-use crate::approximate::{Counter, Dropped, Fit};
+use crate::approximate::{Counter, Fit};
 pub use crate::effects::BakeError;
 use crate::effects::context::Context;
 pub use crate::effects::context::{Progress, Silent, UserHypothesis};
 pub use crate::effects::table::BakedTable;
 use crate::effects::{Made, Part};
 use crate::emit::call::Call;
+use crate::emit::manifest::FitLeftOut;
 use crate::plan::Plan;
 use crate::report::Role;
 use crate::scene::Scene;
-use crate::store::Files;
+use crate::store::{Cache, Files};
 pub use build::{BUILD, BUILD_FILE, sign};
 pub use compare::{Difference, Kind, compare};
 pub use previous::{PreviousError, previous};
@@ -38,12 +40,12 @@ pub struct Baked {
     /// Truths that were integrated, or interpolated from integrals for the texels of tables of
     /// three axes.
     pub truths: u64,
-    /// Tables.
+    /// Tables, of the effects that were computed.
     pub tables: Vec<BakedTable>,
-    /// Fits, and published formulas for comparison.
+    /// Fits, and published formulas for comparison, of the effects that were computed.
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue that have no reliable fit in this scene.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<FitLeftOut>,
     /// What each material and probe calls.
     pub calls: Vec<Call>,
     /// Names of the fits that are recommended, one for each purpose.
@@ -59,7 +61,7 @@ impl Baked {
         let choices = made.purposes.into_iter().flat_map(|purpose| purpose.choices);
         let recommended = choices.filter(|offer| offer.role == Role::Recommended);
         self.recommended.extend(recommended.map(|offer| offer.name));
-        self.dropped.extend(made.dropped);
+        self.dropped.extend(made.part.entries.fits_left_out.iter().cloned());
         self.calls.extend(made.part.entries.calls.iter().cloned());
         made.part
     }
@@ -67,11 +69,14 @@ impl Baked {
 
 /// What to bake of a plan.
 #[derive(Clone, Debug, Default)]
-pub struct Selection {
+pub struct Selection<'a> {
     /// Names of the effects to bake; empty: all that the plan calls for.
     pub only: Vec<String>,
     /// Parts of the others that are there already.
     pub kept: Vec<Part>,
+    /// Where parts that were made once are found, and new ones are put. The effects must be this
+    /// package's: of others the code is not known.
+    pub cache: Option<&'a Cache>,
 }
 
 /// Bakes a plan. Nothing is integrated, fitted, emitted or reported that it does not call for.
@@ -95,7 +100,7 @@ pub fn bake(
     let pages = pages.collect();
     let context = Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress };
     names::check(plan, hypotheses)?;
-    let Selection { only, kept: mut parts } = selection;
+    let Selection { only, kept: mut parts, cache } = selection;
     let mut baked = Baked {
         files: Files::new(),
         broken: Vec::new(),
@@ -111,9 +116,9 @@ pub fn bake(
     // The end of each effect's work, where its own parts have run dry, overlaps with the next
     // effect's.
     let made: Vec<_> =
-        wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
+        wanted.par_iter().with_max_len(1).map(|called| cached::made(called, &context, cache)).collect();
     for made in made {
-        parts.push(baked.take(made?.finished()?));
+        parts.push(baked.take(made?));
     }
     parts.sort_by_key(|part| plan.catalogue.iter().position(|effect| *effect == part.by));
     baked.files = assemble::assemble(plan, parts, &context)?;

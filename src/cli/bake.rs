@@ -18,7 +18,7 @@ use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
 use crate::scene::Scene;
 use crate::scene::escape::visible;
-use crate::store::{Folder, MANIFEST, Written};
+use crate::store::{Cache, Folder, MANIFEST, Written};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -49,6 +49,9 @@ pub(super) struct Options {
     pub only: Vec<String>,
     #[command(flatten)]
     pub threads: ThreadsOption,
+    /// Compute everything, and keep nothing for other bakes (see `lobefit cache`)
+    #[arg(long)]
+    pub no_cache: bool,
     /// Print the manifest as JSON on standard output
     #[arg(long)]
     pub json: bool,
@@ -64,9 +67,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
     let progress = Bar::new(options.quiet || options.json, &plan, 0);
-    let selection = selection(options, &input, &plan)?;
+    let cache = if options.no_cache { None } else { Cache::of_user() };
+    let selection = Selection { cache: cache.as_ref(), ..selection(options, &input, &plan)? };
     let mut baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
+    if let Some(error) = cache.as_ref().and_then(Cache::failed) {
+        say(&format!("note: nothing is kept for other bakes: {}", visible(&error.to_string())));
+    }
     for promise in &baked.broken {
         say(&format!("promise not kept: {}", visible(promise)));
     }
@@ -94,13 +101,13 @@ fn refuse_uncalled(only: &[String], plan: &Plan) -> Result<(), CliError> {
 }
 
 /// The effects to bake, with the parts of the others that lie in the output folder.
-fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection, CliError> {
+fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<'static>, CliError> {
     if options.only.is_empty() {
         return Ok(Selection::default());
     }
     let recipe = recipe(&input.scene, plan, &input.hypotheses)?;
     let kept = previous(&options.out, &recipe, plan, &options.only)?;
-    Ok(Selection { only: options.only.clone(), kept })
+    Ok(Selection { only: options.only.clone(), kept, cache: None })
 }
 
 /// What was made: what each material and probe calls, or everything where more than one function of

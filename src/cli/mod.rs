@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.
 
 mod bake;
+mod cache;
 mod check;
 mod columns;
 pub mod cost;
@@ -70,6 +71,9 @@ enum Verb {
     /// Make the page of a long study, which no bake waits for
     #[command(disable_help_flag = true)]
     Report(external::Words),
+    /// Say what the cache of bakes holds, or clear it
+    #[command(after_help = cache::EXAMPLES)]
+    Cache(cache::Options),
     /// Print the JSON Schema of the scene
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::Options),
@@ -97,6 +101,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Audit(external) => external::run("lobefit-audit", &external.words),
         Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),
+        Verb::Cache(options) => cache::run(&options),
         Verb::Schema(options) => schema::run(&options),
         Verb::Completions(options) => manual::completions(&options, Cli::command()),
         Verb::Man(options) => manual::man(&options, Cli::command()),

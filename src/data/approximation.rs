@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Certificate, Smith, Table};
+use super::{Certificate, Half, Smith, Table};
 use lobefit_truth::quantity::Use;
 
 /// Run-time cost by the project's operation model.
@@ -50,6 +50,8 @@ pub struct Formula {
     pub coefficients: Vec<(String, f32)>,
     /// Norm that the coefficients minimise: `max`, `rms`, or `published`.
     pub norm: String,
+    /// What it is in half precision, where that was measured.
+    pub half: Option<Half>,
 }
 
 /// What an approximation is made of.

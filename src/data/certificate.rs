@@ -18,6 +18,56 @@ pub fn nine_digits(x: f64) -> f64 {
     format!("{x:.8e}").parse().unwrap_or(x)
 }
 
+/// A formula in half precision: inputs, coefficients and every operation rounded to f16, products
+/// contracted into the sums that use them or not, whichever errs more. A compiler that keeps f32
+/// has the error of the [`Certificate`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Half {
+    /// Its error, where it is finite at every measured point.
+    Measured(HalfError),
+    /// What is not finite.
+    Refused(HalfRefusal),
+}
+
+/// Error of a formula in half precision, over the domain and at the points of its certificate.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HalfError {
+    /// Largest absolute error.
+    pub max_abs: f64,
+    /// Root of the mean square error.
+    pub rms: f64,
+    /// Where `max_abs` is attained, before the inputs are rounded.
+    pub at: Place,
+    /// The arithmetic of the two that errs more: `f16` or `f16-fma`.
+    pub precision: String,
+}
+
+impl From<&Result<Certificate, HalfRefusal>> for Half {
+    fn from(found: &Result<Certificate, HalfRefusal>) -> Self {
+        match found {
+            Ok(Certificate { max_abs, rms, at, precision, .. }) => Half::Measured(HalfError {
+                max_abs: *max_abs,
+                rms: *rms,
+                at: at.clone(),
+                precision: precision.clone(),
+            }),
+            Err(refusal) => Half::Refused(refusal.clone()),
+        }
+    }
+}
+
+/// Why a formula is not for half precision.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HalfRefusal {
+    /// What is not finite, and where in the formula.
+    pub refused: String,
+    /// The point, before the inputs are rounded; empty where a coefficient is beyond the range.
+    pub at: Place,
+}
+
 /// Measured error of an approximation over its domain.
 ///
 /// `max_abs` is the largest error at the measured points, rounded up in its last printed digit; the

@@ -18,7 +18,7 @@ mod table;
 pub use alpha_map::AlphaMap;
 pub use approximation::{Approximation, Cost, Form, Formula, Source};
 pub use axis::{Axis, Registration, Surface, Warp};
-pub use certificate::{Certificate, Place, nine_digits, shortest};
+pub use certificate::{Certificate, Half, HalfError, HalfRefusal, Place, nine_digits, shortest};
 pub use container::Container;
 pub use decode::{Decode, Values};
 pub use layout::{Layout, Serves};

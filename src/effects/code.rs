@@ -17,6 +17,7 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
     for fit in fits.iter().filter(|f| f.emitted) {
         text += &function(language, fit, &lines(fit))?;
         if let Some(name) = rgb(fit, is_coloured) {
+            let float = fit.hypothesis.float();
             let (own, beside) = (fit.approximation.cost.ops, coloured_ops().map_err(CodeError::from)?);
             let ops = format!(
                 "{} operations: {own} of N, which names count, and {beside} for the colour.",
@@ -24,7 +25,7 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
             );
             let header: Vec<String> = RGB.lines().map(String::from).chain([ops]).collect();
             let (inner, arguments) = (fit.hypothesis.name(), fit.hypothesis.arguments());
-            text += &format!("\n{}", coloured(language, &name, &arguments, inner, &header)?);
+            text += &format!("\n{}", coloured(language, &name, &arguments, inner, float, &header)?);
         }
     }
     Ok(text)
@@ -81,5 +82,6 @@ fn lines(fit: &Fit) -> Vec<String> {
     let ops = header::operations(a.cost.ops);
     lines.push(format!("{} {}{smith}; {ops}; {}", a.quantity, a.column, constants(fit)));
     lines.extend(header::certificate_lines(what, &a.certificate));
+    lines.extend(header::half_line(a));
     lines
 }

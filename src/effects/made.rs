@@ -65,16 +65,21 @@ pub struct Made {
 impl Made {
     /// Nothing yet, with the error that was measured and what error that is.
     pub fn new(called: &Called, measured: Option<f64>, metric: &str) -> Made {
+        Made::of(Part {
+            by: called.by,
+            finding: called.finding(measured, metric),
+            entries: Entries::default(),
+            code: BTreeMap::new(),
+            files: Files::new(),
+            explored: Vec::new(),
+            answer: Answer::default(),
+        })
+    }
+
+    /// A part, and nothing beside it.
+    pub fn of(part: Part) -> Made {
         Made {
-            part: Part {
-                by: called.by,
-                finding: called.finding(measured, metric),
-                entries: Entries::default(),
-                code: BTreeMap::new(),
-                files: Files::new(),
-                explored: Vec::new(),
-                answer: Answer::default(),
-            },
+            part,
             broken: Vec::new(),
             fits: Vec::new(),
             dropped: Vec::new(),

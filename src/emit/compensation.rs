@@ -1,7 +1,7 @@
 //! The functions that compensate a lobe with a value of its table, in every language (Turquin,
 //! "Practical multiple scattering compensation for microfacet models", 2019).
 
-use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::code::{CodeError, Float, Language};
 use lobefit_shade::{ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
 
@@ -55,7 +55,7 @@ impl Compensation {
 }
 
 /// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function
-/// `inner` of these arguments. It is exact for f0 = 1 wherever N is. With F the furnace error of N,
+/// `inner` of these arguments in these numbers. It is exact for f0 = 1 wherever N is. With F the furnace error of N,
 /// its relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0,
 /// 1], so N's certificate stands for it.
 ///
@@ -66,6 +66,7 @@ pub fn coloured(
     name: &str,
     arguments: &[String],
     inner: &str,
+    float: Float,
     header: &[String],
 ) -> Result<String, CodeError> {
     let numbers: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
@@ -78,6 +79,7 @@ pub fn coloured(
         arguments.join(", ")
     );
     let source = Source::parse("compensation.wgsl", &text)?.inlined(|called| called == "coloured");
+    let source = source.in_float(float);
     source.print(language, name, header)
 }
 

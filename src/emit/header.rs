@@ -1,7 +1,7 @@
 //! The header that every emitted file bears, as plain lines; each format puts its comment marks
 //! before them.
 
-use crate::data::{ARGUMENT_NAMES, Axis, Certificate, Place, Smith, Table};
+use crate::data::{ARGUMENT_NAMES, Approximation, Axis, Certificate, Form, Half, Place, Smith, Table};
 use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
 /// What made a file: enough to make it again, and nothing that changes from run to run.
@@ -138,6 +138,17 @@ pub fn certificate_lines(what: &str, certificate: &Certificate) -> Vec<String> {
         format!("  worst at {}; measured at {points} points in {precision}", place(&certificate.at)),
         format!("  domain: {}", domain.join(", ")),
     ]
+}
+
+/// The line that states a formula's error in half precision, where it is emitted in f32.
+pub fn half_line(approximation: &Approximation) -> Option<String> {
+    let Form::Formula(formula) = &approximation.form else { return None };
+    Some(match formula.half.as_ref()? {
+        _ if approximation.certificate.precision.starts_with("f16") => return None,
+        Half::Measured(half) => format!("  in f16: max {}, rms {}", half.max_abs, short(half.rms)),
+        Half::Refused(half) if half.at.is_empty() => "  not for f16: a coefficient is beyond it".into(),
+        Half::Refused(half) => format!("  not for f16: not finite at {}", place(&half.at)),
+    })
 }
 
 /// A place as `name = value, ...`.

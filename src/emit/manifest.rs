@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::call::{Call, LookupFunction};
-use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
+use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table};
 
 /// Version of the manifest's form.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -224,6 +224,9 @@ pub struct FitEntry {
     pub coefficients: BTreeMap<String, f32>,
     /// Measured error.
     pub certificate: Certificate,
+    /// What it is in half precision; none of a fit that is measured in precisions of its own choice.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub half: Option<Half>,
     /// What multiplies the specular lobe above a base; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub specular: Option<String>,
@@ -453,6 +456,7 @@ impl FitEntry {
             norm: formula.norm.clone(),
             coefficients: formula.coefficients.iter().cloned().collect(),
             certificate: approximation.certificate.clone(),
+            half: formula.half.clone(),
             specular: None,
             any_f0: None,
             kernel: None,

@@ -11,12 +11,13 @@ use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
-use super::output::{self, LanguageName, Output};
+use super::output::{self, OneOf, Output};
 use super::probe::Probe;
 use super::table::TableWant;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith};
+use lobefit_shade::code::{Float, Language};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
@@ -92,7 +93,12 @@ struct SceneFile {
     /// Languages of the include files; default all.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    languages: Maybe<List<Word<LanguageName>, 6>>,
+    languages: Maybe<List<Word<OneOf<Language>>, 6>>,
+    /// The numbers that emitted formulas of lobes compute with: `f32` (the default), or `f16`, in which
+    /// they are then picked and certified. Lookups of tables and of probes stay f32, and so do the
+    /// functions in Rust and C.
+    #[serde(default)]
+    precision: Maybe<Word<OneOf<Float>>>,
     /// Whether pages and their data are written; default true.
     #[serde(default)]
     reports: Maybe<bool>,
@@ -164,6 +170,7 @@ impl Scene {
             pick: parsed.pick.0.map_or_else(Pick::default, |w| w.0),
             arguments: parsed.arguments.0.map_or_else(Arguments::default, |w| w.0),
             languages: languages.map_err(|message| whole(("languages".into(), message)))?,
+            float: parsed.precision.0.map_or_else(Float::default, |w| w.0.0),
             reports: parsed.reports.0.unwrap_or(true),
         };
         let mut scene = Scene {

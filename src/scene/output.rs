@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::value::{List, Word};
 use crate::data::{Arguments, Pick};
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{Float, Language};
 
 /// What a bake writes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -16,6 +16,9 @@ pub struct Output {
     pub pick: Pick,
     /// How their functions take the width of the lobe.
     pub arguments: Arguments,
+    /// The numbers that emitted formulas compute with.
+    #[serde(rename = "precision", serialize_with = "float_name")]
+    pub float: Float,
     /// Languages of the include files, each once, in the order of [`Language::ALL`].
     #[serde(serialize_with = "names")]
     pub languages: Vec<Language>,
@@ -28,6 +31,7 @@ impl Default for Output {
         Output {
             pick: Pick::default(),
             arguments: Arguments::default(),
+            float: Float::F32,
             languages: Language::ALL.to_vec(),
             reports: true,
         }
@@ -41,42 +45,73 @@ impl Output {
     }
 }
 
+fn float_name<S: Serializer>(float: &Float, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(float.name())
+}
+
 fn names<S: Serializer>(languages: &[Language], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(languages.iter().map(|language| language.name()))
 }
 
-/// A language by its name.
-pub(super) struct LanguageName(Language);
+/// What a scene names by a word of ours.
+pub(super) trait Named: Copy + 'static {
+    /// What it is, in messages.
+    const WHAT: &'static str;
+    /// All of them.
+    const ALL: &'static [Self];
+    /// Its word.
+    fn name(self) -> &'static str;
+}
 
-impl<'de> Deserialize<'de> for LanguageName {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = <Cow<str>>::deserialize(deserializer)?;
-        let names: Vec<String> = Language::ALL.iter().map(|l| format!("`{}`", l.name())).collect();
-        let unknown = || format!("unknown language `{name}`, expected one of {}", names.join(", "));
-        Language::parse(&name).map(LanguageName).ok_or_else(unknown).map_err(serde::de::Error::custom)
+impl Named for Language {
+    const WHAT: &'static str = "language";
+    const ALL: &'static [Language] = &Language::ALL;
+    fn name(self) -> &'static str {
+        Language::name(self)
     }
 }
 
-impl JsonSchema for LanguageName {
+impl Named for Float {
+    const WHAT: &'static str = "precision";
+    const ALL: &'static [Float] = &Float::ALL;
+    fn name(self) -> &'static str {
+        Float::name(self)
+    }
+}
+
+/// One of them by its word.
+pub(super) struct OneOf<T>(pub T);
+
+impl<'de, T: Named> Deserialize<'de> for OneOf<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = <Cow<str>>::deserialize(deserializer)?;
+        let names: Vec<String> = T::ALL.iter().map(|one| format!("`{}`", one.name())).collect();
+        let unknown = || format!("unknown {} `{word}`, expected one of {}", T::WHAT, names.join(", "));
+        let found = T::ALL.iter().find(|one| one.name() == word);
+        found.map(|one| OneOf(*one)).ok_or_else(unknown).map_err(serde::de::Error::custom)
+    }
+}
+
+impl<T: Named> JsonSchema for OneOf<T> {
     fn inline_schema() -> bool {
         true
     }
     fn schema_name() -> Cow<'static, str> {
-        "Language".into()
+        T::WHAT.into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let names: Vec<&str> = Language::ALL.iter().map(|language| language.name()).collect();
+        let names: Vec<&str> = T::ALL.iter().map(|one| one.name()).collect();
         json_schema!({ "type": "string", "enum": names })
     }
 }
 
 /// The languages in their order; a list that is empty or names one twice is refused.
-pub(super) fn languages(given: Option<List<Word<LanguageName>, 6>>) -> Result<Vec<Language>, String> {
+pub(super) fn languages(given: Option<List<Word<OneOf<Language>>, 6>>) -> Result<Vec<Language>, String> {
     let Some(List(words)) = given else { return Ok(Language::ALL.to_vec()) };
     if words.is_empty() {
         return Err("the list is empty; leave the field out for all".into());
     }
-    for (i, Word(LanguageName(language))) in words.iter().enumerate() {
+    for (i, Word(OneOf(language))) in words.iter().enumerate() {
         if words[..i].iter().any(|Word(other)| other.0 == *language) {
             return Err(format!("`{}` is there twice", language.name()));
         }

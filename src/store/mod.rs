@@ -8,6 +8,7 @@
 //! of them fail.
 
 mod bundle;
+mod cache;
 mod commit;
 mod disk;
 mod error;
@@ -18,6 +19,7 @@ mod tests;
 mod write;
 
 pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written, inside};
+pub use cache::{Cache, Held, VARIABLE as CACHE_VARIABLE};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::{LocalDisk, LocalTemp};

@@ -5,6 +5,8 @@ use std::sync::OnceLock;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_shade::tape::Half;
+use lobefit_shade::{Source, Tape};
 use serde_json::Value;
 
 fn baked(fields: &str, materials: &str) -> Baked {
@@ -122,6 +124,76 @@ fn functions_take_the_arguments_that_are_asked_for() {
             && text("alpha").contains("roughness = sqrtf(alpha)")
     );
     assert!(text("both").contains("(float roughness, float alpha, float n_dot_v)"));
+}
+
+/// In half precision the error is that of f16, or that of f32 where it is larger: compilers may keep
+/// that.
+#[test]
+fn half_precision_is_picked_and_certified_in_f16() {
+    let wide = emitted(&baked("", &metal("m", r#"{"max_error": 0.03}"#)));
+    let scene = baked(r#""precision": "f16","#, &metal("m", r#"{"max_error": 0.03}"#));
+    let manifest = manifest(&scene);
+    let [fit] = manifest["fits"].as_array().expect("fits").as_slice() else { panic!("{manifest}") };
+    let (certificate, half) = (&fit["certificate"], &fit["half"]);
+    let error = |value: &Value| value["max_abs"].as_f64().expect("an error");
+    assert!(error(certificate) <= 0.03 && error(certificate) >= error(half), "{certificate} {half}");
+    assert!(fit["cost"]["ops"].as_u64() >= Some(wide[0].0), "f16 gives nothing away");
+    let text = |file: &str| String::from_utf8_lossy(&scene.files[file]).into_owned();
+    let heads = [
+        ("fits/lobefit.wgsl", "\nenable f16;\n"),
+        ("fits/lobefit.wgsl", "fn ggx_energy_compensation(roughness: f16, n_dot_v: f16) -> f16 {"),
+        ("fits/lobefit.wgsl", "_rgb(roughness: f16, n_dot_v: f16, f0: vec3<f16>) -> vec3<f16> {"),
+        (
+            "fits/lobefit.hlsl",
+            "min16float ggx_energy_compensation(min16float roughness, min16float n_dot_v) {",
+        ),
+        ("fits/lobefit.glsl", "mediump float ggx_energy_compensation(mediump float roughness,"),
+        ("fits/lobefit.metal", "inline half ggx_energy_compensation(half roughness, half n_dot_v) {"),
+        ("fits/lobefit.h", "static inline float ggx_energy_compensation(float roughness, float n_dot_v) {"),
+    ];
+    for (file, head) in heads {
+        assert!(text(file).contains(head), "{file}: {head}\n{}", text(file));
+    }
+}
+
+/// Every formula that is not refused in half precision is finite at points of its own, and within
+/// its certificate but for what 2^20 other points find.
+#[test]
+fn formulas_in_half_precision_are_finite_over_their_domain_or_refused_with_the_place() {
+    let scene = baked(r#""pick": "all", "languages": ["wgsl"],"#, &metal("m", "{}"));
+    let text = String::from_utf8_lossy(&scene.files["fits/lobefit.wgsl"]).into_owned();
+    let source = Source::parse("lobefit.wgsl", &text).expect("the include file");
+    let (mut measured, mut refused) = (0, 0);
+    for fit in manifest(&scene)["fits"].as_array().expect("fits") {
+        let tape = source.tape(fit["function"].as_str().expect("a name"), 0).expect("a tape");
+        let names: Vec<&str> = tape.inputs().iter().map(String::as_str).collect();
+        let columns = half_columns(&names);
+        let value = |tape: &Tape| tape.evaluate(&columns, &[]).expect("values");
+        let finite = value(&tape).iter().chain(&value(&tape.contracted())).all(|x| x.to_f32().is_finite());
+        if fit["half"]["refused"].is_null() {
+            assert!(finite, "{}", fit["function"]);
+            measured += 1;
+        } else {
+            assert!(!fit["half"]["at"].as_object().expect("a place").is_empty(), "{fit}");
+            refused += 1;
+        }
+    }
+    assert!(measured > 10, "{measured} measured, {refused} refused");
+}
+
+/// 2^20 points of roughness [0.1, 1] and mu [0.01, 1] on a lattice of its own, rounded to f16.
+fn half_columns(names: &[&str]) -> Vec<Vec<Half>> {
+    let points = 1 << 20;
+    let at = |i: usize, step: f64| (i as f64 * step).fract();
+    let column = |name: &&str| -> Vec<Half> {
+        let value = |i: usize| match *name {
+            "mu" | "n_dot_v" => 0.01 + 0.99 * at(i, 0.754_877_666_246_693),
+            "alpha" => (0.1 + 0.9 * at(i, 0.569_840_290_998_053)).powi(2),
+            _ => 0.1 + 0.9 * at(i, 0.569_840_290_998_053),
+        };
+        (0..points).map(|i| Half::nearest(value(i) as f32)).collect()
+    };
+    names.iter().map(column).collect()
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod common;
 
 mod bad_points;
 mod bad_scenes;
+mod cache;
 mod cost;
 mod eval;
 mod external;

@@ -85,7 +85,8 @@ pub fn run(
     fs::write(path("input"), input).unwrap();
     let (compiler, mut flags, source) = match language {
         Language::C => (variable("CC", "cc"), vec!["-std=c99", "-Wextra", "-pedantic"], "main.c"),
-        Language::Glsl => {
+        // literals have no suffix in GLSL, and none in HLSL's half precision
+        Language::Glsl | Language::Hlsl => {
             (variable("CXX", "c++"), vec!["-std=c++14", "-fsingle-precision-constant"], "main.cpp")
         }
         _ => (variable("CXX", "c++"), vec!["-std=c++14"], "main.cpp"),

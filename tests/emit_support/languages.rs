@@ -54,7 +54,10 @@ fn planes(kind: &str) -> usize {
 /// A shader that holds a file and calls each of its functions, for the stage `frag`.
 fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
     let value = |kind: &String| match kind.as_str() {
+        "bool" => "(p.x > 0.5)".to_string(),
         "float" => "p.x".to_string(),
+        "mediump float" => "p.x".to_string(),
+        "min16float" => "min16float(p.x)".to_string(),
         // planes: the head of the file has an array of as many
         kind if kind.ends_with(']') => format!("planes_{}", planes(kind)),
         "float2" | "float3" | "float4" | "vec2" | "vec3" | "vec4" => {
@@ -72,7 +75,8 @@ fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
     let call = |f: &Function| {
         let arguments: Vec<String> = f.arguments.iter().map(value).collect();
         let part = match f.result.as_str() {
-            "float" => "",
+            "float" | "mediump float" | "min16float" => "",
+            "bool" => " ? 1.0 : 0.0",
             result if result.starts_with("parallax_taps") => ".weight_0",
             _ => ".x",
         };

@@ -12,12 +12,17 @@ use emit_support::programs::compile_library;
 use emit_support::say;
 use fit_support::parse;
 use lobefit_shade::Hypothesis;
-use lobefit_shade::code::{Language, Printed, print};
+use lobefit_shade::code::{Float, Language, Printed, print};
 use lobefit_shade::comment::comment;
 
 /// How far, in ulp, functions may lie from the tape whose transcendental functions are the
 /// platform's.
 const TRANSCENDENTAL: f64 = 4.0;
+
+/// The formulas with numbers of half precision.
+fn halves() -> Vec<Hypothesis> {
+    all().into_iter().map(|hypothesis| hypothesis.in_float(Float::F16)).collect()
+}
 
 fn printed(language: Language, hypothesis: &Hypothesis) -> Printed {
     let header = [format!("The function {}.", hypothesis.name())];
@@ -26,8 +31,9 @@ fn printed(language: Language, hypothesis: &Hypothesis) -> Printed {
 
 /// A file of them all.
 fn file(language: Language, hypotheses: &[Hypothesis]) -> String {
+    let preamble = language.preamble(hypotheses[0].float());
     let functions: Vec<String> = hypotheses.iter().map(|h| printed(language, h).text).collect();
-    format!("{} All.\n{}{}", language.comment(), language.opening(), functions.join("\n"))
+    format!("{} All.\n{preamble}{}", language.comment(), functions.join("\n"))
 }
 
 /// Calls every function at every point.
@@ -54,7 +60,7 @@ fn compare(language: Language, hypotheses: &[Hypothesis], limit: f64) -> Option<
     assert_eq!(found.len(), hypotheses.len() * POINTS);
     let mut worst = (0.0, "none");
     for (hypothesis, found) in hypotheses.iter().zip(found.chunks_exact(POINTS)) {
-        let exact = printed(language, hypothesis).exact;
+        let exact = printed(language, &hypothesis.clone().in_float(Float::F32)).exact;
         for (i, (a, b)) in values(hypothesis).into_iter().zip(found).enumerate() {
             let same = a.to_bits() == b.to_bits() || (!exact && ulps(a, *b) <= limit);
             let text = || printed(language, hypothesis).text;
@@ -84,6 +90,29 @@ fn shaders_read_as_cpp_return_the_bits_of_the_tape() {
     for language in [Language::Hlsl, Language::Glsl, Language::Msl] {
         compare(language, &all(), TRANSCENDENTAL);
     }
+}
+
+/// A compiler may keep f32 for types of half precision; then their functions are those of f32.
+#[test]
+fn functions_of_half_precision_are_those_of_f32_where_a_compiler_keeps_32_bits() {
+    for language in [Language::Hlsl, Language::Glsl, Language::Msl] {
+        compare(language, &halves(), TRANSCENDENTAL);
+    }
+}
+
+#[test]
+fn compilers_take_half_precision() {
+    let half = halves();
+    for language in [Language::Hlsl, Language::Glsl] {
+        assert!(compile(language, &file(language, &half)).is_none_or(|functions| functions >= half.len()));
+    }
+    let text = file(Language::Wgsl, &half);
+    assert!(text.contains("enable f16;") && !text.contains("f32"), "{text}");
+    let module =
+        naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+    let capabilities = naga::valid::Capabilities::SHADER_FLOAT16;
+    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities);
+    validator.validate(&module).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
 }
 
 /// Lines that would end a comment, swallow the line after it, or hide what it is.

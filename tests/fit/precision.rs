@@ -4,7 +4,8 @@ use crate::fit_support;
 
 use fit_support::parse;
 use half::f16;
-use lobefit_shade::{Hypothesis, Op, Precision, ShadeError, measure_in};
+use lobefit_shade::tape::Half;
+use lobefit_shade::{Hypothesis, Op, Precision, Real, ShadeError, measure_in};
 
 /// Points on [0, 1], exact in f16.
 fn points() -> Vec<f32> {
@@ -119,5 +120,62 @@ fn a_fused_sum_in_f16_is_rounded_once() {
         (3.0, 0.0, 2048.0),
     ] {
         assert_eq!(values(&h, &[a, b], &[one], Precision::F16Fused), [expected], "{a} {b}");
+    }
+}
+
+#[test]
+fn numbers_are_rounded_to_half_precision_as_elsewhere() {
+    let same = |x: f32| {
+        let (ours, theirs) = (Half::nearest(x).to_f32(), f16::from_f32(x).to_f32());
+        assert!(
+            ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan(),
+            "{x:e}: {ours} {theirs}"
+        );
+    };
+    (0..u32::MAX - 1009).step_by(1009).for_each(|bits| same(f32::from_bits(bits)));
+    // every number of half precision, the ties beside it, and their neighbours
+    for bits in 0..=u16::MAX {
+        let x = f16::from_bits(bits);
+        let tie = 0.5 * (x.to_f32() + f16::from_bits(bits.wrapping_add(1)).to_f32());
+        [x.to_f32(), tie, tie.next_up(), tie.next_down()].into_iter().for_each(same);
+    }
+}
+
+/// A number of half precision in units of 2^-48, in which sums and products of such numbers are
+/// whole.
+fn units(x: f16) -> i128 {
+    let magnitude = x.to_bits() & 0x7fff;
+    let (exponent, fraction) = (i128::from(magnitude >> 10), i128::from(magnitude & 0x3ff));
+    let (significand, shift) = if exponent == 0 { (fraction, 24) } else { (fraction + 1024, 23 + exponent) };
+    let value = significand << shift;
+    if x.is_sign_negative() { -value } else { value }
+}
+
+/// No other number of half precision is nearer to x y + z, and of two as near the result is even.
+#[test]
+fn fused_sums_are_the_nearest_numbers_of_half_precision() {
+    let mut state = 1_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f16::from_bits((state >> 33) as u16 % 0x7c00 | (state >> 48) as u16 & 0x8000)
+    };
+    for _ in 0..1_000_000 {
+        let [x, y, z] = [next(), next(), next()];
+        let half = |x: f16| Half::nearest(x.to_f32());
+        let found = half(x).fma(half(y), half(z)).to_f32();
+        let exact = ((units(x) * units(y)) >> 48) + units(z);
+        let found = f16::from_f32(found);
+        if found.is_infinite() {
+            assert!(exact.abs() >= units(f16::MAX) + (units(f16::MAX) - units(f16::from_bits(0x7bfe))) / 2);
+            continue;
+        }
+        let off = |x: f16| (units(x) - exact).abs();
+        for other in [found.to_bits().wrapping_add(1), found.to_bits().wrapping_sub(1)] {
+            let other = f16::from_bits(other);
+            if other.is_finite() && other.is_sign_negative() == found.is_sign_negative() {
+                let even = found.to_bits() & 1 == 0;
+                assert!(off(found) < off(other) || off(found) == off(other) && even, "{x} {y} {z}: {found}");
+            }
+        }
     }
 }

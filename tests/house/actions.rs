@@ -170,7 +170,7 @@ fn the_script_annotates_files_and_writes_the_summary() {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("a scene.json"), SCENE).expect("written");
     let bake = Command::new(env!("CARGO_BIN_EXE_lobefit"))
-        .args(["bake", "a scene.json", "--out", "assets", "--quiet"])
+        .args(["bake", "a scene.json", "--no-cache", "--out", "assets", "--quiet"])
         .current_dir(folder.path())
         .status();
     assert!(bake.expect("the binary runs").success());

@@ -150,7 +150,7 @@ fn every_page_works_in_a_browser() {
     fs::create_dir_all(&folder).expect("a folder");
     let fresh = folder.join("bake");
     let bake = Command::new(env!("CARGO_BIN_EXE_lobefit"))
-        .args(["bake", "tests/report/browser.json", "--quiet", "--out"])
+        .args(["bake", "tests/report/browser.json", "--no-cache", "--quiet", "--out"])
         .arg(&fresh)
         .current_dir(root(""))
         .output()

@@ -6,6 +6,10 @@
 namespace glsl {
 
 using namespace shim;
+
+// Compilers may keep 32 bits.
+#define mediump
+
 using vec2 = float2;
 using vec3 = float3;
 using vec4 = float4;

@@ -6,6 +6,12 @@ namespace hlsl {
 
 using namespace shim;
 
+// As compilers may that keep 32 bits. Literals have no suffix then: compile with -fsingle-precision-constant.
+using min16float = float;
+using min16float2 = float2;
+using min16float3 = float3;
+using min16float4 = float4;
+
 struct SamplerState {};
 
 template <typename T> struct Texture2D : table {

@@ -2,10 +2,9 @@
 
 use std::ops::Range;
 
-use half::f16;
 use rayon::prelude::*;
 
-use super::tape::{BLOCK, Node, Op, Real, Workspace};
+use super::tape::{BLOCK, Half, Node, Op, Real, Workspace};
 use super::{ShadeError, Tape};
 use lobefit_math::lanes;
 
@@ -147,7 +146,7 @@ pub fn measure_in(
     let first = first.min(points);
     let sums = if precision.is_half() {
         let (inputs, coefficients) = halved(used, coefficients, inputs, precision)?;
-        let values = Values { tape: used, inputs: &inputs, coefficients: &coefficients, wide: f16::to_f64 };
+        let values = Values { tape: used, inputs: &inputs, coefficients: &coefficients, wide: half_to_f64 };
         values.runs(scale, target, first)
     } else {
         let values = Values { tape: used, inputs, coefficients, wide: f64::from };
@@ -222,7 +221,7 @@ fn halved(
     coefficients: &[f32],
     inputs: &[Vec<f32>],
     precision: Precision,
-) -> Result<(Vec<Vec<f16>>, Vec<f16>), ShadeError> {
+) -> Result<(Vec<Vec<Half>>, Vec<Half>), ShadeError> {
     let scale = "scale the formula";
     let half = |what: &str, numbers: &[f32], remedy| {
         to_half(numbers).map_err(|x| ShadeError::Unrepresentable {
@@ -245,9 +244,13 @@ fn halved(
 }
 
 /// Numbers rounded to half precision, or the first that is infinite there.
-fn to_half(numbers: &[f32]) -> Result<Vec<f16>, f32> {
-    let one = |&x: &f32| Some(f16::literal(x)).filter(|rounded| rounded.is_finite()).ok_or(x);
+fn to_half(numbers: &[f32]) -> Result<Vec<Half>, f32> {
+    let one = |&x: &f32| Some(Half::nearest(x)).filter(|rounded| rounded.to_f32().is_finite()).ok_or(x);
     numbers.iter().map(one).collect()
+}
+
+fn half_to_f64(x: Half) -> f64 {
+    x.to_f32().into()
 }
 
 /// Which part of a formula is not finite at a point, where its value is not.
@@ -262,13 +265,12 @@ fn unmeasurable(
     let tape = contracted.as_ref().unwrap_or(tape);
     let point: Vec<f32> = inputs.iter().map(|column| column[index]).collect();
     let (node, value) = if precision.is_half() {
-        let half = |numbers: &[f32]| numbers.iter().map(|&x| f16::literal(x)).collect::<Vec<_>>();
-        first_not_finite(tape, &half(coefficients), &half(&point), f16::to_f64)
+        let half = |numbers: &[f32]| numbers.iter().map(|&x| Half::nearest(x)).collect::<Vec<_>>();
+        first_not_finite(tape, &half(coefficients), &half(&point), half_to_f64)
     } else {
         first_not_finite(tape, coefficients, &point, f64::from)
     };
-    let named = tape.inputs().iter().zip(&point).map(|(name, x)| format!("{name} = {x}"));
-    let at = if point.is_empty() { "every point".into() } else { named.collect::<Vec<_>>().join(", ") };
+    let at = tape.inputs().iter().cloned().zip(point).collect();
     let place = Box::new(tape.place(node).clone());
     ShadeError::Unmeasurable { place, function: tape.function().to_string(), precision, value, at }
 }

@@ -80,6 +80,14 @@ pub fn value_words(value: f64) -> &'static str {
     }
 }
 
+/// A point in words: `alpha = 0, mu = 0.5`.
+fn point_words(at: &[(String, f32)]) -> String {
+    if at.is_empty() {
+        return "every point".into();
+    }
+    at.iter().map(|(name, x)| format!("{name} = {x}")).collect::<Vec<_>>().join(", ")
+}
+
 /// What can be wrong with a formula, its domain, its numbers or its arithmetic.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -164,7 +172,7 @@ pub enum ShadeError {
     },
     /// A formula has no finite value in an arithmetic at a point that it is measured at.
     #[error(
-        "{place} is {} in {} at {at}, in function {function}; narrow the domain{}", value_words(*value), precision.name(),
+        "{place} is {} in {} at {}, in function {function}; narrow the domain{}", value_words(*value), precision.name(), point_words(at),
         if precision.is_half() { ", scale the formula, or measure it in f32" } else { ", or change this part" }
     )]
     Unmeasurable {
@@ -176,8 +184,9 @@ pub enum ShadeError {
         precision: Precision,
         /// Its value: not a number, or infinite.
         value: f64,
-        /// The inputs there, before they are rounded to the arithmetic: `alpha = 0, mu = 0.5`.
-        at: String,
+        /// The inputs there, before they are rounded to the arithmetic; empty of a formula without
+        /// inputs.
+        at: Vec<(String, f32)>,
     },
     /// A number of a formula, or an input, that half precision does not reach.
     #[error(

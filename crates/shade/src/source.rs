@@ -1,7 +1,7 @@
 //! Functions of numbers and vectors from one WGSL text: evaluated, counted and printed from the
 //! same syntax.
 
-use crate::code::{CodeError, Language};
+use crate::code::{CodeError, Float, Language};
 use crate::hypothesis::{Formula, Function, Kind};
 use crate::inline::inlined;
 use crate::tape::Tape;
@@ -39,6 +39,12 @@ impl Source {
         for index in 0..self.formula.functions.len() {
             self.formula.functions[index] = inlined(&self.formula.functions, index, &which);
         }
+        self
+    }
+
+    /// The same functions with numbers of another type in printed code.
+    pub fn in_float(mut self, float: Float) -> Source {
+        self.formula.float = float;
         self
     }
 

@@ -9,7 +9,7 @@ use crate::effects::code::{constants, documented, function};
 use crate::effects::coupling::AnyF0;
 use crate::effects::coupling::emitted as coupling;
 use crate::emit::header;
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{Float, Language};
 use lobefit_truth::quantity::Specular;
 
 /// The text of a lobe; empty where nothing is emitted.
@@ -21,9 +21,11 @@ pub fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError>
     let specular = lobe.spec.specular;
     if let Some(best) = lobe.best() {
         text += &format!("\n{}", coupling::exact(language, specular)?);
-        let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
-        text += &format!("\n{}", coupling::coupled(language, specular, name, inputs)?);
-        if specular == Specular::Single {
+        let (name, inputs, float) =
+            (best.hypothesis.name(), best.hypothesis.inputs(), best.hypothesis.float());
+        text += &format!("\n{}", coupling::coupled(language, specular, name, inputs, float)?);
+        // Its average is measured in f32; path tracers compute in no less.
+        if specular == Specular::Single && float == Float::F32 {
             let error = rule::error(&lobe.spec.region, lobe.spec.f0, best)?;
             text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error)?);
         }
@@ -47,8 +49,9 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
         "of the factor: of the furnace, the lobe exact and the base white",
         &a.certificate,
     ));
+    lines.extend(header::half_line(a));
     lines.push(format!(
-        "over f0 in [0, 1]: max {}, the largest found at {} places of roughness and mu for {}",
+        "over f0 in [0, 1], in f32: max {}, the largest found at {} places of roughness and mu for {}",
         any.max,
         any.places,
         any.f0.words()
@@ -58,7 +61,7 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
         let ranges: Vec<String> =
             safe.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
         lines.push(format!(
-            "proven, rounding included: no pole and no value below 0 for {}",
+            "proven, rounding in f32 included: no pole and no value below 0 for {}",
             ranges.join(", ")
         ));
     }

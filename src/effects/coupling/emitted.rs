@@ -3,7 +3,7 @@
 
 use super::role;
 use crate::data::ARGUMENT_NAMES;
-use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::code::{CodeError, Float, Language};
 use lobefit_shade::{ShadeError, Source, Tape};
 use lobefit_truth::quantity::Specular;
 
@@ -180,6 +180,7 @@ pub fn coupled(
     specular: Specular,
     factor: &str,
     inputs: &[String],
+    float: Float,
 ) -> Result<String, CodeError> {
     let name = coupled_name(specular);
     let (first, kind) = match specular {
@@ -196,6 +197,7 @@ pub fn coupled(
         ),
     };
     let source = about(factor, inputs)?.renamed(kind, &name)?.renamed(&coloured(kind), &coloured(&name))?;
+    let source = source.in_float(float);
     let one = source.print(language, &name, &lines(&format!("{first}\n{COUPLED}")))?;
     let three = source.print(language, &coloured(&name), &lines(PER_CHANNEL))?;
     Ok(format!("{one}\n{three}"))

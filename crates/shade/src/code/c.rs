@@ -11,6 +11,8 @@ use crate::Builtin;
 pub(super) const C: Family = Family {
     facts: &FACTS,
     linkage: "static inline ",
+    qualifier: "",
+    number: "float",
     suffix: "f",
     constant: "const ",
     // C99 has its `bool` in another header, and C++ has none of C99's `_Bool`

@@ -12,6 +12,10 @@ pub(super) struct Family {
     pub facts: &'static Facts,
     /// Before a function.
     pub linkage: &'static str,
+    /// What qualifies the types of numbers and vectors in declarations; empty or ends in a space.
+    pub qualifier: &'static str,
+    /// The type of numbers.
+    pub number: &'static str,
     /// After a literal.
     pub suffix: &'static str,
     /// Before the type of a value that keeps its value.
@@ -112,7 +116,7 @@ impl Family {
                 let text = format!("{} / {root}({})", self.spelled(1.0), text(0, Level::Choice));
                 Text { text, level: Level::Product }
             }
-            Lacks::FloatOfSign => Text::atom(format!("float(sign({}))", text(0, Level::Choice))),
+            Lacks::FloatOfSign => Text::atom(format!("{}(sign({}))", self.number, text(0, Level::Choice))),
         }
     }
 }
@@ -138,9 +142,9 @@ impl Printer for Family {
 
     fn kind(&self, kind: Kind) -> String {
         match kind {
-            Kind::Number => "float".into(),
+            Kind::Number => format!("{}{}", self.qualifier, self.number),
             Kind::Truth => self.truth[0].into(),
-            Kind::Vector(n) => format!("{}{n}", self.vector),
+            Kind::Vector(n) => format!("{}{}{n}", self.qualifier, self.vector),
             Kind::List(n) => format!("{}[{n}]", self.list),
             Kind::Fetches(fetches) => fetches.name,
         }
@@ -208,25 +212,25 @@ impl Printer for Family {
 
     fn helper(&self, base: &str, name: &str) -> String {
         let [zero, one, two, three] = [0.0, 1.0, 2.0, 3.0].map(|x| self.spelled(x));
-        let (arguments, lines, value) = match base {
-            "mix" => ("float x, float y, float t", Vec::new(), format!("x * ({one} - t) + y * t")),
-            "step" => ("float edge, float x", Vec::new(), format!("edge <= x ? {one} : {zero}")),
+        let number = self.kind(Kind::Number);
+        let (arguments, lines, value): (&[&str], _, _) = match base {
+            "mix" => (&["x", "y", "t"], Vec::new(), format!("x * ({one} - t) + y * t")),
+            "step" => (&["edge", "x"], Vec::new(), format!("edge <= x ? {one} : {zero}")),
             "smoothstep" => {
                 let t = self.between("(x - lo) / (hi - lo)", [zero, one]).text;
                 let value = format!("t * t * ({three} - {two} * t)");
-                ("float lo, float hi, float x", vec![format!("float t = {t};")], value)
+                (&["lo", "hi", "x"], vec![format!("{number} t = {t};")], value)
             }
-            "sign" => {
-                let sign = format!("x > {zero} ? {one} : (x < {zero} ? -{one} : x)");
-                ("float x", Vec::new(), sign)
-            }
+            "sign" => (&["x"], Vec::new(), format!("x > {zero} ? {one} : (x < {zero} ? -{one} : x)")),
             _ => {
-                let (lines, value) = power(base, "float");
-                ("float x", lines, value)
+                let (lines, value) = power(base, &number);
+                (&["x"], lines, value)
             }
         };
+        let arguments: Vec<String> = arguments.iter().map(|name| self.argument(name, &number)).collect();
         let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-        format!("{}float {name}({arguments}) {{\n{lines}    return {value};\n}}\n", self.linkage)
+        let [start, end] = self.signature(name, &number, false);
+        format!("{start}{}{end}{lines}    return {value};\n}}\n", arguments.join(", "))
     }
 
     fn each(&self, element: &str, list: &str, n: u8) -> Vec<String> {

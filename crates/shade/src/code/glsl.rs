@@ -11,6 +11,8 @@ use crate::Builtin;
 pub(super) const GLSL: Family = Family {
     facts: &FACTS,
     linkage: "",
+    qualifier: "",
+    number: "float",
     suffix: "",
     // a `const` had a constant for its value before GLSL 4.20
     constant: "",
@@ -26,6 +28,9 @@ pub(super) const GLSL: Family = Family {
     lookup: |table| TEXTURES.lookup(&GLSL, table),
     shared: |_| String::new(),
 };
+
+/// The same in half precision. Literals have no precision of their own.
+pub(super) const HALF: Family = Family { qualifier: "mediump ", ..GLSL };
 
 /// The table holds its sampler.
 const TEXTURES: Textures = Textures {

@@ -11,6 +11,8 @@ use crate::Builtin;
 pub(super) const HLSL: Family = Family {
     facts: &FACTS,
     linkage: "",
+    qualifier: "",
+    number: "float",
     suffix: "f",
     constant: "const ",
     truth: ["bool", "false", "true"],
@@ -25,6 +27,10 @@ pub(super) const HLSL: Family = Family {
     lookup: |table| TEXTURES.lookup(&HLSL, table),
     shared: |_| String::new(),
 };
+
+/// The same in half precision. A literal has no suffix: the type of what it stands beside is its
+/// own.
+pub(super) const HALF: Family = Family { number: "min16float", suffix: "", vector: "min16float", ..HLSL };
 
 const TEXTURES: Textures = Textures {
     resources: &[("table", "Texture#D<float4>"), ("linear_clamp", "SamplerState")],

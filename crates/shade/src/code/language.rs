@@ -2,7 +2,7 @@
 
 use super::function::within;
 use super::printer::{Facts, Printer};
-use super::{c, glsl, hlsl, msl, rust, wgsl};
+use super::{Float, c, glsl, hlsl, msl, rust, wgsl};
 use crate::Fetches;
 use crate::comment::comment;
 
@@ -29,19 +29,28 @@ impl Language {
         [Language::Rust, Language::Wgsl, Language::Hlsl, Language::Glsl, Language::Msl, Language::C];
 
     /// The printer of the language: the only place where languages part.
-    pub(super) fn printer(self) -> &'static dyn Printer {
-        match self {
-            Language::Rust => &rust::Rust,
-            Language::Wgsl => &wgsl::Wgsl,
-            Language::Hlsl => &hlsl::HLSL,
-            Language::Glsl => &glsl::GLSL,
-            Language::Msl => &msl::MSL,
-            Language::C => &c::C,
+    pub(super) fn printer(self, float: Float) -> &'static dyn Printer {
+        match (self, float) {
+            (Language::Rust, _) => &rust::Rust,
+            (Language::Wgsl, Float::F32) => &wgsl::WGSL,
+            (Language::Wgsl, Float::F16) => &wgsl::HALF,
+            (Language::Hlsl, Float::F32) => &hlsl::HLSL,
+            (Language::Hlsl, Float::F16) => &hlsl::HALF,
+            (Language::Glsl, Float::F32) => &glsl::GLSL,
+            (Language::Glsl, Float::F16) => &glsl::HALF,
+            (Language::Msl, Float::F32) => &msl::MSL,
+            (Language::Msl, Float::F16) => &msl::HALF,
+            (Language::C, _) => &c::C,
         }
     }
 
+    /// The printer where the type of numbers makes no difference.
+    fn plain(self) -> &'static dyn Printer {
+        self.printer(Float::F32)
+    }
+
     fn facts(self) -> &'static Facts {
-        self.printer().facts()
+        self.plain().facts()
     }
 
     /// The word used in the manifest and on the command line.
@@ -85,23 +94,23 @@ impl Language {
 
     /// What stands at the start of a file of functions, [`Language::opening`] in it; empty or ends
     /// in a line feed.
-    pub fn preamble(self) -> String {
-        format!("{}{}", self.facts().attributes, self.facts().opening)
+    pub fn preamble(self, float: Float) -> String {
+        format!("{}{}{}", self.facts().attributes, self.facts().opening, self.printer(float).enables())
     }
 
     /// The structure of weighted fetches, with its documentation.
     pub(crate) fn fetches(self, fetches: &Fetches) -> String {
-        format!("{}{}", comment("///", &fetches.doc), self.printer().fetches(fetches))
+        format!("{}{}", comment("///", &fetches.doc), self.plain().fetches(fetches))
     }
 
     /// An argument with its type.
     pub fn argument(self, name: &str, kind: &str) -> String {
-        self.printer().argument(name, kind)
+        self.plain().argument(name, kind)
     }
 
     /// The lines that open a function which a file offers.
     pub fn opened(self, name: &str, arguments: &[String], result: &str) -> String {
-        let [start, end] = self.printer().signature(name, result, true);
+        let [start, end] = self.plain().signature(name, result, true);
         within(&start, arguments, &end)
     }
 

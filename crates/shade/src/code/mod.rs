@@ -26,6 +26,7 @@ mod c;
 mod c_table;
 mod expression;
 mod family;
+mod float;
 mod function;
 mod glsl;
 mod helpers;
@@ -46,6 +47,7 @@ use crate::hypothesis::visit;
 use crate::{Builtin, ExprKind, Formula, Hypothesis, ShadeError};
 pub use c_table::C_PREFIX;
 pub use expression::decimal;
+pub use float::Float;
 pub use language::Language;
 pub use lines::lines as wrapped;
 pub use rust_table::RUST_HELPERS;
@@ -63,7 +65,7 @@ pub struct Printed {
     /// Rust: whether it needs `std` (sqrt, floor, mul_add, exp, ...); `core` is enough otherwise.
     pub needs_std: bool,
     /// Whether its bits are promised, as far as the language promises bits: it uses no
-    /// transcendental function, whose last bits are the platform's, and no `fma` where the language
+    /// transcendental function, whose last bits are the platform's, no f16, and no `fma` where the language
     /// may round twice. `min`, `max` and `clamp` are excepted where an operand is not a number or
     /// two zeros differ in sign.
     pub exact: bool,
@@ -107,7 +109,7 @@ pub enum CodeError {
     },
 }
 
-/// The fit as a function of f32 arguments and result, `header` as its documentation.
+/// The fit as a function of numbers of the hypothesis's [`Float`], `header` as its documentation.
 ///
 /// The text stands after [`Language::opening`] in a file and needs nothing else. Its functions keep
 /// the hypothesis's names, but for words that the language has taken; helpers have the formula's
@@ -124,7 +126,7 @@ pub fn print(
     header: &[String],
 ) -> Result<Printed, CodeError> {
     let formula = specialise(hypothesis, coefficients)?;
-    let text = function::print(language.printer(), &formula, header)?;
+    let text = function::print(language.printer(formula.float), &formula, header)?;
     Ok(printed(text, language, &formula))
 }
 
@@ -137,7 +139,7 @@ pub(crate) fn print_function(
     header: &[String],
 ) -> Result<String, CodeError> {
     let formula = crate::hypothesis::specialise(formula, &[])?;
-    function::print_one(language.printer(), &formula, index, header)
+    function::print_one(language.printer(formula.float), &formula, index, header)
 }
 
 fn specialise(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Formula, CodeError> {
@@ -154,12 +156,12 @@ fn specialise(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Formula, 
 }
 
 fn printed(text: String, language: Language, formula: &Formula) -> Printed {
-    let (mut needs_std, mut exact) = (false, true);
+    let (mut needs_std, mut exact) = (false, formula.float == Float::F32);
     for function in &formula.functions {
         visit(&function.body, &mut |expr| {
             if let ExprKind::Builtin(builtin, _) = &expr.kind {
                 let transcendental = transcendental(*builtin);
-                exact &= !transcendental && language.printer().rounds(*builtin);
+                exact &= !transcendental && language.printer(formula.float).rounds(*builtin);
                 needs_std |= transcendental
                     || matches!(
                         builtin,

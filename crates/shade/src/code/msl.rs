@@ -11,6 +11,8 @@ use crate::Builtin;
 pub(super) const MSL: Family = Family {
     facts: &FACTS,
     linkage: "inline ",
+    qualifier: "",
+    number: "float",
     suffix: "f",
     constant: "const ",
     truth: ["bool", "false", "true"],
@@ -24,6 +26,9 @@ pub(super) const MSL: Family = Family {
     lookup: |table| TEXTURES.lookup(&MSL, table),
     shared: |_| String::new(),
 };
+
+/// The same in half precision.
+pub(super) const HALF: Family = Family { number: "half", suffix: "h", vector: "half", ..MSL };
 
 const TEXTURES: Textures = Textures {
     resources: &[("table", "texture#d<float>"), ("linear_clamp", "sampler")],

@@ -32,7 +32,13 @@ pub(super) trait Printer: Sync {
     /// Names and words.
     fn facts(&self) -> &'static Facts;
 
-    /// A literal; `typed` where nothing else says that it is an f32.
+    /// The directive that its type of numbers needs at the start of a file; empty or ends in a line
+    /// feed.
+    fn enables(&self) -> &'static str {
+        ""
+    }
+
+    /// A literal; `typed` where nothing else says its type.
     fn number(&self, x: f32, typed: bool) -> String;
 
     /// true or false.

@@ -1,7 +1,7 @@
 //! The lookup of a table: a fetch between the functions of its coordinates and of its decoding.
 
-use super::Language;
 use super::printer::Printer;
+use super::{Float, Language};
 use crate::Kind;
 use crate::comment::comment;
 
@@ -44,7 +44,7 @@ impl TableLookup {
     /// it fetches from a slice or array of f32 texels itself, columns fastest and slices slowest, a
     /// texel's channels together, and calls [`helpers`].
     pub fn print(&self, language: Language) -> String {
-        language.printer().lookup(self)
+        language.printer(Float::F32).lookup(self)
     }
 
     /// The letters of its coordinates.
@@ -95,7 +95,7 @@ pub(super) fn kind(n: usize) -> Kind {
 /// What lookups and other functions of vectors share in a language, to stand before them; empty
 /// where they share nothing. `functions` is the text of them all.
 pub fn helpers(language: Language, functions: &str) -> String {
-    language.printer().shared(functions)
+    language.printer(Float::F32).shared(functions)
 }
 
 /// How a language that has textures fetches.

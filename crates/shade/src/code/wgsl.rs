@@ -8,7 +8,20 @@ use super::words::Words;
 use crate::{Builtin, Expr, Fetches, Kind};
 
 /// What WGSL does its own way.
-pub(super) struct Wgsl;
+pub(super) struct Wgsl {
+    /// The type of numbers.
+    number: &'static str,
+    /// Ends a literal that nothing else gives its type.
+    suffix: &'static str,
+    /// See [`Printer::enables`].
+    enables: &'static str,
+}
+
+/// The printer of WGSL.
+pub(super) const WGSL: Wgsl = Wgsl { number: "f32", suffix: "f", enables: "" };
+
+/// The same in half precision.
+pub(super) const HALF: Wgsl = Wgsl { number: "f16", suffix: "h", enables: "enable f16;\n" };
 
 const FACTS: Facts = Facts {
     name: "wgsl",
@@ -44,17 +57,21 @@ impl Printer for Wgsl {
         &FACTS
     }
 
+    fn enables(&self) -> &'static str {
+        self.enables
+    }
+
     fn number(&self, x: f32, typed: bool) -> String {
         let text = decimal(x);
-        if typed { format!("{text}f") } else { text }
+        if typed { format!("{text}{}", self.suffix) } else { text }
     }
 
     fn kind(&self, kind: Kind) -> String {
         match kind {
-            Kind::Number => "f32".into(),
+            Kind::Number => self.number.into(),
             Kind::Truth => "bool".into(),
-            Kind::Vector(n) => format!("vec{n}<f32>"),
-            Kind::List(n) => format!("array<vec4<f32>, {n}>"),
+            Kind::Vector(n) => format!("vec{n}<{}>", self.number),
+            Kind::List(n) => format!("array<vec4<{}>, {n}>", self.number),
             Kind::Fetches(fetches) => fetches.name,
         }
     }
@@ -134,6 +151,7 @@ impl Printer for Wgsl {
     fn helper(&self, base: &str, name: &str) -> String {
         let (lines, value) = power(base, "let");
         let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-        format!("fn {name}(x: f32) -> f32 {{\n{lines}    return {value};\n}}\n")
+        let number = self.number;
+        format!("fn {name}(x: {number}) -> {number} {{\n{lines}    return {value};\n}}\n")
     }
 }

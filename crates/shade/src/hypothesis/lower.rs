@@ -5,6 +5,7 @@ use naga::{Handle, Literal, Module, Scalar, Span, TypeInner};
 use super::branch::lower_function;
 use super::size::{Limits, refuse};
 use super::syntax::{Expr, ExprKind, Fetches, Formula, Function, Kind, Parameter, Statement};
+use crate::code::Float;
 use crate::{Place, ShadeError};
 
 /// What a source lowers to.
@@ -133,7 +134,7 @@ pub(super) fn lower(file: &str, source: &str) -> Result<Lowered, ShadeError> {
     let parameters = context.functions()?;
     refuse_unused(&context, &parameters)?;
     let doc = documentation(&module);
-    Ok(Lowered { formula: Formula { functions: context.functions, parameters }, doc })
+    Ok(Lowered { formula: Formula { functions: context.functions, parameters, float: Float::F32 }, doc })
 }
 
 /// Parses, validates and lowers functions of numbers and vectors, each with its documentation.
@@ -144,7 +145,7 @@ pub(crate) fn lower_functions(file: &str, source: &str) -> Result<(Formula, Vec<
     let of = |handle| module.doc_comments.as_ref().and_then(|comments| comments.functions.get(&handle));
     let doc = |handle| of(handle).into_iter().flatten().flat_map(|text| text.lines()).map(plain).collect();
     let docs = module.functions.iter().map(|(handle, _)| doc(handle)).collect();
-    Ok((Formula { functions: context.functions, parameters }, docs))
+    Ok((Formula { functions: context.functions, parameters, float: Float::F32 }, docs))
 }
 
 fn parse(file: &str, source: &str) -> Result<Module, ShadeError> {

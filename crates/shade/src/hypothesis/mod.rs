@@ -26,6 +26,7 @@ pub use syntax::{
     power_steps,
 };
 
+use super::code::Float;
 use super::inline::inlined;
 use super::tape::Tape;
 use super::trim::drop_uncalled;
@@ -124,6 +125,17 @@ impl Hypothesis {
         drop_uncalled(functions);
         self.tape = Tape::of(&self.formula, &self.file, &self.source)?;
         Ok(self)
+    }
+
+    /// The same formula with numbers of another type in printed code; its tape is the same.
+    pub fn in_float(mut self, float: Float) -> Hypothesis {
+        self.formula.float = float;
+        self
+    }
+
+    /// The type of its numbers in printed code.
+    pub fn float(&self) -> Float {
+        self.formula.float
     }
 
     /// Names of its arguments in the printed code: those of its inputs, unless they were renamed.

@@ -22,7 +22,7 @@ pub(crate) fn specialise(formula: &Formula, coefficients: &[f32]) -> Result<Form
         .iter()
         .map(|f| Ok(Function { body: block(&f.body, coefficients, &f.name)?, ..f.clone() }))
         .collect();
-    Ok(Formula { functions: functions?, parameters: Vec::new() })
+    Ok(Formula { functions: functions?, parameters: Vec::new(), float: formula.float })
 }
 
 fn finite(value: f32, column: &str, index: usize) -> Result<(), ShadeError> {

@@ -1,6 +1,8 @@
 //! The syntax of a hypothesis: what is left of WGSL once the dialect's limits are applied. The
 //! evaluator and the printers both read this, so that what is fitted is what is printed.
 
+use crate::code::Float;
+
 /// The kind of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -222,6 +224,8 @@ pub struct Formula {
     pub functions: Vec<Function>,
     /// Free parameters; none once coefficients are filled in.
     pub parameters: Vec<Parameter>,
+    /// The type of its numbers in printed code.
+    pub float: Float,
 }
 
 impl Function {

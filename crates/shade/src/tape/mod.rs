@@ -13,6 +13,7 @@ mod real;
 
 pub use build::fold;
 pub use evaluate::{BLOCK, Workspace};
+pub use half::Half;
 pub use interval::Interval;
 pub use real::Real;
 

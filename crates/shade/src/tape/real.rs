@@ -7,7 +7,7 @@
 use super::{BinaryOp, UnaryOp};
 use lobefit_math::ops;
 
-/// f32 or f64.
+/// f32, f64 or [`Half`](super::Half).
 pub trait Real:
     Copy
     + Send

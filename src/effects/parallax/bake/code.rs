@@ -49,6 +49,7 @@ fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
         "of the width, relative to the best one, where that is below 1",
         &a.certificate,
     ));
+    lines.extend(header::half_line(a));
     let rows = [
         ("rho < 1", variation.nearer, lobe.least.nearer),
         ("rho > 1", variation.farther, lobe.least.farther),

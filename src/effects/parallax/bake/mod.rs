@@ -12,6 +12,7 @@ use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
 use crate::scene::Scene;
+use lobefit_shade::code::Float;
 use lobefit_truth::quantity::footprint;
 
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among
@@ -148,6 +149,8 @@ impl<'a> Lobe<'a> {
             norms: job.goals.norms.clone(),
             emission: Emission {
                 arguments: Arguments::Alpha,
+                // Places in a room are beyond f16.
+                float: Float::F32,
                 max_error: None,
                 most_accurate: true,
                 ..job.emission(context.scene, WIDTH)

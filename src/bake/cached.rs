@@ -1,0 +1,160 @@
+//! Parts of effects that a cache holds: what was made once, of the same scene, by the same code and
+//! from the same formulas, is not made again.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::effects::context::Context;
+use crate::effects::{BakeError, Called, Effect, Made, Part};
+use crate::emit::manifest::Entries;
+use crate::report::explore::Explored;
+use crate::report::{Answer, EffectFinding, Purpose};
+use crate::store::{Cache, Files};
+use lobefit_shade::code::Language;
+
+/// Hash of the sources but for formulas, which are hashed by effect (`build/main.rs`).
+const CODE: &str = env!("LOBEFIT_CODE");
+
+/// A part but for the contents of its files, which follow in their order.
+#[derive(Serialize, Deserialize)]
+struct Head {
+    /// Hash of the recipe that the texts name.
+    recipe: String,
+    finding: EffectFinding,
+    entries: Entries,
+    code: BTreeMap<String, String>,
+    explored: Vec<Explored>,
+    answer: Answer,
+    purposes: Vec<Purpose>,
+    files: Vec<(String, usize)>,
+}
+
+/// The work of an effect, from the cache if it is there; what was computed is put there. Promises
+/// that are not kept are computed each time.
+pub(super) fn made(called: &Called, context: &Context, cache: Option<&Cache>) -> Result<Made, BakeError> {
+    let compute = || called.by.bake(called, context)?.finished();
+    let Some(cache) = cache else { return compute() };
+    let key = key(called, context)?;
+    if let Some(made) = cache.get(&key).and_then(|bytes| decoded(bytes, called.by, &context.recipe.hash)) {
+        return Ok(made);
+    }
+    let made = compute()?;
+    if made.broken.is_empty() {
+        cache.put(&key, &encoded(&made, &context.recipe.hash)?);
+    }
+    Ok(made)
+}
+
+/// The hash of all that a part depends on.
+fn key(called: &Called, context: &Context) -> Result<String, serde_json::Error> {
+    let mut hasher = blake3::Hasher::new();
+    let mut add = |text: &str| {
+        hasher.update(&(text.len() as u64).to_le_bytes());
+        hasher.update(text.as_bytes());
+    };
+    let scene = serde_json::to_string(context.scene)?;
+    [CODE, called.effect, &scene, &context.recipe.command].into_iter().for_each(&mut add);
+    called.by.sources().into_iter().for_each(&mut add);
+    context.hypotheses.iter().flat_map(|own| [own.file.as_str(), &own.source]).for_each(&mut add);
+    context.pages.iter().flat_map(|(name, file)| [name.as_str(), file]).for_each(&mut add);
+    Ok(hasher.finalize().to_hex().to_string())
+}
+
+/// A line of JSON, then the contents of the files.
+fn encoded(made: &Made, recipe: &str) -> Result<Vec<u8>, serde_json::Error> {
+    let Part { finding, entries, code, files, explored, answer, .. } = &made.part;
+    let head = Head {
+        recipe: recipe.into(),
+        finding: finding.clone(),
+        entries: entries.clone(),
+        code: code.iter().map(|(language, text)| (language.name().into(), text.clone())).collect(),
+        explored: explored.clone(),
+        answer: answer.clone(),
+        purposes: made.purposes.clone(),
+        files: files.iter().map(|(name, bytes)| (name.clone(), bytes.len())).collect(),
+    };
+    let mut bytes = serde_json::to_vec(&head)?;
+    bytes.push(b'\n');
+    files.values().for_each(|content| bytes.extend(content));
+    Ok(bytes)
+}
+
+/// The part of an entry, signed with this recipe; none of an entry of another form.
+fn decoded(mut bytes: Vec<u8>, by: &'static dyn Effect, recipe: &str) -> Option<Made> {
+    let end = bytes.iter().position(|byte| *byte == b'\n')?;
+    let old = serde_json::from_slice::<Head>(&bytes[..end]).ok()?.recipe;
+    // Another effect's formula makes another recipe, which changes no value of this one. Both are
+    // hashes of as many digits: every length stays.
+    if old.len() == recipe.len() {
+        sign(&mut bytes, old.as_bytes(), recipe.as_bytes());
+    }
+    let head: Head =
+        serde_json::from_slice(&bytes[..end]).ok().filter(|head: &Head| head.recipe == recipe)?;
+    let mut contents = &bytes[end + 1..];
+    let mut files = Files::new();
+    for (name, length) in head.files {
+        let (content, rest) = contents.split_at_checked(length)?;
+        files.insert(name, content.to_vec());
+        contents = rest;
+    }
+    let code = head.code.into_iter().map(|(name, text)| Some((Language::parse(&name)?, text)));
+    let part = Part {
+        by,
+        finding: head.finding,
+        entries: head.entries,
+        code: code.collect::<Option<_>>()?,
+        files,
+        explored: head.explored,
+        answer: head.answer,
+    };
+    let mut made = Made::of(part);
+    made.purposes = head.purposes;
+    Some(made)
+}
+
+/// Writes one hash in place of another wherever it stands.
+fn sign(bytes: &mut [u8], old: &[u8], new: &[u8]) {
+    let mut at = 0;
+    while let Some(found) = bytes[at..].windows(old.len()).position(|window| window == old) {
+        at += found;
+        bytes[at..at + old.len()].copy_from_slice(new);
+        at += old.len();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::plan;
+    use crate::scene::Scene;
+
+    /// What another effect's formula changes of a part is the recipe that its files name.
+    #[test]
+    fn a_part_is_signed_with_the_recipe_that_asks_for_it() {
+        let scene = Scene::built_in().expect("a scene");
+        let plan = plan(&scene);
+        let [old, new, other] = ["a", "b", "c"].map(|digit| digit.repeat(64));
+        let mut made = Made::of(Part {
+            by: plan.effects[0].by,
+            finding: plan.effects[0].finding(Some(0.1), "an error"),
+            entries: Entries::default(),
+            code: BTreeMap::from([(Language::Wgsl, "fn f() {}\n".to_string())]),
+            files: Files::new(),
+            explored: Vec::new(),
+            answer: Answer::default(),
+        });
+        for (name, content) in [("a.exr", format!("\0{old}\u{1}{other}{old}")), ("b.html", String::new())] {
+            made.part.files.insert(name.into(), content.into_bytes());
+        }
+        let bytes = encoded(&made, &old).expect("JSON");
+        let again = |recipe: &str| decoded(bytes.clone(), made.part.by, recipe).expect("a part").part;
+        assert_eq!(again(&old), made.part);
+        made.part.files.insert("a.exr".into(), format!("\0{new}\u{1}{other}{new}").into_bytes());
+        assert_eq!(again(&new), made.part);
+        assert!(
+            decoded(bytes[..bytes.len() - 1].to_vec(), made.part.by, &old).is_none(),
+            "a byte is missing"
+        );
+    }
+}

@@ -1,0 +1,210 @@
+//! Results that need not be made twice, each in a file named by the hash of what determines it.
+//!
+//! Entries are whole or not there: a file is renamed into place, and one whose own hash does not
+//! hold is as good as none. So processes may share the folder, and killing one of them harms none.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::SystemTime;
+
+use super::{Operation, StoreError, TEMP_SUFFIX, read, write};
+
+/// How the names of entries end.
+const ENDING: &str = ".entry";
+
+/// Bytes of the hash before the content.
+const HASH: usize = 32;
+
+/// Most bytes of all entries together: beyond them the ones that were read longest ago go.
+const BYTES: u64 = 1 << 30;
+
+/// The variable of the environment that names the folder.
+pub const VARIABLE: &str = "LOBEFIT_CACHE";
+
+/// A folder of results.
+#[derive(Debug)]
+pub struct Cache {
+    folder: PathBuf,
+    failed: OnceLock<StoreError>,
+}
+
+/// What a folder of results holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Held {
+    /// Entries.
+    pub entries: usize,
+    /// Their bytes.
+    pub bytes: u64,
+}
+
+impl Cache {
+    /// The user's: the folder that [`VARIABLE`] names, else `lobefit` among the system's caches;
+    /// none on a system without such a place.
+    pub fn of_user() -> Option<Cache> {
+        let named = std::env::var_os(VARIABLE).filter(|name| !name.is_empty()).map(PathBuf::from);
+        named.or_else(|| Some(dirs::cache_dir()?.join("lobefit"))).map(Cache::at)
+    }
+
+    /// In a folder, which is made when something is put there.
+    pub fn at(folder: PathBuf) -> Cache {
+        Cache { folder, failed: OnceLock::new() }
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The content of a key, if a whole entry is there.
+    pub fn get(&self, key: &str) -> Option<Vec<u8>> {
+        let path = self.path(key);
+        let mut bytes = read(&path, BYTES).ok()?;
+        let content = bytes.split_off(bytes.len().min(HASH));
+        if blake3::hash(&content).as_bytes()[..] != bytes[..] {
+            return None;
+        }
+        // The time tells which entries go first; without it this one goes earlier.
+        let _ = File::options().write(true).open(&path).and_then(|file| file.set_modified(SystemTime::now()));
+        Some(content)
+    }
+
+    /// Puts a content there. A cache that cannot be written spares no work and harms none: the first
+    /// reason is [`Cache::failed`].
+    pub fn put(&self, key: &str, content: &[u8]) {
+        if let Err(error) = self.try_put(key, content) {
+            let _ = self.failed.set(error);
+        }
+    }
+
+    fn try_put(&self, key: &str, content: &[u8]) -> Result<(), StoreError> {
+        let io = |operation| StoreError::writing(&self.folder, operation);
+        fs::create_dir_all(&self.folder).map_err(io(Operation::CreateFolder))?;
+        let bytes = [blake3::hash(content).as_bytes(), content].concat();
+        write(&self.path(key), &bytes)?;
+        self.bound(BYTES).map_err(io(Operation::List))
+    }
+
+    /// Why nothing could be put there, where that was so.
+    pub fn failed(&self) -> Option<&StoreError> {
+        self.failed.get()
+    }
+
+    fn path(&self, key: &str) -> PathBuf {
+        self.folder.join(format!("{key}{ENDING}"))
+    }
+
+    /// Entries with their times and sizes; none where there is no folder.
+    fn entries(&self) -> io::Result<Vec<(SystemTime, PathBuf, u64)>> {
+        let mut entries = Vec::new();
+        let list = match fs::read_dir(&self.folder) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(entries),
+            list => list?,
+        };
+        for entry in list {
+            let path = entry?.path();
+            // Another process may have removed it meanwhile.
+            let Ok(data) = fs::metadata(&path) else { continue };
+            let name = path.to_string_lossy();
+            // A process that was killed leaves the file that it was writing.
+            if [ENDING, TEMP_SUFFIX].iter().any(|ending| name.ends_with(ending)) && data.is_file() {
+                entries.push((data.modified()?, path, data.len()));
+            }
+        }
+        entries.sort();
+        Ok(entries)
+    }
+
+    /// Removes the oldest entries until the others are within so many bytes.
+    fn bound(&self, most: u64) -> io::Result<()> {
+        let entries = self.entries()?;
+        let mut total: u64 = entries.iter().map(|(_, _, bytes)| bytes).sum();
+        for (_, path, bytes) in entries {
+            if total <= most {
+                break;
+            }
+            removed(&path)?;
+            total -= bytes;
+        }
+        Ok(())
+    }
+
+    /// What it holds.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed.
+    pub fn held(&self) -> Result<Held, StoreError> {
+        let entries = self.entries().map_err(StoreError::reading(&self.folder, Operation::List))?;
+        Ok(Held { entries: entries.len(), bytes: entries.iter().map(|(_, _, bytes)| bytes).sum() })
+    }
+
+    /// Removes every entry, and says what they were.
+    ///
+    /// # Errors
+    /// An entry that cannot be removed.
+    pub fn clear(&self) -> Result<Held, StoreError> {
+        let held = self.held()?;
+        self.bound(0).map_err(StoreError::writing(&self.folder, Operation::Remove))?;
+        Ok(held)
+    }
+}
+
+/// Removes a file that may be gone already.
+fn removed(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(e),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cache(folder: &tempfile::TempDir) -> Cache {
+        Cache::at(folder.path().join("results"))
+    }
+
+    #[test]
+    fn what_was_put_is_there_and_damage_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = cache(&folder);
+        assert_eq!((cache.get("a"), cache.held().unwrap()), (None, Held::default()));
+        cache.put("a", b"some content");
+        assert_eq!(cache.get("a").as_deref(), Some(&b"some content"[..]));
+        let path = cache.path("a");
+        let whole = fs::read(&path).unwrap();
+        for damaged in [&whole[..whole.len() - 1], &whole[..10], b""] {
+            fs::write(&path, damaged).unwrap();
+            assert_eq!(cache.get("a"), None);
+        }
+        cache.put("a", b"some content");
+        assert_eq!(cache.clear().unwrap(), Held { entries: 1, bytes: 44 });
+        assert_eq!((cache.get("a"), cache.failed().is_some()), (None, false));
+    }
+
+    #[test]
+    fn the_entries_that_were_read_longest_ago_go_first() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = cache(&folder);
+        for (key, age) in [("a", 3), ("b", 2), ("c", 1)] {
+            cache.put(key, &[0; 68]);
+            let time = SystemTime::now() - std::time::Duration::from_secs(100 * age);
+            File::options().write(true).open(cache.path(key)).unwrap().set_modified(time).unwrap();
+        }
+        assert!(cache.get("a").is_some());
+        cache.bound(250).unwrap();
+        assert_eq!(["a", "b", "c"].map(|key| cache.get(key).is_some()), [true, false, true]);
+    }
+
+    #[test]
+    fn a_place_that_cannot_be_written_is_named_and_no_error() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("results"), "a file").unwrap();
+        let cache = cache(&folder);
+        cache.put("a", b"content");
+        assert!(cache.failed().is_some_and(|error| error.to_string().contains("results")));
+        assert_eq!(cache.get("a"), None);
+    }
+}
