@@ -157,7 +157,7 @@ fn fused_sums_are_the_nearest_numbers_of_half_precision() {
     let mut state = 1_u64;
     let mut next = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f16::from_bits((state >> 33) as u16 % 0x7c00 | (state >> 48) as u16 & 0x8000)
+        f16::from_bits(((state >> 33) as u16 % 0x7c00) | ((state >> 48) as u16 & 0x8000))
     };
     for _ in 0..1_000_000 {
         let [x, y, z] = [next(), next(), next()];
