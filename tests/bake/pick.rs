@@ -188,7 +188,10 @@ fn half_columns(names: &[&str]) -> Vec<Vec<Half>> {
     let column = |name: &&str| -> Vec<Half> {
         let value = |i: usize| match *name {
             "mu" | "n_dot_v" => 0.01 + 0.99 * at(i, 0.754_877_666_246_693),
-            "alpha" => (0.1 + 0.9 * at(i, 0.569_840_290_998_053)).powi(2),
+            "alpha" => {
+                let roughness = 0.1 + 0.9 * at(i, 0.569_840_290_998_053);
+                roughness * roughness
+            }
             _ => 0.1 + 0.9 * at(i, 0.569_840_290_998_053),
         };
         (0..points).map(|i| Half::nearest(value(i) as f32)).collect()
