@@ -63,7 +63,14 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
-    let measured = pairs.par_iter().map(|(entry, h)| stage.of(h)?.published(entry, h));
+    let measured = pairs.par_iter().map(|(entry, h)| {
+        let mut fit = stage.of(h)?.published(entry, h)?;
+        // Some of them are emitted then.
+        if wanted.emission.pick == Pick::All {
+            stage.of(h)?.halve(&mut fit)?;
+        }
+        Ok::<Fit, FitStageError>(fit)
+    });
     fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
     Ok(FitSet { fits, dropped, nearest })
 }

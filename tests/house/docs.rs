@@ -67,7 +67,11 @@ fn the_table_of_formulas_is_what_the_example_bakes() {
     let row = |fit: &Value| {
         let of_rms = fits.iter().find(|other| name(other) == name(fit) + "_rms");
         let of_rms = of_rms.map_or_else(|| " |".into(), |fit| format!(" {}", errors(fit)));
-        format!("| `{}` | {} | {} |{of_rms} |", name(fit), fit["cost"]["ops"], errors(fit))
+        let half = match &fit["half"]["max_abs"] {
+            Value::Null => "not finite".to_string(),
+            error => number(error).to_string(),
+        };
+        format!("| `{}` | {} | {} |{of_rms} | {half} |", name(fit), fit["cost"]["ops"], errors(fit))
     };
     let rows: Vec<String> = fits.iter().filter(|fit| !name(fit).ends_with("_rms")).map(row).collect();
     let begins =
