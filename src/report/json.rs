@@ -1,4 +1,5 @@
-//! Findings as JSON: numbers in nine digits at most, objects on lines, lists of numbers on one.
+//! Findings as JSON: numbers in nine digits at most, a line for every key, and one line for every
+//! object and list that fits.
 
 use std::io;
 
@@ -50,8 +51,48 @@ pub fn document<T: Serialize>(name: &str, data: &T) -> Result<Vec<u8>, ReportErr
     if let Some(path) = null(&value) {
         return check::finite(name, path.trim_start_matches('.'), f64::NAN).map(|()| bytes);
     }
+    let mut bytes = folded(&bytes);
     bytes.push(b'\n');
     Ok(bytes)
+}
+
+/// Length of an object or list that takes one line.
+const COLUMNS: usize = 220;
+
+/// A document whose objects and lists take one line where they fit.
+fn folded(text: &[u8]) -> Vec<u8> {
+    let mut folded: Vec<u8> = Vec::with_capacity(text.len());
+    let (mut open, mut quoted, mut escaped) = (Vec::new(), false, false);
+    for &byte in text {
+        folded.push(byte);
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' if quoted => escaped = true,
+            b'"' => quoted = !quoted,
+            _ if quoted => {}
+            b'{' | b'[' => open.push(folded.len() - 1),
+            b'}' | b']' => {
+                let start = open.pop().unwrap_or_default();
+                let line = unbroken(&folded[start..]);
+                if line.len() <= COLUMNS {
+                    folded.truncate(start);
+                    folded.extend(line);
+                }
+            }
+            _ => {}
+        }
+    }
+    folded
+}
+
+/// Without line breaks, none of which is in a string, and what indents the next line.
+fn unbroken(text: &[u8]) -> Vec<u8> {
+    let mut lines = text.split(|&byte| byte == b'\n');
+    let first = lines.next().unwrap_or_default().to_vec();
+    lines.fold(first, |mut line, next| {
+        line.extend(next.trim_ascii_start());
+        line
+    })
 }
 
 /// Path of the first null.
@@ -123,6 +164,6 @@ impl Formatter for Lines {
     }
 
     fn begin_object_value<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        writer.write_all(b": ")
+        writer.write_all(b":")
     }
 }
