@@ -1,7 +1,10 @@
 //! `lobefit cost`: what accuracy costs in time.
 
+mod from;
 mod record;
+mod weights;
 
+pub use from::{bake_in, times_in};
 pub use record::{RECORD_BYTES, RecordPlace};
 
 use std::ffi::OsString;
@@ -36,10 +39,14 @@ Examples:
                                         for these families, of the bake in this folder
   lobefit cost --isa --from . --assembly ggx_energy_compensation --families navi21
                                         print the machine code of a function
+  lobefit cost --isa --from . --drivers ../drivers --families navi21,intel,a660,mali
+                                        for GPUs of other vendors, by drivers that crates/gpu/drivers/mesa.sh ../drivers has built
   lobefit cost --isa --record reports/isa/radv-22.3.6.json
                                         write the counts as a record; its name begins with driver and version
   lobefit cost --isa --against reports/isa/radv-22.3.6.json
                                         fail (exit code 1) where a count grew
+  lobefit cost --weights --from every --records .
+                                        fit what kinds of work cost on each vendor's GPUs, to the records in reports/isa of the bake in every
 
 Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
 other code than the bake's, and compiles a function again whose code is not that of the record in reports/isa/. --gpu and --isa are in
@@ -52,12 +59,13 @@ const COMMAND: &str = "lobefit cost";
 /// What is said where there is nothing to measure.
 pub const NOTHING: &[u8] = b"the scene calls for no effect: nothing to measure, nothing written\n";
 
-/// Families that machine code is made for where none are named: GCN, RDNA 2, RDNA 3.
-pub const FAMILIES: &str = "polaris10,navi21,gfx1100";
+/// What machine code is made for where no family is named: GCN, RDNA 2, RDNA 3.
+pub const FAMILIES: &str = "amd";
 
 /// Options of `cost`.
 #[derive(Args)]
-#[command(group(ArgGroup::new("recorded").args(["gpu", "isa"])))]
+#[command(group(ArgGroup::new("recorded").args(["gpu", "isa", "weights"])))]
+#[command(group(ArgGroup::new("counted").args(["isa", "weights"])))]
 pub struct Options {
     /// The scene.
     #[command(flatten)]
@@ -77,7 +85,14 @@ pub struct Options {
     /// Compile the emitted functions for families of GPUs instead, and count instructions
     #[arg(long)]
     pub isa: bool,
-    /// Families by the driver's names: tahiti, polaris10, vega10, navi10, navi21, gfx1100 and others
+    /// Fit to the records of counts what kinds of work cost on the GPUs of each vendor
+    #[arg(long, requires = "from")]
+    pub weights: bool,
+    /// The folder in whose reports/isa and reports/gpu the records are
+    #[arg(long, value_name = "DIR", default_value = ".", requires = "weights")]
+    pub records: PathBuf,
+    /// Families of GPUs: navi21, gfx1100 and others of AMD; with --drivers skl, tgl, dg2, a630, a660, g52; or amd, intel,
+    /// adreno, mali for the usual ones
     #[arg(
         long,
         value_name = "FAMILY",
@@ -87,6 +102,9 @@ pub struct Options {
         value_parser = clap::builder::NonEmptyStringValueParser::new()
     )]
     pub families: Vec<String>,
+    /// Drivers for Intel, Adreno and Mali GPUs: a folder that crates/gpu/drivers/mesa.sh writes
+    #[arg(long, value_name = "DIR", requires = "isa")]
+    pub drivers: Option<PathBuf>,
     /// Numbers to compute with; packed code evaluates twice at once
     #[arg(long, value_name = "PRECISION", value_delimiter = ',', requires = "isa", value_parser = Precision::WORDS)]
     pub precisions: Vec<String>,
@@ -94,12 +112,12 @@ pub struct Options {
     #[arg(long, value_name = "FUNCTION", requires = "isa", conflicts_with_all = ["record", "against", "json"])]
     pub assembly: Option<String>,
     /// Take the bake in this folder, in place of baking a scene
-    #[arg(long, value_name = "DIR", requires = "isa", conflicts_with = "scene")]
+    #[arg(long, value_name = "DIR", requires = "counted", conflicts_with = "scene")]
     pub from: Option<PathBuf>,
     /// Compare with this record of counts, for its families and precisions: exit code 1 where one grew
     #[arg(long, value_name = "RECORD", requires = "isa", conflicts_with_all = ["record", "families", "precisions"])]
     pub against: Option<PathBuf>,
-    /// Write the times or counts to this file, whose name ends with .json; beside times their page
+    /// Write the times, counts or weights to this file, whose name ends with .json; beside times their page
     #[arg(long, value_name = "FILE", requires = "recorded")]
     pub record: Option<PathBuf>,
     /// Write the page of a record again, and measure nothing
@@ -121,6 +139,9 @@ pub struct Options {
 pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliError> {
     if let Some(record) = &options.page {
         return record::page(options, record);
+    }
+    if let (true, Some(from)) = (options.weights, &options.from) {
+        return weights::verb(options, from);
     }
     if options.gpu || options.isa {
         return external::run("lobefit-gpu", words);

@@ -14,6 +14,7 @@ mod mips;
 mod pick;
 mod shader;
 mod table;
+mod vendor;
 
 pub use alpha_map::AlphaMap;
 pub use approximation::{Approximation, Cost, Form, Formula, Source};
@@ -30,3 +31,4 @@ pub use mips::{LOG_FROM, LOG_SCALE, MipChain, MipMap};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
 pub use shader::{Coordinate, Decoder, TableCode, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};
+pub use vendor::{Agreement, Model, Vendor, Weights, WeightsError};

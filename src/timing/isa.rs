@@ -11,10 +11,13 @@ use crate::emit::manifest::{Entries, Manifest};
 use crate::store::{Files, MANIFEST};
 
 /// Version of the form, and of the way of counting.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// The folder of a bake in which records are looked for.
 pub const FOLDER: &str = "reports/isa";
+
+/// Digits of a hash that a record holds.
+const DIGITS: usize = 16;
 
 /// What a compiler made of the functions of a scene.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,14 +29,39 @@ pub struct IsaRecord {
     pub command: String,
     /// Name of the scene.
     pub scene: String,
-    /// The compiler's driver, by the name that it gives itself: `radv`.
+    /// The driver that compiles, or the compiler: `radv`, `intel`, `nvidia-nvrtc`.
     pub driver: String,
     /// The driver's version: `22.3.6`.
     pub version: String,
     /// What could not be compiled.
     pub left_out: Vec<IsaLeftOut>,
+    /// What was compiled, by the names of the functions.
+    pub functions: BTreeMap<String, IsaFunction>,
     /// By function, family and precision.
     pub rows: Vec<IsaRow>,
+}
+
+/// A function of the bake.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IsaFunction {
+    /// Operations by the model, where the manifest states them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ops: Option<u32>,
+    /// The beginning of the hash of its code, [`Include::hash`].
+    pub source: String,
+}
+
+impl IsaFunction {
+    /// A function whose code has a hash.
+    pub fn of(hash: &str, ops: Option<u32>) -> IsaFunction {
+        IsaFunction { ops, source: hash.chars().take(DIGITS).collect() }
+    }
+
+    /// Whether code with a hash is its code.
+    pub fn is(&self, hash: &str) -> bool {
+        IsaFunction::of(hash, None).source == self.source
+    }
 }
 
 /// A function on a family. Instructions, bytes and cycles are those of a shader that calls the
@@ -46,14 +74,9 @@ pub struct IsaRow {
     pub family: String,
     /// Of its numbers.
     pub precision: Precision,
-    /// Operations by the model, where the manifest states them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ops: Option<u32>,
     /// What was counted.
     #[serde(flatten)]
     pub counts: Counts,
-    /// Hash of the code that was compiled: [`Include::hash`].
-    pub source: String,
 }
 
 /// A function that is not valid in a precision.
@@ -92,67 +115,96 @@ impl Precision {
 }
 
 /// What a compiled function costs. Kinds of instructions are disjoint; hints and waits are of no
-/// kind.
+/// kind. What a compiler does not state is absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
-    /// Vector instructions that are neither transcendental nor moves of literals.
+    /// Instructions that compute, in every lane, and are neither transcendental nor moves of
+    /// literals.
     pub vector: i64,
     /// Reciprocals, roots, exponentials, logarithms, sines and cosines.
     pub transcendental: i64,
-    /// Scalar instructions, loads of uniforms and descriptors among them.
-    pub scalar: i64,
-    /// Loads, stores and samples by vector addresses.
+    /// Instructions that compute once for all lanes, loads of uniforms and descriptors among them,
+    /// where the GPU has any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scalar: Option<i64>,
+    /// Loads, stores and samples.
     pub memory: i64,
-    /// Moves of literals into registers, vector and scalar.
+    /// Moves of literals into registers.
     pub moves: i64,
+    /// Turns in which the arithmetic pipe issues, or waits: instructions and the empty ones between
+    /// them (Adreno), tuples of two instructions (Mali).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slots: Option<i64>,
     /// Vector registers of the whole shader.
-    pub vgprs: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vgprs: Option<i64>,
     /// Scalar registers of the whole shader.
-    pub sgprs: i64,
-    /// Waves of the whole shader that a SIMD unit holds at once.
-    pub waves: i64,
-    /// Registers spilled, vector and scalar.
-    pub spills: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sgprs: Option<i64>,
+    /// Waves of the whole shader that are in flight at once, as the driver counts them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub waves: Option<i64>,
+    /// Registers spilled.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spills: Option<i64>,
     /// Bytes of code.
-    pub bytes: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bytes: Option<i64>,
     /// Cycles from the beginning of a wave to its end, as the compiler estimates them.
-    pub latency: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latency: Option<i64>,
     /// Cycles between the ends of two waves, as the compiler estimates them.
-    pub inverse_throughput: i64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inverse_throughput: Option<i64>,
 }
 
 impl Counts {
-    /// Counts that must not grow unnoticed: instructions by kind, vector registers, spills.
-    /// Estimates follow from them.
-    pub fn held(&self) -> [(&'static str, i64); 7] {
-        [
-            ("vector", self.vector),
-            ("transcendental", self.transcendental),
+    /// All that are stated, by name.
+    pub fn stated(&self) -> Vec<(&'static str, i64)> {
+        let all = [
+            ("vector", Some(self.vector)),
+            ("transcendental", Some(self.transcendental)),
             ("scalar", self.scalar),
-            ("memory", self.memory),
-            ("moves", self.moves),
+            ("memory", Some(self.memory)),
+            ("moves", Some(self.moves)),
+            ("slots", self.slots),
             ("vgprs", self.vgprs),
+            ("sgprs", self.sgprs),
+            ("waves", self.waves),
             ("spills", self.spills),
-        ]
+            ("bytes", self.bytes),
+            ("latency", self.latency),
+            ("inverse_throughput", self.inverse_throughput),
+        ];
+        all.into_iter().filter_map(|(name, count)| Some((name, count?))).collect()
+    }
+
+    /// Counts that must not grow unnoticed: instructions by kind, issue slots, vector registers,
+    /// spills. Estimates follow from them.
+    pub fn held(&self) -> BTreeMap<&'static str, i64> {
+        let held = ["vector", "transcendental", "scalar", "memory", "moves", "slots", "vgprs", "spills"];
+        self.stated().into_iter().filter(|(name, _)| held.contains(name)).collect()
     }
 
     /// Those of a shader above those of the same shader without the function; registers, waves and
     /// spills stay those of the whole.
     pub fn above(&self, without: &Counts) -> Counts {
+        let less = |with: Option<i64>, without: Option<i64>| Some(with? - without?);
         Counts {
             vector: self.vector - without.vector,
             transcendental: self.transcendental - without.transcendental,
-            scalar: self.scalar - without.scalar,
+            scalar: less(self.scalar, without.scalar),
             memory: self.memory - without.memory,
             moves: self.moves - without.moves,
-            bytes: self.bytes - without.bytes,
-            latency: self.latency - without.latency,
-            inverse_throughput: self.inverse_throughput - without.inverse_throughput,
+            slots: less(self.slots, without.slots),
+            bytes: less(self.bytes, without.bytes),
+            latency: less(self.latency, without.latency),
+            inverse_throughput: less(self.inverse_throughput, without.inverse_throughput),
             ..*self
         }
     }
 
-    /// Vector instructions in those of full rate: a transcendental one has a quarter of it.
+    /// Instructions in those of full rate: a transcendental one has a quarter of it.
     pub fn issued(&self) -> i64 {
         self.vector + 4 * self.transcendental
     }
@@ -209,15 +261,33 @@ impl IsaRecord {
     /// # Errors
     /// Data that cannot be written as JSON.
     pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
-        let whole = serde_json::to_string_pretty(&IsaRecord { rows: Vec::new(), ..self.clone() })?;
+        let (functions, rows) = (BTreeMap::new(), Vec::new());
+        let whole = serde_json::to_string_pretty(&IsaRecord { functions, rows, ..self.clone() })?;
+        let line = |(name, function): (&String, &IsaFunction)| {
+            Ok(format!("{}:{}", serde_json::to_string(name)?, serde_json::to_string(function)?))
+        };
+        let functions = self.functions.iter().map(line).collect::<Result<Vec<_>, serde_json::Error>>()?;
         let rows = self.rows.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
-        let rows = format!("\"rows\": [\n    {}\n  ]", rows.join(",\n    "));
+        let lines = |lines: Vec<String>| lines.join(",\n    ");
+        let functions = format!("\"functions\": {{\n    {}\n  }}", lines(functions));
+        let rows = format!("\"rows\": [\n    {}\n  ]", lines(rows));
+        let whole = whole.replacen("\"functions\": {}", &functions, 1);
         Ok((whole.replacen("\"rows\": []", &rows, 1) + "\n").into_bytes())
     }
 
     /// Driver and version: `radv-22.3.6`, as the name of a record begins.
     pub fn compiler(&self) -> String {
         format!("{}-{}", self.driver, self.version)
+    }
+
+    /// Operations by the model of a function, where the manifest states them.
+    pub fn ops(&self, function: &str) -> Option<u32> {
+        self.functions.get(function)?.ops
+    }
+
+    /// Whether a function was compiled from code with a hash.
+    pub fn is_of(&self, function: &str, hash: &str) -> bool {
+        self.functions.get(function).is_some_and(|of| of.is(hash))
     }
 
     /// Its families, in order of first mention.
@@ -234,8 +304,10 @@ impl IsaRecord {
     /// Rows of functions whose code is not that of an include file, or which it lacks: names of the
     /// functions.
     pub fn stale(&self, include: &Include) -> BTreeSet<&str> {
-        let other = |row: &&IsaRow| include.hash(&row.function).is_none_or(|hash| hash != row.source);
-        self.rows.iter().filter(other).map(|row| row.function.as_str()).collect()
+        let current =
+            |name: &str, function: &IsaFunction| include.hash(name).is_some_and(|hash| function.is(&hash));
+        let other = self.functions.iter().filter(|(name, function)| !current(name, function));
+        other.map(|(name, _)| name.as_str()).collect()
     }
 
     /// What grew from this record to what is compiled now. Another compiler is not compared.
@@ -247,9 +319,9 @@ impl IsaRecord {
         let pairs = self.rows.iter().filter_map(|was| Some((was, *all.get(&key(was))?)));
         let pairs: Vec<_> = pairs.filter(|_| same).collect();
         let grown = pairs.iter().flat_map(|(was, is)| {
-            let counts = was.counts.held().into_iter().zip(is.counts.held());
-            let grown = counts.filter(|((_, was), (_, is))| is > was);
-            grown.map(|((count, before), (_, after))| Grown {
+            let (before, after) = (was.counts.held(), is.counts.held());
+            let both = before.into_iter().filter_map(move |(name, was)| Some((name, was, *after.get(name)?)));
+            both.filter(|(_, before, after)| after > before).map(|(count, before, after)| Grown {
                 function: was.function.clone(),
                 family: was.family.clone(),
                 precision: was.precision,

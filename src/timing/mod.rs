@@ -5,6 +5,7 @@ pub mod correlation;
 pub mod isa;
 pub mod record;
 mod tables;
+pub mod weights;
 
 use lobefit_shade::ShadeError;
 use std::hint::black_box;

@@ -13,7 +13,7 @@ use lobefit::report::{
     GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
 };
 use lobefit::scene::Scene;
-use lobefit::timing::isa::{IsaRecord, IsaRow};
+use lobefit::timing::isa::{IsaFunction, IsaRecord, IsaRow};
 use lobefit::timing::record::{METHOD, missing, page, read, stale};
 use serde_json::{Value, json};
 
@@ -60,7 +60,7 @@ fn check_fails_where_a_function_compiles_to_more_than_its_record_says() {
 
     let mut old = made.clone();
     let of = |row: &IsaRow| row.function == name;
-    old.rows.iter_mut().filter(|row| of(row)).for_each(|row| row.source = "0".repeat(64));
+    old.functions.insert(name.into(), IsaFunction::of(&"0".repeat(64), Some(1)));
     let (code, text, _) = put(&old);
     let note = format!("note: {file}: 1 functions are of other code than the bake's ({name}); compile again");
     assert!(code == 0 && text.contains(&note), "{text}");
@@ -71,6 +71,9 @@ fn check_fails_where_a_function_compiles_to_more_than_its_record_says() {
     old.version = "1.2.3".into();
     let (code, text, _) = put(&old);
     assert!(code == 0 && text.contains("not compared: compiled by "), "{text}");
+    old.driver = "intel".into();
+    let (code, text, _) = put(&old);
+    assert!(code == 0 && text.contains("not compared: ") && text.contains("takes --drivers DIR"), "{text}");
     old.scene = "another".into();
     let (code, text, _) = put(&old);
     assert!(code == 0 && !text.contains("note:"), "{text}");

@@ -3,7 +3,9 @@
 
 use std::path::Path;
 
+use lobefit::data::{Model, Vendor};
 use lobefit::emit::header::short;
+use lobefit::emit::include::Include;
 use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use serde_json::Value;
@@ -77,7 +79,38 @@ fn the_table_of_formulas_is_what_the_example_bakes() {
     let begins =
         ["| `ggx_", "| `coupling_", "| `charlie_", "| `parallax_1", "| `parallax_c", "| `parallax_po"];
     assert_rows("docs/cost.md", &begins, &rows);
+    weights_follow(folder.path(), manifest["fits"].clone());
 }
+
+/// The committed prices are those of a bake of every formula, where the records of all vendors are
+/// of its code.
+fn weights_follow(bake: &Path, fits: Value) {
+    let wgsl = std::fs::read_to_string(bake.join("fits/lobefit.wgsl")).expect("a file");
+    let include = Include::new(wgsl);
+    let functions = || fits.as_array().expect("a list").iter().filter_map(|fit| fit["function"].as_str());
+    for driver in DRIVERS {
+        let text = read(&format!("reports/isa/{driver}-every-formula.json"));
+        let record = IsaRecord::read(text.as_bytes()).expect("a record");
+        let of = |name: &str| record.is_of(name, &include.hash(name).expect("emitted"));
+        let other: Vec<&str> = functions().filter(|name| !of(name)).collect();
+        if let Some(name) = other.first() {
+            println!(
+                "{driver}: {} functions are of other code ({name}, ...): prices are not compared",
+                other.len()
+            );
+            return;
+        }
+    }
+    let words = ["cost", "--weights", "--json", "--from", ".", "--records"].map(String::from);
+    let words = [&words[..], &[root().display().to_string()]].concat();
+    let output = lobefit(bake, &words.iter().map(String::as_str).collect::<Vec<_>>(), b"");
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(String::from_utf8(output.stdout).expect("text"), read("src/data/weights.json"));
+}
+
+/// Compilers whose counts are recorded.
+const DRIVERS: [&str; 5] =
+    ["radv-22.3.6", "intel-22.3.6", "adreno-22.3.6", "mali-22.3.6", "nvidia-nvrtc-12.9.86"];
 
 #[test]
 fn the_tables_of_published_formulas_are_the_reports() {
@@ -149,18 +182,18 @@ fn the_machine_instructions_are_the_records() {
         || records.iter().flat_map(|record| &record.rows).filter(|row| row.precision == Precision::F32);
     let row = |line: &&str| {
         let name = line.split('`').nth(1).expect("a name");
-        let ops = rows().find(|row| row.function == name).and_then(|row| row.ops).expect("operations");
+        let ops = records.iter().find_map(|record| record.ops(name)).expect("operations");
         let cell = |family| {
             let row = rows().find(|row| row.function == name && row.family == family).expect("a row");
             let Counts { vector, transcendental, moves, latency, .. } = row.counts;
-            format!("{vector} + {transcendental}, {moves}, {latency}")
+            format!("{vector} + {transcendental}, {moves}, {}", latency.expect("stated"))
         };
         format!("| {ops} | `{name}` | {} |", ["polaris10", "navi21", "gfx1100"].map(cell).join(" | "))
     };
     let wanted: Vec<String> = found.iter().map(row).collect();
     assert!(found.len() > 8);
     assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
-    let pairs = |row: &IsaRow| Some((f64::from(row.ops?), row.counts.issued() as f64));
+    let pairs = |row: &IsaRow| Some((f64::from(records[0].ops(&row.function)?), row.counts.issued() as f64));
     for family in ["navi21", "gfx1100"] {
         let pairs: Vec<_> =
             records[0].rows.iter().filter(|row| row.family == family).filter_map(pairs).collect();
@@ -169,6 +202,62 @@ fn the_machine_instructions_are_the_records() {
             [format!("over the {} functions", found.count), format!("Pearson {:.3} with", found.values)];
         assert!(shown.iter().all(|words| page.replace('\n', " ").contains(words)), "{shown:?}");
     }
+}
+
+/// Instructions on GPUs of other vendors in f32, and what their drivers state of time.
+#[test]
+fn the_machine_instructions_of_other_vendors_are_the_records() {
+    let page = read("docs/cost.md");
+    let section =
+        page.split("| operations | function | Skylake").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let found: Vec<&str> = section.expect("it").lines().filter(|line| line.contains('`')).collect();
+    let columns = [
+        ("intel-22.3.6", "skl"),
+        ("intel-22.3.6", "dg2"),
+        ("adreno-22.3.6", "a660"),
+        ("mali-22.3.6", "g52"),
+        ("nvidia-nvrtc-12.9.86", "sm_90"),
+    ];
+    let of = |driver: &str| {
+        ["", "-every-formula"].map(|scene| {
+            let text = read(&format!("reports/isa/{driver}{scene}.json"));
+            IsaRecord::read(text.as_bytes()).expect("a record")
+        })
+    };
+    let records = columns.map(|(driver, family)| (of(driver), family));
+    let row = |line: &&str| {
+        let name = line.split('`').nth(1).expect("a name");
+        let ops = records[0].0.iter().find_map(|record| record.ops(name)).expect("operations");
+        let cell = |(records, family): &([IsaRecord; 2], &str)| {
+            let mut rows = records.iter().flat_map(|record| &record.rows);
+            let row = rows
+                .find(|row| row.function == name && row.family == *family && row.precision == Precision::F32);
+            let Counts { vector, transcendental, moves, latency, slots, .. } = row.expect("a row").counts;
+            let time = latency.or(slots).map_or_else(String::new, |time| format!(", {time}"));
+            format!("{vector} + {transcendental}, {moves}{time}")
+        };
+        format!("| {ops} | `{name}` | {} |", records.each_ref().map(cell).join(" | "))
+    };
+    let wanted: Vec<String> = found.iter().map(row).collect();
+    assert!(found.len() > 8);
+    assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+/// Correlations of the vendors' models are those that stand beside the prices.
+#[test]
+fn the_models_of_vendors_are_the_weights() {
+    let wanted = Vendor::ALL.map(|vendor| {
+        let Model { family, unit, agreement, left_out, operations, .. } = vendor.model().expect("committed");
+        format!(
+            "| {} ({family}) | {unit} | {:.3} | {:.3} | {:.3} |",
+            vendor.word(),
+            operations.pearson,
+            agreement.pearson,
+            left_out.pearson
+        )
+    });
+    let begins = Vendor::ALL.map(|vendor| format!("| {} (", vendor.word()));
+    assert_rows("docs/cost.md", &begins.each_ref().map(String::as_str), &wanted);
 }
 
 /// `what ignoring the azimuth costs`, rounded up to three digits, is the report's figure.

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::fmt::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -29,10 +30,10 @@ struct Options {
 /// Runs the verb on its arguments (the first is the program's name), `--gpu` or `--isa` among them.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    if let [_, word, driver] = arguments.as_slice()
+    if let [_, word, driver, answer] = arguments.as_slice()
         && word == isa::WORKER
     {
-        return isa::worker(&driver.to_string_lossy());
+        return isa::worker(&driver.to_string_lossy(), Path::new(answer));
     }
     match Options::try_parse_from(arguments) {
         Ok(options) if options.all.isa => output::finish(isa::verb(&options.all)),

@@ -1,5 +1,7 @@
 //! Why nothing was measured on a graphics processor, or compiled for one.
 
+use std::path::PathBuf;
+
 use lobefit::cli::{CliError, PackageError};
 use lobefit::report::ReportError;
 
@@ -74,6 +76,44 @@ pub enum GpuError {
         /// What to install.
         install: &'static str,
     },
+    /// Drivers for the family's vendor are built by a script.
+    #[error(
+        "--isa: family {family}: compiling for {driver} takes --drivers DIR, a folder that {script} writes"
+    )]
+    NoFolder {
+        /// The family that was asked for.
+        family: String,
+        /// The driver.
+        driver: &'static str,
+        /// The script.
+        script: &'static str,
+    },
+    /// A folder that is not the script's.
+    #[error("--drivers {}: holds no {file}; {script} writes it", folder.display())]
+    NotInFolder {
+        /// The folder.
+        folder: PathBuf,
+        /// The file.
+        file: &'static str,
+        /// The script.
+        script: &'static str,
+    },
+    /// A record of what this program does not run.
+    #[error(
+        "--isa: `lobefit cost --isa` compiles by no driver {name}: a record of it is read, and not made again here"
+    )]
+    NoSuchDriver {
+        /// The driver's name in the record.
+        name: String,
+    },
+    /// Families of several drivers where one is called for.
+    #[error("--isa: {option} takes families of one driver: a record is of one; found {}", drivers.join(", "))]
+    Several {
+        /// The option.
+        option: &'static str,
+        /// The drivers.
+        drivers: Vec<&'static str>,
+    },
     /// A driver does not know a family, or failed at it.
     #[error("--isa: {driver}: family {family}: {reason}; --families takes {families}")]
     Family {
@@ -84,7 +124,7 @@ pub enum GpuError {
         /// What the driver said.
         reason: String,
         /// Families that there are.
-        families: &'static str,
+        families: String,
     },
     /// The page refused its data.
     #[error(transparent)]

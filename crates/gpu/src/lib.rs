@@ -23,6 +23,7 @@ mod variable;
 
 pub use cli::run;
 pub use error::GpuError;
+pub use isa::counted;
 use measure::Measured;
 
 use device::Gpu;

@@ -30,4 +30,4 @@ pub use hypothesis::{
 pub use range::{RangeProof, prove_range};
 pub use regular::prove_regular;
 pub use source::Source;
-pub use tape::{BinaryOp, Interval, Node, Op, Real, Tape, UnaryOp};
+pub use tape::{BinaryOp, Features, Interval, Node, Op, Real, Tape, UnaryOp};

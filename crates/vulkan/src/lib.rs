@@ -1,6 +1,6 @@
 //! Machine code of compute shaders: a Vulkan driver compiles them and says what it made, by the
-//! extension `VK_KHR_pipeline_executable_properties`. Nothing is submitted, so a driver that has no
-//! GPU will do.
+//! extension `VK_KHR_pipeline_executable_properties` or, where it lacks that, on the standard
+//! streams. Nothing is submitted, so a driver that has no GPU will do.
 //!
 //! Every unsafe call of the workspace stands here. A driver can still end the process: run it in
 //! one of its own.
@@ -31,11 +31,12 @@ pub const BINDINGS: [vk::DescriptorType; 7] = [
 /// A device that compiles.
 pub struct Compiler {
     device: ash::Device,
-    executables: executables::Device,
+    /// None of a driver that lacks the extension.
+    executables: Option<executables::Device>,
     layout: vk::PipelineLayout,
     /// The device, as the driver names it.
     pub name: String,
-    /// The driver's version, as it says it: `Mesa 22.3.6`.
+    /// The driver's version: `22.3.6`.
     pub version: String,
     /// Whether shaders may compute in f16, and read and write it in buffers.
     pub half: bool,
@@ -45,7 +46,7 @@ pub struct Compiler {
 }
 
 /// A compiled shader.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Compiled {
     /// What the driver counted, by the names that it gives.
     pub statistics: BTreeMap<String, i64>,
@@ -54,11 +55,12 @@ pub struct Compiled {
 }
 
 impl Compiler {
-    /// The first device of a driver, by the name that the driver gives itself: `radv`.
+    /// The first device whose driver's name or whose own name holds a word: `radv`. A driver
+    /// `states` what it compiles by the extension, or prints it.
     ///
     /// # Errors
-    /// No loader, no device of the driver, a driver that does not say what it compiles.
-    pub fn open(driver: &str) -> Result<Compiler, VulkanError> {
+    /// No loader, no such device, a driver that does not state what it compiles and should.
+    pub fn open(word: &str, states: bool) -> Result<Compiler, VulkanError> {
         // SAFETY: the library is the system's Vulkan loader, and outlives all that is made by it.
         let library = unsafe { ash::Entry::load() }
             .map_err(|reason| VulkanError::Loader { reason: reason.to_string() })?;
@@ -74,14 +76,16 @@ impl Compiler {
             let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut of);
             // SAFETY: the chain is of structures that Vulkan 1.2 knows.
             unsafe { instance.get_physical_device_properties2(physical, &mut properties) };
-            let name = text(&properties.properties.device_name);
-            if text(&of.driver_name) == driver {
-                let version = text(&of.driver_info);
-                return Compiler::of(library, instance, physical, [name, version]);
+            let properties = properties.properties;
+            let names = [text(&of.driver_name), text(&properties.device_name)];
+            if names.iter().any(|name| name.contains(word)) {
+                let [_, name] = names;
+                let version = version(properties.driver_version);
+                return Compiler::of(library, instance, physical, [name, version], states);
             }
-            found.push(text(&of.driver_name));
+            found.push(names.join(" "));
         }
-        Err(VulkanError::NoDevice { driver: driver.into(), found })
+        Err(VulkanError::NoDevice { driver: word.into(), found })
     }
 
     fn of(
@@ -89,6 +93,7 @@ impl Compiler {
         instance: ash::Instance,
         physical: vk::PhysicalDevice,
         [name, version]: [String; 2],
+        states: bool,
     ) -> Result<Compiler, VulkanError> {
         let Features(mut statistics, mut small, mut stored) = Features::default();
         let mut features = vk::PhysicalDeviceFeatures2::default()
@@ -97,7 +102,7 @@ impl Compiler {
             .push_next(&mut stored);
         // SAFETY: the chain is of structures that Vulkan 1.2 and the extension know.
         unsafe { instance.get_physical_device_features2(physical, &mut features) };
-        if statistics.pipeline_executable_info == vk::FALSE {
+        if states && statistics.pipeline_executable_info == vk::FALSE {
             let what = "VK_KHR_pipeline_executable_properties";
             return Err(VulkanError::Lacks { device: name, what });
         }
@@ -105,25 +110,27 @@ impl Compiler {
         // Of the features that the device has, these alone: some others change code.
         let Features(statistics, small, stored) = Features::default();
         let (mut statistics, mut small) =
-            (statistics.pipeline_executable_info(true), small.shader_float16(half));
-        let mut stored = stored.storage_buffer16_bit_access(half);
-        let (queue, extensions) =
-            ([vk::DeviceQueueCreateInfo::default().queue_priorities(&[1.0])], [executables::NAME.as_ptr()]);
-        let create = vk::DeviceCreateInfo::default()
-            .queue_create_infos(&queue)
-            .enabled_extension_names(&extensions)
-            .push_next(&mut statistics)
-            .push_next(&mut small)
-            .push_next(&mut stored);
+            (statistics.pipeline_executable_info(true), small.shader_float16(true));
+        let mut stored = stored.storage_buffer16_bit_access(true);
+        let queue = [vk::DeviceQueueCreateInfo::default().queue_priorities(&[1.0])];
+        let extensions = [executables::NAME.as_ptr()];
+        let mut create = vk::DeviceCreateInfo::default().queue_create_infos(&queue);
+        if half {
+            create = create.push_next(&mut small).push_next(&mut stored);
+        }
+        if states {
+            create = create.enabled_extension_names(&extensions).push_next(&mut statistics);
+        }
         // SAFETY: the features asked for are those that the device has, as it just said.
         let device = named("vkCreateDevice", unsafe { instance.create_device(physical, &create, None) })?;
         let layout = layout(&device)?;
-        let executables = executables::Device::new(&instance, &device);
+        let executables = states.then(|| executables::Device::new(&instance, &device));
         Ok(Compiler { device, executables, layout, name, version, half, instance, _library: library })
     }
 
     /// Compiles an entry point of a compute shader in SPIR-V that binds no more than [`BINDINGS`].
-    /// The code must be valid: a driver may end the process where it is not.
+    /// The code must be valid: a driver may end the process where it is not. Nothing is known here of
+    /// what a driver prints.
     ///
     /// # Errors
     /// What the driver refuses.
@@ -136,10 +143,13 @@ impl Compiler {
             .stage(vk::ShaderStageFlags::COMPUTE)
             .module(module)
             .name(entry);
-        let create = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout).flags(
-            vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR
-                | vk::PipelineCreateFlags::CAPTURE_INTERNAL_REPRESENTATIONS_KHR,
-        );
+        let mut create = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
+        if self.executables.is_some() {
+            create = create.flags(
+                vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR
+                    | vk::PipelineCreateFlags::CAPTURE_INTERNAL_REPRESENTATIONS_KHR,
+            );
+        }
         let cache = vk::PipelineCache::null();
         // SAFETY: module and layout are of this device and alive, and the feature is on.
         let made = unsafe { self.device.create_compute_pipelines(cache, &[create], None) };
@@ -157,21 +167,22 @@ impl Compiler {
 
     /// What the driver says of a pipeline, whose one executable is that of the compute stage.
     fn compiled(&self, pipeline: vk::Pipeline) -> Result<Compiled, VulkanError> {
+        let Some(executables) = &self.executables else { return Ok(Compiled::default()) };
         let info = vk::PipelineExecutableInfoKHR::default().pipeline(pipeline);
         // SAFETY: the pipeline is alive, and was made to say this.
-        let all = unsafe { self.executables.get_pipeline_executable_statistics(&info) };
+        let all = unsafe { executables.get_pipeline_executable_statistics(&info) };
         let all = named("vkGetPipelineExecutableStatisticsKHR", all)?;
         let statistics = all.iter().map(|one| (text(&one.name), value(one))).collect();
         let call = "vkGetPipelineExecutableInternalRepresentationsKHR";
         // SAFETY: as above; with no place for the data, their sizes are returned.
-        let sized = unsafe { self.executables.get_pipeline_executable_internal_representations(&info) };
+        let sized = unsafe { executables.get_pipeline_executable_internal_representations(&info) };
         let mut all = named(call, sized)?;
         let mut texts: Vec<Vec<u8>> = all.iter().map(|one| vec![0; one.data_size]).collect();
         for (one, text) in all.iter_mut().zip(&mut texts) {
             one.p_data = text.as_mut_ptr().cast();
         }
         let mut count = all.len() as u32;
-        let get = self.executables.fp().get_pipeline_executable_internal_representations_khr;
+        let get = executables.fp().get_pipeline_executable_internal_representations_khr;
         // SAFETY: each place is as large as the driver said, and lives as long as the call.
         let done = unsafe { get(self.device.handle(), &info, &mut count, all.as_mut_ptr()) };
         named(call, done.result())?;
@@ -235,6 +246,13 @@ fn value(one: &vk::PipelineExecutableStatisticKHR<'_>) -> i64 {
             _ => one.value.u64 as i64,
         }
     }
+}
+
+/// A version as Mesa's drivers write it.
+fn version(number: u32) -> String {
+    [vk::api_version_major(number), vk::api_version_minor(number), vk::api_version_patch(number)]
+        .map(|part| part.to_string())
+        .join(".")
 }
 
 /// A name that ends with a zero, as structures of the API hold it.

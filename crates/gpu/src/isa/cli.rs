@@ -5,44 +5,31 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::{Compiled, compile};
+use super::family::{Driver, chosen};
+use super::{Compiled, Order, compile};
+use crate::GpuError;
 use lobefit::bake::Selection;
 use lobefit::cli::CliError;
-use lobefit::cli::cost::{NOTHING, Options, RECORD_BYTES};
+use lobefit::cli::cost::{self, NOTHING, Options, RECORD_BYTES};
 use lobefit::cli::input;
 use lobefit::cli::output::{Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
-use lobefit::emit::manifest::Manifest;
 use lobefit::plan;
 use lobefit::report::{GpuKind, GpuRecord};
-use lobefit::store::{self, Files, Folder, MANIFEST};
+use lobefit::store::{self, Files, Folder};
 use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{IsaRecord, IsaRow, Precision};
-use lobefit::timing::record;
-
-/// Largest file of a bake that is read, bytes.
-const FILE_BYTES: u64 = 64 << 20;
-
-/// The emitted code, in the language that is compiled.
-const CODE: &str = "fits/lobefit.wgsl";
 
 /// Compiles, prints, compares, and writes what is to be recorded.
 pub(crate) fn verb(options: &Options) -> Result<Outcome, CliError> {
     let old = options.against.as_deref().map(read).transpose()?;
     let mut place = options.record.as_deref().map(Place::open).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
+    let order = order(options, old.as_ref())?;
     let (files, scene) = baked(options, &progress)?;
-    let mut families = options.families.clone();
-    let mut precisions = Precision::ALL.to_vec();
-    if let Some(old) = &old {
-        families = old.families().into_iter().map(String::from).collect();
-        precisions.retain(|precision| old.rows.iter().any(|row| row.precision == *precision));
-    } else if !options.precisions.is_empty() {
-        precisions.retain(|precision| options.precisions.iter().any(|word| word == precision.word()));
-    }
-    let compiled = compile(&files, scene, (&families, &precisions), &progress)?;
+    let compiled = compile(&files, &scene, &order, &progress)?;
     drop(progress);
-    let Some(Compiled { record, assembly }) = compiled else {
+    let Some(Compiled { record, .. }) = compiled.first() else {
         match (options.json, options.quiet) {
             (true, _) => print_json(&json!({"schema_version": 1, "rows": []}))?,
             (false, quiet) if !quiet => print(NOTHING)?,
@@ -51,21 +38,44 @@ pub(crate) fn verb(options: &Options) -> Result<Outcome, CliError> {
         return Ok(Outcome::Done);
     };
     if let Some(function) = &options.assembly {
-        return listing(function, &assembly);
+        return listing(function, &compiled);
     }
     if let Some(old) = old {
-        return compared(options, &old, &record);
+        return compared(options, &old, record);
     }
     if let Some(place) = &mut place {
-        place.write(&record)?;
+        place.write(record)?;
     }
     if options.json {
         print(&record.bytes()?)?;
     } else if !options.quiet {
-        print(table(&record).as_bytes())?;
-        print(correlations(&record, &measured(options)?).as_bytes())?;
+        let measured = options.from.as_deref().map(cost::times_in).transpose()?.unwrap_or_default();
+        for Compiled { record, .. } in &compiled {
+            print(table(record).as_bytes())?;
+            print(correlations(record, &measured).as_bytes())?;
+        }
     }
     Ok(Outcome::Done)
+}
+
+/// What to compile: as the options say, or as a record to compare with.
+fn order<'a>(options: &'a Options, old: Option<&IsaRecord>) -> Result<Order<'a>, GpuError> {
+    let (mut precisions, folder) = (Precision::ALL.to_vec(), options.drivers.as_deref());
+    if let Some(old) = old {
+        let families = old.families().into_iter().map(String::from).collect();
+        precisions.retain(|precision| old.rows.iter().any(|row| row.precision == *precision));
+        return Ok(Order { drivers: vec![(Driver::of_record(&old.driver)?, families)], folder, precisions });
+    }
+    if !options.precisions.is_empty() {
+        precisions.retain(|precision| options.precisions.iter().any(|word| word == precision.word()));
+    }
+    let drivers = chosen(&options.families);
+    let one = [("--record", options.record.is_some()), ("--json", options.json)];
+    if let Some((option, _)) = one.into_iter().find(|(_, given)| *given && drivers.len() > 1) {
+        let drivers = drivers.iter().map(|(driver, _)| driver.name).collect();
+        return Err(GpuError::Several { option, drivers });
+    }
+    Ok(Order { drivers, folder, precisions })
 }
 
 /// Code and manifest of the bake, and the name of its scene: baked now, or those of a folder.
@@ -76,14 +86,7 @@ fn baked(options: &Options, progress: &Spinner) -> Result<(Files, String), CliEr
         let baked = options.threads.install(|| input.bake(&plan, Selection::default(), progress))?;
         return Ok((baked.files, input.scene.name));
     };
-    let files = store::read_set(folder, [CODE, MANIFEST], FILE_BYTES)?;
-    let bytes = files.get(MANIFEST).ok_or_else(|| {
-        CliError::Usage(format!("--from {}: holds no {MANIFEST}; bake into it first", folder.display()))
-    })?;
-    let manifest: Manifest = serde_json::from_slice(bytes)
-        .map_err(|e| CliError::Usage(format!("--from {}: {MANIFEST}: {e}", folder.display())))?;
-    let scene = manifest.made_from["name"].as_str().unwrap_or_default().to_owned();
-    Ok((files, scene))
+    cost::bake_in(folder)
 }
 
 fn read(path: &Path) -> Result<IsaRecord, CliError> {
@@ -127,8 +130,9 @@ impl Place {
 }
 
 /// The machine code of a function.
-fn listing(function: &str, assembly: &[(String, String, Precision, String)]) -> Result<Outcome, CliError> {
-    let of: Vec<_> = assembly.iter().filter(|(name, ..)| name == function).collect();
+fn listing(function: &str, compiled: &[Compiled]) -> Result<Outcome, CliError> {
+    let all = compiled.iter().flat_map(|compiled| &compiled.assembly);
+    let of: Vec<_> = all.filter(|(name, ..)| name == function).collect();
     if of.is_empty() {
         let message = format!("--assembly {function}: no function of this name is emitted");
         return Err(CliError::Usage(message));
@@ -159,67 +163,53 @@ fn compared(options: &Options, old: &IsaRecord, new: &IsaRecord) -> Result<Outco
     Ok(if found.grown.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
 
-/// The rows in words, family by family.
+/// Heads of the columns, and what stands in them.
+const COLUMNS: [(&str, &str); 13] = [
+    ("vector", "vector"),
+    ("transc.", "transcendental"),
+    ("scalar", "scalar"),
+    ("memory", "memory"),
+    ("moves", "moves"),
+    ("slots", "slots"),
+    ("vgprs", "vgprs"),
+    ("sgprs", "sgprs"),
+    ("waves", "waves"),
+    ("spills", "spills"),
+    ("bytes", "bytes"),
+    ("latency", "latency"),
+    ("cycles", "inverse_throughput"),
+];
+
+/// The rows in words, family by family; columns are those that the driver states.
 fn table(record: &IsaRecord) -> String {
     let mut text = String::new();
     for family in record.families() {
+        let rows = || record.rows.iter().filter(|row| row.family == family);
+        let stated = |row: &IsaRow, of: &str| {
+            row.counts.stated().into_iter().find(|(name, _)| *name == of).map(|(_, count)| count)
+        };
+        let columns = COLUMNS.into_iter().filter(|(_, name)| rows().any(|row| stated(row, name).is_some()));
+        let columns: Vec<_> = columns.collect();
+        let heads: String = columns.iter().map(|(head, _)| format!("{head:>8}")).collect();
         let _ = writeln!(
             text,
             "{family} by {} {}: above the same shader without the function; registers and waves of the whole\n\
-             {:>5}{:>7}{:>8}{:>7}{:>7}{:>6}{:>6}{:>6}{:>7}{:>6}{:>8}{:>7}  precision   function",
-            record.driver,
-            record.version,
-            "ops",
-            "vector",
-            "transc.",
-            "scalar",
-            "memory",
-            "moves",
-            "vgprs",
-            "waves",
-            "spills",
-            "bytes",
-            "latency",
-            "cycles"
+             {:>5}{heads}  precision   function",
+            record.driver, record.version, "ops"
         );
-        for row in record.rows.iter().filter(|row| row.family == family) {
-            let c = &row.counts;
-            let ops = row.ops.map_or_else(|| "-".into(), |ops| ops.to_string());
-            let _ = writeln!(
-                text,
-                "{ops:>5}{:>7}{:>8}{:>7}{:>7}{:>6}{:>6}{:>6}{:>7}{:>6}{:>8}{:>7}  {:<10}  {}",
-                c.vector,
-                c.transcendental,
-                c.scalar,
-                c.memory,
-                c.moves,
-                c.vgprs,
-                c.waves,
-                c.spills,
-                c.bytes,
-                c.latency,
-                c.inverse_throughput,
-                row.precision.word(),
-                row.function
-            );
+        for row in rows() {
+            let ops = record.ops(&row.function).map_or_else(|| "-".into(), |ops| ops.to_string());
+            let cell = |(_, name): &(&str, &str)| {
+                format!("{:>8}", stated(row, name).map_or_else(|| "-".into(), |count| count.to_string()))
+            };
+            let cells: String = columns.iter().map(cell).collect();
+            let _ = writeln!(text, "{ops:>5}{cells}  {:<10}  {}", row.precision.word(), row.function);
         }
     }
     for out in &record.left_out {
         let _ = writeln!(text, "not compiled: {} in {}: {}", out.function, out.precision.word(), out.reason);
     }
     text
-}
-
-/// Times that are recorded beside the bake.
-fn measured(options: &Options) -> Result<Vec<GpuRecord>, CliError> {
-    let Some(folder) = &options.from else { return Ok(Vec::new()) };
-    let mut records = Vec::new();
-    for entry in store::list(folder, record::FOLDER)?.iter().filter(|entry| entry.name.ends_with(".json")) {
-        let path = folder.join(&entry.name);
-        let read = record::read(&store::read(&path, RECORD_BYTES)?);
-        records.push(read.map_err(|source| CliError::Record { file: path.display().to_string(), source })?);
-    }
-    Ok(records)
 }
 
 /// Whether operations by the model, vector instructions and recorded times put functions in the
@@ -242,12 +232,14 @@ fn correlations(record: &IsaRecord, measured: &[GpuRecord]) -> String {
         let rows = record.rows.iter().filter(|row| row.family == family && row.precision == Precision::F32);
         let rows: Vec<&IsaRow> = rows.collect();
         let issued = |row: &IsaRow| row.counts.issued() as f64;
-        let modelled = rows.iter().filter_map(|row| Some((f64::from(row.ops?), issued(row)))).collect();
+        let ops = |row: &IsaRow| record.ops(&row.function).map(f64::from);
+        let modelled = rows.iter().filter_map(|row| Some((ops(row)?, issued(row)))).collect();
         say(format!("{family}: operations and vector + 4 transcendental instructions"), modelled);
         for times in measured {
             let time = |row: &IsaRow| {
                 let timed = times.rows.iter().filter(|t| t.kind != GpuKind::LookupFetches);
-                let mut of = timed.filter(|t| t.code.as_ref() == Some(&row.source));
+                let mut of =
+                    timed.filter(|t| t.code.as_ref().is_some_and(|hash| record.is_of(&row.function, hash)));
                 of.find(|t| t.function.as_ref() == Some(&row.function)).map(|t| t.nanoseconds.median)
             };
             let name = &times.device.adapter;
@@ -259,7 +251,7 @@ fn correlations(record: &IsaRecord, measured: &[GpuRecord]) -> String {
                 pairs(&|row| Some(issued(row))),
             );
             if record.families().first() == Some(&family) {
-                say(format!("operations and time on {name}"), pairs(&|row| row.ops.map(f64::from)));
+                say(format!("operations and time on {name}"), pairs(&ops));
             }
         }
     }

@@ -1,116 +1,174 @@
-//! Families of GPUs and the drivers that compile for them, each in a process of its own.
+//! Families of GPUs, and the drivers that compile for them.
 
 use std::collections::BTreeMap;
-use std::env;
-use std::io::{self, Read, Write};
-use std::process::{Command, ExitCode, Stdio};
-
-use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
 
 use super::counts::{self, LineError};
+use super::worker::Machine;
 use crate::GpuError;
 use lobefit::timing::isa::Counts;
-use lobefit_vulkan::{Compiler, VulkanError};
 
-/// First argument of the process that compiles; the second is the name of a driver.
-pub(crate) const WORKER: &str = "--compile-by";
-
-/// How that process ends where there is no such driver.
-const NO_DRIVER: u8 = 4;
-
-/// The entry point of every shader.
-pub(super) const ENTRY: &std::ffi::CStr = c"isa_main";
+/// The script that builds drivers and shims.
+const SCRIPT: &str = "crates/gpu/drivers/mesa.sh DIR";
 
 /// A driver that compiles for GPUs that are not there.
 pub(super) struct Driver {
-    /// The name that it gives itself.
+    /// Its name in records: of a driver for one vendor the vendor's.
     pub name: &'static str,
+    /// The vendor's name, which stands for [`Driver::usual`].
+    vendor: &'static str,
+    /// What the driver's own name holds, or its device's.
+    pub word: &'static str,
+    /// Of a driver that does not state what it compiles but prints it: where that is in what it
+    /// prints.
+    pub listing: Option<fn(&str) -> &str>,
     /// The variable of the environment that takes a family.
     variable: &'static str,
     /// The rest of the environment.
     environment: &'static [(&'static str, &'static str)],
-    /// Names of families, for messages; the driver judges.
-    families: &'static str,
-    /// What to install.
-    install: &'static str,
+    /// What stands in the folder of drivers.
+    built: Built,
+    /// Families and the values of the variable.
+    families: &'static [(&'static str, &'static str)],
+    /// Families that are taken where none are named.
+    usual: &'static [&'static str],
     /// What its statistics and its assembly say.
     count: fn(&Machine) -> Result<Counts, LineError>,
 }
 
-/// Mesa's driver for AMD GPUs, whose null device compiles for any of them.
-pub(super) const RADV: Driver = Driver {
-    name: "radv",
-    variable: "RADV_FORCE_FAMILY",
-    environment: &[("MESA_SHADER_CACHE_DISABLE", "1"), ("VK_LOADER_DRIVERS_SELECT", "*radeon*")],
-    families: "tahiti, hawaii, tonga, polaris10, vega10, vega20, raven, navi10, navi21, navi22, vangogh, rembrandt, gfx1036, \
-               gfx1100, gfx1101, gfx1102, as far as the installed version knows them",
-    install: "install Mesa's Vulkan drivers and the loader (Debian: mesa-vulkan-drivers libvulkan1)",
-    count: counts::amd,
-};
-
-/// A shader to compile.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Source {
-    /// SPIR-V.
-    pub words: Vec<u32>,
-    /// It computes in f16.
-    pub half: bool,
+/// What a driver takes from the folder of drivers.
+enum Built {
+    /// Nothing: it is installed, and needs no device.
+    Nothing,
+    /// A shim that stands for the device.
+    Shim(&'static str),
+    /// A shim, and the driver itself by its manifest.
+    Whole(&'static str, &'static str),
 }
 
-/// What a driver made of a shader.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Machine {
-    /// Its statistics by name.
-    pub statistics: BTreeMap<String, i64>,
-    /// The code as text.
-    pub assembly: String,
-}
+/// Debian's packages.
+pub(super) const INSTALL: &str =
+    "install Mesa's Vulkan drivers and the loader (Debian: mesa-vulkan-drivers libvulkan1)";
 
-/// What a driver made of all shaders.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Answer {
-    /// Its version, in its own words.
-    version: String,
-    /// None where the family does not compute in f16 and the shader does.
-    pub machines: Vec<Option<Machine>>,
-}
+/// All of them. What no other has is taken for a family of the first.
+pub(super) const DRIVERS: [Driver; 4] = [
+    // Mesa's driver for AMD GPUs, whose null device compiles for any of them. It judges names itself.
+    Driver {
+        name: "radv",
+        vendor: "amd",
+        word: "radv",
+        listing: None,
+        variable: "RADV_FORCE_FAMILY",
+        environment: &[("VK_LOADER_DRIVERS_SELECT", "*radeon*")],
+        built: Built::Nothing,
+        families: &[
+            ("tahiti", "tahiti"),
+            ("hawaii", "hawaii"),
+            ("tonga", "tonga"),
+            ("polaris10", "polaris10"),
+            ("vega10", "vega10"),
+            ("vega20", "vega20"),
+            ("raven", "raven"),
+            ("navi10", "navi10"),
+            ("navi21", "navi21"),
+            ("navi22", "navi22"),
+            ("vangogh", "vangogh"),
+            ("rembrandt", "rembrandt"),
+            ("gfx1036", "gfx1036"),
+            ("gfx1100", "gfx1100"),
+            ("gfx1101", "gfx1101"),
+            ("gfx1102", "gfx1102"),
+        ],
+        usual: &["polaris10", "navi21", "gfx1100"],
+        count: counts::amd,
+    },
+    // Mesa's driver for Intel GPUs; the shim answers in place of the kernel.
+    Driver {
+        name: "intel",
+        vendor: "intel",
+        word: "Intel open-source Mesa driver",
+        listing: None,
+        variable: "INTEL_STUB_GPU_PLATFORM",
+        environment: &[("VK_LOADER_DRIVERS_SELECT", "*intel_icd*")],
+        built: Built::Shim("libintel_noop_drm_shim.so"),
+        families: &[
+            ("skl", "skl"),
+            ("kbl", "kbl"),
+            ("cfl", "cfl"),
+            ("icl", "icl"),
+            ("tgl", "tgl"),
+            ("rkl", "rkl"),
+            ("adl", "adl"),
+            ("rpl", "rpl"),
+            ("dg1", "dg1"),
+            ("dg2", "dg2"),
+        ],
+        usual: &["skl", "tgl", "dg2"],
+        count: counts::intel,
+    },
+    // Mesa's driver for Qualcomm Adreno GPUs.
+    Driver {
+        name: "adreno",
+        vendor: "adreno",
+        word: "turnip",
+        listing: None,
+        variable: "FD_GPU_ID",
+        environment: &[],
+        built: Built::Whole("libfreedreno_noop_drm_shim.so", "freedreno.json"),
+        families: &[("a618", "618"), ("a630", "630"), ("a660", "660")],
+        usual: &["a660"],
+        count: counts::adreno,
+    },
+    // Mesa's driver for Arm Mali GPUs, which prints what it compiles.
+    Driver {
+        name: "mali",
+        vendor: "mali",
+        word: "Panfrost",
+        listing: Some(counts::mali_listing),
+        variable: "PAN_GPU_ID",
+        environment: &[
+            ("PAN_I_WANT_A_BROKEN_VULKAN_DRIVER", "1"),
+            ("BIFROST_MESA_DEBUG", "shaders,shaderdb"),
+        ],
+        built: Built::Whole("libpanfrost_noop_drm_shim.so", "panfrost.json"),
+        families: &[("g52", "7212"), ("g76", "7211")],
+        usual: &["g52"],
+        count: counts::mali,
+    },
+];
 
 impl Driver {
-    /// Compiles shaders for a family, in a process of its own: a driver reads the family once, and
-    /// ends the process where it does not know it.
-    pub fn compile(&self, family: &str, sources: &[Source]) -> Result<Answer, GpuError> {
-        let failed = |reason: &str| GpuError::Family {
-            driver: self.name,
-            family: family.into(),
-            reason: reason.trim().to_owned(),
-            families: self.families,
+    /// The environment of a process that compiles for a family, `folder` being that of drivers.
+    pub fn environment(
+        &self,
+        family: &str,
+        folder: Option<&Path>,
+    ) -> Result<BTreeMap<&'static str, PathBuf>, GpuError> {
+        let value = self.families.iter().find(|(name, _)| *name == family).map_or(family, |(_, value)| value);
+        let mut environment = BTreeMap::from([(self.variable, PathBuf::from(value))]);
+        environment.insert("MESA_SHADER_CACHE_DISABLE", "1".into());
+        environment.extend(self.environment.iter().map(|(name, value)| (*name, PathBuf::from(value))));
+        let files = match self.built {
+            Built::Nothing => return Ok(environment),
+            Built::Shim(shim) => vec![("LD_PRELOAD", shim)],
+            Built::Whole(shim, manifest) => vec![("LD_PRELOAD", shim), ("VK_DRIVER_FILES", manifest)],
         };
-        let shaders = serde_json::to_vec(sources).map_err(|e| failed(&e.to_string()))?;
-        let io = |e: io::Error| failed(&e.to_string());
-        let program = env::current_exe().map_err(io)?;
-        let mut child = Command::new(program)
-            .args([WORKER, self.name])
-            .env(self.variable, family)
-            .envs(self.environment.iter().copied())
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .map_err(io)?;
-        // A process that ends before it has read everything says why on its way out.
-        let _ = child.stdin.take().map(|mut stdin| stdin.write_all(&shaders));
-        let output = child.wait_with_output().map_err(io)?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        match output.status.code() {
-            Some(0) => serde_json::from_slice(&output.stdout).map_err(|e| failed(&e.to_string())),
-            Some(code) if code == i32::from(NO_DRIVER) => Err(GpuError::NoDriver {
-                driver: self.name,
-                reason: said.trim().to_owned(),
-                install: self.install,
-            }),
-            _ if said.trim().is_empty() => Err(failed(&output.status.to_string())),
-            _ => Err(failed(&said)),
+        let without = || GpuError::NoFolder { family: family.into(), driver: self.name, script: SCRIPT };
+        let folder = folder.ok_or_else(without)?;
+        for (variable, name) in files {
+            // A loader looks for what is no absolute path elsewhere.
+            let path = std::path::absolute(folder.join(name)).ok().filter(|path| path.is_file());
+            let missing =
+                || GpuError::NotInFolder { folder: folder.to_path_buf(), file: name, script: SCRIPT };
+            environment.insert(variable, path.ok_or_else(missing)?);
         }
+        Ok(environment)
+    }
+
+    /// Names of its families, for messages.
+    pub fn families(&self) -> String {
+        let names: Vec<&str> = self.families.iter().map(|(name, _)| *name).collect();
+        names.join(", ")
     }
 
     /// What a shader costs; `function` stands for it in messages.
@@ -118,48 +176,45 @@ impl Driver {
         let reason = |e: LineError| GpuError::Bake { place: function.into(), reason: e.to_string() };
         (self.count)(machine).map_err(reason)
     }
-}
 
-impl Answer {
-    /// The version without the project's name: `22.3.6` of `Mesa 22.3.6`.
-    pub fn version(&self) -> String {
-        let version =
-            self.version.split_whitespace().find(|word| word.starts_with(|c: char| c.is_ascii_digit()));
-        version.unwrap_or(&self.version).to_owned()
+    /// The driver of a record.
+    pub fn of_record(name: &str) -> Result<&'static Driver, GpuError> {
+        let found = DRIVERS.iter().find(|driver| driver.name == name);
+        found.ok_or_else(|| GpuError::NoSuchDriver { name: name.into() })
     }
 }
 
-/// The process that compiles: shaders as JSON on standard input, what became of them on standard
-/// output.
-pub(crate) fn worker(driver: &str) -> ExitCode {
-    let compiler = match Compiler::open(driver) {
-        Ok(compiler) => compiler,
-        Err(error) => {
-            let _ = writeln!(io::stderr(), "{error}");
-            return ExitCode::from(NO_DRIVER);
-        }
-    };
-    match answer(&compiler) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            let _ = writeln!(io::stderr(), "{error}");
-            ExitCode::FAILURE
-        }
-    }
+/// Counts of a shader from what a driver states of it, and from the assembly that it states or
+/// prints; the driver by its name in records.
+///
+/// # Errors
+/// No driver of this name, a statistic that is missing, an instruction that is not known.
+pub fn counted(driver: &str, statistics: &BTreeMap<String, i64>, assembly: &str) -> Result<Counts, GpuError> {
+    let driver = Driver::of_record(driver)?;
+    let assembly = driver.listing.map_or(assembly, |listing| listing(assembly)).to_owned();
+    driver.counts(driver.name, &Machine { statistics: statistics.clone(), assembly })
 }
 
-fn answer(compiler: &Compiler) -> Result<(), Box<dyn std::error::Error>> {
-    let mut text = Vec::new();
-    io::stdin().read_to_end(&mut text)?;
-    let sources: Vec<Source> = serde_json::from_slice(&text)?;
-    let compiled = |source: &Source| -> Result<Option<Machine>, VulkanError> {
-        if source.half && !compiler.half {
-            return Ok(None);
+/// Drivers and their families, by what the user typed: names of families, or of vendors.
+pub(super) fn chosen(words: &[String]) -> Vec<(&'static Driver, Vec<String>)> {
+    let mut chosen: Vec<(&Driver, Vec<String>)> = Vec::new();
+    for word in words {
+        let vendor = DRIVERS.iter().find(|driver| driver.vendor == word);
+        let (driver, families) = match vendor {
+            Some(driver) => (driver, driver.usual.iter().map(|name| (*name).to_owned()).collect()),
+            None => {
+                let has = |driver: &&Driver| driver.families.iter().any(|(name, _)| name == word);
+                (DRIVERS.iter().find(has).unwrap_or(&DRIVERS[0]), vec![word.clone()])
+            }
+        };
+        match chosen.iter_mut().find(|(of, _)| of.name == driver.name) {
+            Some((_, all)) => all.extend(families),
+            None => chosen.push((driver, families)),
         }
-        let compiled = compiler.compile(&source.words, ENTRY)?;
-        Ok(Some(Machine { statistics: compiled.statistics, assembly: compiled.assembly }))
-    };
-    let machines = sources.iter().map(compiled).collect::<Result<Vec<_>, _>>()?;
-    serde_json::to_writer(io::stdout().lock(), &Answer { version: compiler.version.clone(), machines })?;
-    Ok(())
+    }
+    for (_, families) in &mut chosen {
+        let mut seen = std::collections::BTreeSet::new();
+        families.retain(|family| seen.insert(family.clone()));
+    }
+    chosen
 }

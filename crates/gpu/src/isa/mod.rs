@@ -4,18 +4,22 @@ mod cli;
 mod counts;
 mod family;
 mod shader;
+mod worker;
 
 pub(crate) use cli::verb;
-pub(crate) use family::{WORKER, worker};
+pub use family::counted;
+pub(crate) use worker::{WORKER, worker};
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
-use family::{Driver, Machine, RADV, Source};
+use family::Driver;
 use lobefit::bake::Progress;
 use lobefit::emit::include::Include;
 use lobefit::store::{Files, MANIFEST};
-use lobefit::timing::isa::{IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
+use lobefit::timing::isa::{IsaFunction, IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
 use shader::Shader;
+use worker::{Machine, Source};
 
 use crate::GpuError;
 
@@ -26,18 +30,17 @@ const COMMAND: &str = "lobefit cost --isa --record FILE.json";
 struct Job {
     function: String,
     precision: Precision,
-    ops: Option<u32>,
-    hash: String,
-    /// Its shader and the shader without it among the sources.
-    sources: [usize; 2],
+    /// Its shader and the shader without it, among all shaders.
+    shaders: [usize; 2],
 }
 
 /// Everything to compile.
 #[derive(Default)]
 struct Jobs {
     all: Vec<Job>,
-    sources: Vec<Source>,
-    /// Sources by their text.
+    functions: BTreeMap<String, IsaFunction>,
+    shaders: Vec<Source>,
+    /// Shaders by their text.
     known: BTreeMap<String, usize>,
     left_out: Vec<IsaLeftOut>,
 }
@@ -67,8 +70,8 @@ impl Jobs {
                 jobs.add(include, &module, name, *precision)?;
             }
         }
-        for job in &mut jobs.all {
-            job.ops = ops.get(&job.function).copied();
+        for (name, function) in &mut jobs.functions {
+            function.ops = ops.get(name).copied();
         }
         Ok(jobs)
     }
@@ -86,11 +89,11 @@ impl Jobs {
             .zip(include.hash(function))
             .ok_or_else(|| place("not in the include file"))?;
         let Some(shader) = Shader::of(&code, module, function, precision)? else { return Ok(()) };
-        match self.source(&shader.with, precision) {
+        match self.shader(&shader.with, precision) {
             Ok(with) => {
-                let without = self.source(&shader.without, precision).map_err(|e| place(&e))?;
-                let (function, sources) = (function.into(), [with, without]);
-                self.all.push(Job { function, precision, ops: None, hash, sources });
+                let without = self.shader(&shader.without, precision).map_err(|e| place(&e))?;
+                self.functions.insert(function.into(), IsaFunction::of(&hash, None));
+                self.all.push(Job { function: function.into(), precision, shaders: [with, without] });
                 Ok(())
             }
             Err(reason) if precision == Precision::F32 => Err(place(&reason)),
@@ -102,39 +105,60 @@ impl Jobs {
         }
     }
 
-    /// The source of a text.
-    fn source(&mut self, text: &str, precision: Precision) -> Result<usize, String> {
+    /// The shader of a text.
+    fn shader(&mut self, text: &str, precision: Precision) -> Result<usize, String> {
         if let Some(&known) = self.known.get(text) {
             return Ok(known);
         }
         let words = shader::spirv(text)?;
-        self.known.insert(text.into(), self.sources.len());
-        self.sources.push(Source { words, half: precision != Precision::F32 });
-        Ok(self.sources.len() - 1)
+        self.known.insert(text.into(), self.shaders.len());
+        self.shaders.push(Source { words, half: precision != Precision::F32 });
+        Ok(self.shaders.len() - 1)
     }
 }
 
-/// Compiles every function of the files of a bake for families of GPUs; none where the bake emits no
+/// What is to be compiled, and for what.
+struct Order<'a> {
+    /// Drivers with the families that they compile for.
+    drivers: Vec<(&'static Driver, Vec<String>)>,
+    /// The folder of drivers.
+    folder: Option<&'a Path>,
+    precisions: Vec<Precision>,
+}
+
+/// Compiles every function of the files of a bake, for each driver; nothing where the bake emits no
 /// functions.
 ///
 /// # Errors
 /// No driver, a family that it does not know, code or assembly that is not understood.
 fn compile(
     files: &Files,
-    scene: String,
-    (families, precisions): (&[String], &[Precision]),
+    scene: &str,
+    order: &Order<'_>,
     progress: &dyn Progress,
-) -> Result<Option<Compiled>, GpuError> {
-    let Some(include) = Include::of(files) else { return Ok(None) };
-    let jobs = Jobs::of(&include, files, precisions)?;
-    let (driver, mut version) = (&RADV, String::new());
-    let (mut rows, mut assembly) = (Vec::new(), Vec::new());
+) -> Result<Vec<Compiled>, GpuError> {
+    let Some(include) = Include::of(files) else { return Ok(Vec::new()) };
+    let jobs = Jobs::of(&include, files, &order.precisions)?;
+    let by = |(driver, families): &(&Driver, Vec<String>)| {
+        compile_by(driver, (families, order.folder), &jobs, scene, progress)
+    };
+    order.drivers.iter().map(by).collect()
+}
+
+fn compile_by(
+    driver: &Driver,
+    (families, folder): (&[String], Option<&Path>),
+    jobs: &Jobs,
+    scene: &str,
+    progress: &dyn Progress,
+) -> Result<Compiled, GpuError> {
+    let (mut rows, mut assembly, mut version) = (Vec::new(), Vec::new(), String::new());
     for family in families {
         progress.stage(family);
-        let answer = driver.compile(family, &jobs.sources)?;
-        version = answer.version();
+        let answer = driver.compile(family, folder, &jobs.shaders)?;
+        version = answer.version;
         for job in &jobs.all {
-            let [Some(with), Some(without)] = job.sources.map(|at| answer.machines[at].as_ref()) else {
+            let [Some(with), Some(without)] = job.shaders.map(|at| answer.machines[at].as_ref()) else {
                 continue;
             };
             rows.push(row(driver, job, family, [with, without])?);
@@ -145,13 +169,14 @@ fn compile(
     let record = IsaRecord {
         schema_version: VERSION,
         command: COMMAND.into(),
-        scene,
+        scene: scene.into(),
         driver: driver.name.into(),
         version,
-        left_out: jobs.left_out,
+        left_out: jobs.left_out.clone(),
+        functions: jobs.functions.clone(),
         rows,
     };
-    Ok(Some(Compiled { record, assembly }))
+    Ok(Compiled { record, assembly })
 }
 
 fn row(driver: &Driver, job: &Job, family: &str, machines: [&Machine; 2]) -> Result<IsaRow, GpuError> {
@@ -160,8 +185,6 @@ fn row(driver: &Driver, job: &Job, family: &str, machines: [&Machine; 2]) -> Res
         function: job.function.clone(),
         family: family.to_owned(),
         precision: job.precision,
-        ops: job.ops,
         counts: with?.above(&without?),
-        source: job.hash.clone(),
     })
 }

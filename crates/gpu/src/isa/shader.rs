@@ -153,7 +153,8 @@ fn isa_main(@builtin(workgroup_id) isa_group: vec3<u32>, @builtin(local_invocati
     let isa_at = isa_group.x * {}u + isa_index;
 {}{}{call}{}}}
 ",
-            WORKGROUP * (*given).max(values.len()),
+            // Where this is no power of two, Mesa's driver for Adreno fuses no products into additions.
+            WORKGROUP * (*given).max(values.len()).next_power_of_two(),
             loads.collect::<String>(),
             stores.collect::<String>(),
             results.collect::<String>(),

@@ -13,6 +13,7 @@ mod cli;
 mod cost;
 mod isa;
 mod lookups;
+mod machine;
 mod shaders;
 mod sliced;
 mod wgsl;

@@ -76,7 +76,7 @@ impl Tape {
         constant
     }
 
-    fn is_one(&self, node: Node) -> bool {
+    pub(super) fn is_one(&self, node: Node) -> bool {
         matches!(self.ops[node as usize], Op::Literal(x) if x.abs() == 1.0)
     }
 

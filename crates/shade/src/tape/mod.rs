@@ -5,6 +5,7 @@ mod build;
 mod contract;
 mod cost;
 mod evaluate;
+mod features;
 mod gradient;
 mod half;
 mod interval;
@@ -13,6 +14,7 @@ mod real;
 
 pub use build::fold;
 pub use evaluate::{BLOCK, Workspace};
+pub use features::Features;
 pub use half::Half;
 pub use interval::Interval;
 pub use real::Real;

@@ -1,18 +1,8 @@
-//! Kinds of instructions, by the names that disassemblers give them.
+//! Mesa's driver for AMD GPUs: ACO's assembly.
 
-use super::family::Machine;
+use super::super::worker::Machine;
+use super::{Kind, LineError, begins};
 use lobefit::timing::isa::Counts;
-
-/// What a driver says that this program does not know.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum LineError {
-    /// A line of the assembly.
-    #[error("no instruction that this version of lobefit knows: `{0}`")]
-    Line(String),
-    /// A statistic that is missing.
-    #[error("the driver states no `{0}`")]
-    Statistic(&'static str),
-}
 
 /// Beginnings of vector instructions of a quarter of the rate.
 const TRANSCENDENTAL: [&str; 7] = ["v_rcp_", "v_rsq_", "v_sqrt_", "v_exp_", "v_log_", "v_sin_", "v_cos_"];
@@ -35,15 +25,15 @@ const HINTS: [&str; 8] = [
 /// Moves into a register, which are of literals where their source is a number of 32 bits.
 const MOVES: [&str; 3] = ["v_mov_b32", "s_mov_b32", "s_movk_i32"];
 
-/// What Mesa's driver for AMD GPUs says of a shader.
-pub(super) fn amd(machine: &Machine) -> Result<Counts, LineError> {
-    let statistic =
-        |name: &'static str| machine.statistics.get(name).copied().ok_or(LineError::Statistic(name));
+/// What the driver says of a shader.
+pub(crate) fn amd(machine: &Machine) -> Result<Counts, LineError> {
+    let statistic = |name: &'static str| machine.statistic(name).map(Some);
     let mut counts = Counts {
+        scalar: Some(0),
         vgprs: statistic("VGPRs")?,
         sgprs: statistic("SGPRs")?,
         waves: statistic("Subgroups per SIMD")?,
-        spills: statistic("Spilled VGPRs")? + statistic("Spilled SGPRs")?,
+        spills: Some(machine.statistic("Spilled VGPRs")? + machine.statistic("Spilled SGPRs")?),
         bytes: statistic("Code size")?,
         latency: statistic("Latency")?,
         inverse_throughput: statistic("Inverse Throughput")?,
@@ -64,9 +54,7 @@ pub(super) fn amd(machine: &Machine) -> Result<Counts, LineError> {
                 1
             }
         };
-        for of in &last {
-            *of(&mut counts) += times;
-        }
+        last.iter().for_each(|kind| kind.add(times, &mut counts));
     }
     Ok(counts)
 }
@@ -76,22 +64,17 @@ fn repeated(code: &str) -> Option<i64> {
     code.strip_prefix("(then repeated ")?.strip_suffix(" times)")?.parse().ok()
 }
 
-/// The count that an instruction adds to.
-type Kind = fn(&mut Counts) -> &mut i64;
-
 /// The kind of an instruction; none of labels and hints.
 fn kind(code: &str) -> Result<Option<Kind>, LineError> {
-    let begins = |names: &[&str]| names.iter().any(|name| code.starts_with(name));
     let literal = || code.rsplit(' ').next().is_some_and(|source| source.starts_with("0x"));
     let label = code.starts_with("BB") && code.ends_with(':');
-    let kind: Kind = match code {
-        _ if code.is_empty() || label || begins(&HINTS) => return Ok(None),
-        _ if begins(&TRANSCENDENTAL) => |counts| &mut counts.transcendental,
-        _ if begins(&MOVES) && literal() => |counts| &mut counts.moves,
-        _ if code.starts_with("v_") => |counts| &mut counts.vector,
-        _ if code.starts_with("s_") => |counts| &mut counts.scalar,
-        _ if begins(&MEMORY) => |counts| &mut counts.memory,
+    Ok(Some(match code {
+        _ if code.is_empty() || label || begins(code, &HINTS) => return Ok(None),
+        _ if begins(code, &TRANSCENDENTAL) => Kind::Transcendental,
+        _ if begins(code, &MOVES) && literal() => Kind::Move,
+        _ if code.starts_with("v_") => Kind::Vector,
+        _ if code.starts_with("s_") => Kind::Scalar,
+        _ if begins(code, &MEMORY) => Kind::Memory,
         _ => return Err(LineError::Line(code.into())),
-    };
-    Ok(Some(kind))
+    }))
 }

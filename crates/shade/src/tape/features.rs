@@ -1,0 +1,246 @@
+//! What a formula's compiled code is made of, and what that costs where each kind has a price.
+
+use std::collections::BTreeSet;
+
+use super::{BinaryOp, Node, Op, Tape, UnaryOp};
+
+/// Kinds of work in a formula, or a price for each.
+///
+/// Products that additions take in are counted as [`Features::cost_ops`](Tape::cost_ops) fuses
+/// them, parameters are literals, and constant sub-expressions one literal each. Numbers that
+/// instructions hold for free are no literals: 0, and 1/2, 1, 2 and 4 with either sign.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Features {
+    /// Additions and subtractions that take in no product.
+    pub additions: f64,
+    /// Products that no addition takes in; that of a division with the reciprocal among them.
+    pub products: f64,
+    /// Multiply-adds.
+    pub multiply_adds: f64,
+    /// Minima, maxima, comparisons, selections, roundings and logic.
+    pub comparisons: f64,
+    /// Reciprocals, roots, exponentials, logarithms, sines and cosines.
+    pub transcendentals: f64,
+    /// Operands that are literals.
+    pub literals: f64,
+    /// Operations with two literals or more.
+    pub pairs: f64,
+    /// Operations in the longest chain in which each waits for the one before.
+    pub chain: f64,
+}
+
+impl Features {
+    /// Names of all, in order.
+    pub const NAMES: [&str; 8] = [
+        "additions",
+        "products",
+        "multiply_adds",
+        "comparisons",
+        "transcendentals",
+        "literals",
+        "pairs",
+        "chain",
+    ];
+
+    /// All, in the order of their names.
+    pub fn all(&self) -> [f64; 8] {
+        let Features { additions, products, multiply_adds, comparisons, .. } = *self;
+        let Features { transcendentals, literals, pairs, chain, .. } = *self;
+        [additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain]
+    }
+
+    /// Of numbers in the order of the names.
+    pub fn of(
+        [additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain]: [f64; 8],
+    ) -> Features {
+        Features { additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain }
+    }
+
+    /// What work costs at these prices.
+    pub fn price(&self, work: &Features) -> f64 {
+        self.all().iter().zip(work.all()).map(|(price, count)| price * count).sum()
+    }
+}
+
+/// What an operation adds beside its literals: instructions of each kind, in order.
+#[derive(Default)]
+struct Instructions {
+    products: u32,
+    comparisons: u32,
+    transcendentals: u32,
+}
+
+impl Tape {
+    /// The kinds of work in this formula.
+    pub fn features(&self) -> Features {
+        let constant = self.constants();
+        let fused = self.fused(&constant);
+        let live = self.live();
+        let mut reciprocals = BTreeSet::new();
+        let mut features = Features::default();
+        let mut depth: Vec<f64> = Vec::with_capacity(self.ops.len());
+        for (node, op) in self.ops.iter().enumerate() {
+            let before = self.before(op, &depth, &constant);
+            if constant[node] || !live[node] {
+                depth.push(before);
+                continue;
+            }
+            let Instructions { products, comparisons, transcendentals } =
+                self.instructions(op, &constant, &mut reciprocals);
+            let products = products - u32::from(fused[node]);
+            features.products += f64::from(products);
+            features.comparisons += f64::from(comparisons);
+            features.transcendentals += f64::from(transcendentals);
+            let sum = matches!(op, Op::Fma(..) | Op::Binary(BinaryOp::Add | BinaryOp::Subtract, ..));
+            let taken = sum.then(|| op.operands().find_map(|n| self.product_of(n, &fused))).flatten();
+            match taken {
+                _ if !sum => {}
+                None if !matches!(op, Op::Fma(..)) => features.additions += 1.0,
+                _ => features.multiply_adds += 1.0,
+            }
+            if !fused[node] {
+                let literals = self.literals(op, taken, &constant);
+                features.literals += f64::from(literals);
+                features.pairs += f64::from(u32::from(literals > 1));
+            }
+            let reciprocal = matches!(op, Op::Binary(BinaryOp::Divide, ..));
+            let steps =
+                products + comparisons + u32::from(sum) + if reciprocal { 0 } else { transcendentals };
+            depth.push(before + f64::from(steps));
+        }
+        features.chain = depth.last().copied().unwrap_or_default();
+        features
+    }
+
+    /// How long the chain before an operation is; a reciprocal is a part of the chain of every
+    /// quotient that it is in.
+    fn before(&self, op: &Op, depth: &[f64], constant: &[bool]) -> f64 {
+        let of = |n: Node| depth[n as usize];
+        match *op {
+            Op::Binary(BinaryOp::Divide, a, b) if !constant[b as usize] => of(a).max(of(b) + 1.0),
+            _ => op.operands().map(of).fold(0.0, f64::max),
+        }
+    }
+
+    /// Which operations the result depends on.
+    fn live(&self) -> Vec<bool> {
+        let mut live = vec![false; self.ops.len()];
+        if let Some(last) = live.last_mut() {
+            *last = true;
+        }
+        for node in (0..self.ops.len()).rev() {
+            if live[node] {
+                self.ops[node].operands().for_each(|n| live[n as usize] = true);
+            }
+        }
+        live
+    }
+
+    /// The product that an addition takes in at an operand, through negations.
+    fn product_of(&self, mut node: Node, fused: &[bool]) -> Option<Node> {
+        while let Op::Unary(UnaryOp::Negate, inner) = self.ops[node as usize] {
+            node = inner;
+        }
+        fused[node as usize].then_some(node)
+    }
+
+    /// Literals among the operands of the instruction that an operation ends in; of a multiply-add,
+    /// also those of the product that it takes in.
+    fn literals(&self, op: &Op, taken: Option<Node>, constant: &[bool]) -> u32 {
+        let literal = |node: Node| u32::from(constant[node as usize] && !self.is_free(node));
+        let own = match *op {
+            // The numerator's product; the reciprocal of a constant is one.
+            Op::Binary(BinaryOp::Divide, a, b) => literal(a) + u32::from(constant[b as usize]),
+            Op::Unary(UnaryOp::Negate | UnaryOp::Not | UnaryOp::Abs | UnaryOp::Saturate, _) => 0,
+            _ => op.operands().map(literal).sum(),
+        };
+        let product = taken.map_or(0, |node| match self.ops[node as usize] {
+            Op::Binary(_, a, b) => literal(a) + literal(b),
+            _ => 0,
+        });
+        own + product
+    }
+
+    /// Whether instructions hold a number without a literal.
+    fn is_free(&self, node: Node) -> bool {
+        matches!(self.ops[node as usize], Op::Literal(x) if [0.0, 0.5, 1.0, 2.0, 4.0].contains(&x.abs()))
+    }
+
+    fn instructions(&self, op: &Op, constant: &[bool], reciprocals: &mut BTreeSet<Node>) -> Instructions {
+        let of =
+            |products, comparisons, transcendentals| Instructions { products, comparisons, transcendentals };
+        match *op {
+            Op::Input(_) | Op::Parameter(_) | Op::Literal(_) | Op::Fma(..) => of(0, 0, 0),
+            Op::Select(..) => of(0, 1, 0),
+            Op::Unary(code, _) => match code {
+                UnaryOp::Negate | UnaryOp::Not | UnaryOp::Abs | UnaryOp::Saturate => of(0, 0, 0),
+                UnaryOp::Floor => of(0, 1, 0),
+                UnaryOp::Sign => of(0, 2, 0),
+                UnaryOp::Exp | UnaryOp::Log => of(1, 0, 1),
+                UnaryOp::Sqrt
+                | UnaryOp::InverseSqrt
+                | UnaryOp::Exp2
+                | UnaryOp::Log2
+                | UnaryOp::Sin
+                | UnaryOp::Cos => of(0, 0, 1),
+            },
+            Op::Binary(code, a, b) => match code {
+                BinaryOp::Add | BinaryOp::Subtract => of(0, 0, 0),
+                BinaryOp::Multiply => of(1, 0, 0),
+                BinaryOp::Divide => {
+                    let paid = constant[b as usize] || !reciprocals.insert(b);
+                    of(u32::from(!self.is_one(a)), 0, u32::from(!paid))
+                }
+                // pow(x, y) = exp2(y log2(x))
+                BinaryOp::Pow => of(1, 0, 2),
+                BinaryOp::Min
+                | BinaryOp::Max
+                | BinaryOp::Less
+                | BinaryOp::LessEqual
+                | BinaryOp::Equal
+                | BinaryOp::And
+                | BinaryOp::Or => of(0, 1, 0),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Source;
+
+    fn features(body: &str) -> Features {
+        let code = format!("fn f(x: f32, y: f32) -> f32 {{\n{body}\n}}\n");
+        Source::parse("f.wgsl", &code).unwrap().tape("f", 0).unwrap().features()
+    }
+
+    #[test]
+    fn kinds_of_work_are_counted_as_compilers_see_them() {
+        // A multiply-add, a reciprocal, a multiply-add with two literals.
+        let found = features("    let r = 1.0 / (x * y + 2.5);\n    return 3.5 + r * 0.7;");
+        let wanted = Features {
+            multiply_adds: 2.0,
+            transcendentals: 1.0,
+            literals: 3.0,
+            pairs: 1.0,
+            chain: 3.0,
+            ..Features::default()
+        };
+        assert_eq!(found, wanted);
+        // The reciprocal once, a product each; numbers that instructions hold are no literals.
+        let found = features("    return max(x / y, 0.5) + y * y / y - 1.0;");
+        assert_eq!((found.transcendentals, found.literals, found.pairs), (1.0, 0.0, 0.0));
+        assert_eq!(
+            (found.products, found.multiply_adds, found.additions, found.comparisons),
+            (2.0, 1.0, 1.0, 1.0)
+        );
+        assert_eq!(found.chain, 5.0);
+        // Two transcendental instructions and a product; a constant is one literal.
+        let found = features("    return pow(x, 2.0 * 1.7) + (0.1 + 0.2);");
+        assert_eq!((found.transcendentals, found.additions, found.literals), (2.0, 1.0, 2.0));
+        assert_eq!(features("    return saturate(abs(-x));"), Features::default());
+        assert_eq!(Features::of(found.all()), found);
+        assert_eq!(Features::of([1.0; 8]).price(&found), found.all().iter().sum::<f64>());
+    }
+}

@@ -1,0 +1,317 @@
+//! Prices of kinds of work on the GPUs of each vendor: least squares over what its compiler makes of
+//! every formula.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use lobefit_shade::{Features, ShadeError, Source, Tape};
+
+use super::correlation::Correlation;
+use super::isa::{Counts, IsaRecord, IsaRow, Precision};
+use crate::data::{Agreement, Model, Vendor, Weights};
+use crate::emit::include::Include;
+use crate::report::{GpuKind, GpuRecord};
+
+/// The command that makes the committed prices.
+const COMMAND: &str = "lobefit cost --weights --from DIR --records . --record src/data/weights.json";
+
+/// Sweeps of the descent: more than any of the vendors takes.
+const SWEEPS: usize = 100_000;
+
+/// Decimals of a price and of a correlation.
+const DECIMALS: f64 = 1e3;
+
+/// Kinds of instructions of NVIDIA GPUs that are priced by time.
+const TIMED: usize = 3;
+
+/// What a vendor's compiled code costs.
+pub struct Priced {
+    /// The driver of its records.
+    pub driver: &'static str,
+    /// The family that stands for the vendor.
+    pub family: &'static str,
+    /// The unit.
+    pub unit: &'static str,
+    /// The cost of what was counted; none where the driver does not state it.
+    pub cost: fn(&Counts) -> Option<f64>,
+}
+
+/// How a vendor's compiled code is priced: by what its driver states that comes nearest to time.
+pub fn priced(vendor: Vendor) -> Priced {
+    match vendor {
+        Vendor::Amd => Priced {
+            driver: "radv",
+            family: "navi21",
+            unit: "vector instructions, a transcendental one being four",
+            cost: |counts| Some(counts.issued() as f64),
+        },
+        Vendor::Intel => Priced {
+            driver: "intel",
+            family: "skl",
+            unit: "cycles of a wave",
+            cost: |counts| counts.latency.map(|cycles| cycles as f64),
+        },
+        Vendor::Adreno => Priced {
+            driver: "adreno",
+            family: "a660",
+            unit: "issue slots, empty ones among them",
+            cost: |counts| counts.slots.map(|slots| slots as f64),
+        },
+        Vendor::Mali => Priced {
+            driver: "mali",
+            family: "g52",
+            unit: "tuples of two instructions",
+            cost: |counts| counts.slots.map(|slots| slots as f64),
+        },
+        // As long as they take on an H200, by least squares over recorded times: `Fitted::times`.
+        Vendor::Nvidia => Priced {
+            driver: "nvidia-nvrtc",
+            family: "sm_90",
+            unit: "instructions, a move of a literal being 1.8 and a transcendental one 3.4",
+            cost: |counts| {
+                let [vector, moves, transcendental] = timed(counts);
+                Some(vector + 1.8 * moves + 3.4 * transcendental)
+            },
+        },
+    }
+}
+
+fn timed(counts: &Counts) -> [f64; TIMED] {
+    [counts.vector, counts.moves, counts.transcendental].map(|count| count as f64)
+}
+
+/// A vendor's model, and what it was compared with.
+pub struct Fitted {
+    /// The vendor.
+    pub vendor: Vendor,
+    /// The model.
+    pub model: Model,
+    /// By device of the vendor: recorded times.
+    pub times: Vec<Times>,
+}
+
+/// Recorded times on a device against costs.
+pub struct Times {
+    /// The device.
+    pub device: String,
+    /// Of the neutral operations.
+    pub operations: Option<Correlation>,
+    /// Of the model.
+    pub model: Option<Correlation>,
+    /// Of the compiled code.
+    pub compiled: Option<Correlation>,
+    /// Picoseconds of a vector instruction, a move of a literal and a transcendental instruction,
+    /// by least squares.
+    pub picoseconds: [f64; TIMED],
+}
+
+/// A function of numbers that a vendor's record has.
+struct Formula {
+    name: String,
+    tape: Tape,
+    counts: Counts,
+    compiled: f64,
+}
+
+/// Fits a model to each vendor whose record of the scene is there.
+///
+/// # Errors
+/// Emitted code outside the dialect.
+pub fn fitted(
+    include: &Include,
+    scene: &str,
+    records: &[IsaRecord],
+    times: &[GpuRecord],
+) -> Result<Vec<Fitted>, ShadeError> {
+    let mut all = Vec::new();
+    for vendor in Vendor::ALL {
+        let priced = priced(vendor);
+        let mut of = records.iter().filter(|record| record.driver == priced.driver && record.scene == scene);
+        let Some(record) = of.next() else { continue };
+        let formulas = formulas(include, record, &priced)?;
+        if formulas.is_empty() {
+            continue;
+        }
+        let own = times.iter().filter(|times| times.device.driver.to_lowercase().contains(vendor.word()));
+        let model = model(&priced, record, &formulas);
+        let times = own.map(|times| against(times, include, &model, &formulas)).collect();
+        all.push(Fitted { vendor, model, times });
+    }
+    Ok(all)
+}
+
+/// The file of the models.
+pub fn weights(fitted: &[Fitted]) -> Weights {
+    let vendors = fitted.iter().map(|of| (of.vendor, of.model.clone())).collect();
+    Weights { command: COMMAND.into(), vendors }
+}
+
+/// Functions of numbers with their tapes, whose code is that of the record.
+fn formulas(include: &Include, record: &IsaRecord, priced: &Priced) -> Result<Vec<Formula>, ShadeError> {
+    let mut formulas = Vec::new();
+    let of = |row: &&IsaRow| row.family == priced.family && row.precision == Precision::F32;
+    for row in record.rows.iter().filter(of) {
+        let name = &row.function;
+        let current = include.hash(name).is_some_and(|hash| record.is_of(name, &hash));
+        let cost = (priced.cost)(&row.counts).filter(|_| current && record.ops(name).is_some());
+        let Some((code, compiled)) = include.code(name).zip(cost) else { continue };
+        let Some(tape) = tape(name, &code)? else { continue };
+        formulas.push(Formula { name: name.clone(), tape, counts: row.counts, compiled });
+    }
+    Ok(formulas)
+}
+
+/// The operations of a function from numbers to a number; none of another.
+fn tape(name: &str, code: &str) -> Result<Option<Tape>, ShadeError> {
+    if ["vec", "texture", "array", "struct"].iter().any(|word| code.contains(word)) {
+        return Ok(None);
+    }
+    Source::parse("fits/lobefit.wgsl", code)?.tape(name, 0).map(Some)
+}
+
+fn model(priced: &Priced, record: &IsaRecord, formulas: &[Formula]) -> Model {
+    let every: Vec<&Formula> = formulas.iter().collect();
+    let prices = prices(&every);
+    let pairs = |cost: &dyn Fn(&Formula) -> f64| {
+        agreement(&formulas.iter().map(|of| (cost(of), of.compiled)).collect::<Vec<_>>())
+    };
+    let named = Features::NAMES.into_iter().map(String::from).zip(prices.all());
+    Model {
+        family: priced.family.into(),
+        compiler: record.compiler(),
+        unit: priced.unit.into(),
+        prices: named.collect(),
+        agreement: pairs(&|of| prices.price(&of.tape.features())),
+        left_out: left_out(formulas),
+        operations: pairs(&|of| f64::from(of.tape.cost_ops())),
+    }
+}
+
+/// Costs of formulas by prices in which neither they nor their twins of the other norm took part.
+fn left_out(formulas: &[Formula]) -> Agreement {
+    const PARTS: usize = 10;
+    let stem = |of: &Formula| of.name.trim_end_matches("_rms").to_owned();
+    let stems: BTreeSet<String> = formulas.iter().map(stem).collect();
+    let parts: BTreeMap<String, usize> = stems.into_iter().zip((0..PARTS).cycle()).collect();
+    let part = |of: &Formula| parts.get(&stem(of)).copied().unwrap_or_default();
+    let mut pairs = Vec::new();
+    for k in 0..PARTS {
+        let others: Vec<&Formula> = formulas.iter().filter(|of| part(of) != k).collect();
+        let prices = prices(&others);
+        let own = formulas.iter().filter(|of| part(of) == k);
+        pairs.extend(own.map(|of| (prices.price(&of.tape.features()), of.compiled)));
+    }
+    agreement(&pairs)
+}
+
+/// A correlation as files have it; zeros of too few formulas.
+fn agreement(pairs: &[(f64, f64)]) -> Agreement {
+    let of = |c: Correlation| Agreement {
+        pearson: decimals(c.values),
+        spearman: decimals(c.ranks),
+        formulas: c.count,
+    };
+    Correlation::of(pairs).map(of).unwrap_or_default()
+}
+
+fn decimals(x: f64) -> f64 {
+    (DECIMALS * x).round() / DECIMALS
+}
+
+/// Costs against the times of a device.
+fn against(times: &GpuRecord, include: &Include, model: &Model, formulas: &[Formula]) -> Times {
+    let timed_formulas: Vec<(&Formula, f64)> =
+        formulas.iter().filter_map(|of| Some((of, time(times, include, &of.name)?))).collect();
+    let pairs = |cost: &dyn Fn(&Formula) -> f64| {
+        Correlation::of(&timed_formulas.iter().map(|(of, time)| (cost(of), *time)).collect::<Vec<_>>())
+    };
+    let rows: Vec<_> = timed_formulas.iter().map(|(of, time)| (timed(&of.counts), 1e3 * time)).collect();
+    Times {
+        device: times.device.adapter.clone(),
+        operations: pairs(&|of| f64::from(of.tape.cost_ops())),
+        model: pairs(&|of| model.cost(&of.tape)),
+        compiled: pairs(&|of| of.compiled),
+        picoseconds: least_squares(&rows),
+    }
+}
+
+/// Recorded nanoseconds of a function, if it is of this code.
+fn time(times: &GpuRecord, include: &Include, name: &str) -> Option<f64> {
+    let hash = include.hash(name)?;
+    let mut rows = times.rows.iter().filter(|row| row.kind != GpuKind::LookupFetches);
+    let row = rows.find(|row| row.function.as_deref() == Some(name) && row.code.as_ref() == Some(&hash));
+    row.map(|row| row.nanoseconds.median)
+}
+
+fn prices(formulas: &[&Formula]) -> Features {
+    let rows: Vec<_> = formulas.iter().map(|of| (of.tape.features().all(), of.compiled)).collect();
+    Features::of(least_squares(&rows).map(decimals))
+}
+
+/// Prices that are not negative, by coordinate descent on the normal equations.
+fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> [f64; N] {
+    let (mut matrix, mut right) = ([[0.0; N]; N], [0.0; N]);
+    for (row, cost) in rows {
+        for i in 0..N {
+            right[i] += row[i] * cost;
+            for j in 0..N {
+                matrix[i][j] += row[i] * row[j];
+            }
+        }
+    }
+    let mut prices = [0.0_f64; N];
+    for _ in 0..SWEEPS {
+        let before = prices;
+        for i in (0..N).filter(|&i| matrix[i][i] > 0.0) {
+            let rest: f64 = (0..N).filter(|&j| j != i).map(|j| matrix[i][j] * prices[j]).sum();
+            prices[i] = ((right[i] - rest) / matrix[i][i]).max(0.0);
+        }
+        if prices == before {
+            break;
+        }
+    }
+    prices
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prices_are_found_again_and_are_not_negative() {
+        let rows: Vec<([f64; 2], f64)> = (1..6)
+            .map(|k| [f64::from(k), f64::from(k * k % 4)])
+            .map(|r| (r, 2.0 * r[0] + 0.5 * r[1]))
+            .collect();
+        let found = least_squares(&rows);
+        assert!((found[0] - 2.0).abs() + (found[1] - 0.5).abs() < 1e-9, "{found:?}");
+        let rows: Vec<([f64; 2], f64)> = rows.iter().map(|(r, _)| (*r, 2.0 * r[0] - 0.5 * r[1])).collect();
+        assert_eq!(least_squares(&rows)[1], 0.0);
+    }
+
+    #[test]
+    fn models_know_chains_where_they_cost_and_moves_of_literals() {
+        let tape = |body: &str| {
+            let code = format!("fn f(x: f32, y: f32) -> f32 {{\n    return {body};\n}}\n");
+            Source::parse("f.wgsl", &code).unwrap().tape("f", 0).unwrap()
+        };
+        // As many multiply-adds, in a chain of four and in one of three.
+        let chain = tape("((x * y + 0.3) * y + 0.7) * y + x * 0.9");
+        let tree = tape("(x * y + 0.3) * (y * 0.7 + x) + x * 0.9");
+        assert_eq!(chain.cost_ops(), tree.cost_ops());
+        for vendor in [Vendor::Intel, Vendor::Adreno] {
+            let model = vendor.model().unwrap();
+            assert!(model.cost(&chain) > model.cost(&tree) + 1.0, "{}", vendor.word());
+        }
+        // Two literals in a multiply-add are a move on NVIDIA GPUs.
+        let [one, two] = ["x * y + 0.3", "x * 0.7 + 0.3"].map(tape);
+        let model = Vendor::Nvidia.model().unwrap();
+        assert!(model.cost(&two) > model.cost(&one) + 0.5);
+        assert_eq!(one.cost_ops(), two.cost_ops());
+        for vendor in Vendor::ALL {
+            let model = vendor.model().unwrap();
+            assert!(model.cost(&tape("x / y")) > model.cost(&tape("x * y")), "{}", vendor.word());
+            assert!(model.agreement.pearson >= model.operations.pearson && model.left_out.pearson > 0.95);
+            assert_eq!(Vendor::of(vendor.word()), Some(vendor));
+        }
+    }
+}
