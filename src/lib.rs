@@ -18,12 +18,12 @@
 //! | floor | module | purpose |
 //! |---|---|---|
 //! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
-//! | 2 | [`approximate`] | one formula for one quantity: target, samples, search, proof, certificate; knows no effect |
+//! | 2 | [`approximate`] | one formula for one quantity, from target to certificate; knows no effect |
 //! | 2 | [`scene`] | bytes to a validated scene; owns all limits on input |
 //! | 2 | [`store`] | the only module that touches the file system |
 //! | 3 | [`emit`] | tables, fits, lookups and the manifest to bytes, one file per format; knows no effect |
 //! | 4 | [`report`] | results to plots, renders and pages; knows no effect |
-//! | 5 | [`effects`] | the catalogue: each effect declares who calls for it, its fits and tables, its code and its page |
+//! | 5 | [`effects`] | the catalogue: each effect declares its callers, fits, tables, code and page |
 //! | 6 | [`plan`] | scene and catalogue to jobs, and to effects left out with the reason |
 //! | 7 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 7 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |

@@ -4,7 +4,9 @@
 //! | table | size | columns | rows | slices | texel |
 //! |---|---|---|---|---|---|
 //! | azimuth mean | 64 x 64 x 32 | mu, `homogeneous` | roughness | anisotropy, `aspect` | loss |
-//! | with azimuth | 64 x 16 x 16 | mu, `homogeneous` in the alpha towards the view | roughness | anisotropy, `aspect` | cubic of the azimuth |
+//! | with azimuth | 64 x 16 x 16 | the same | roughness | anisotropy, `aspect` | cubic of the azimuth |
+//!
+//! With the azimuth, `homogeneous` takes the alpha towards the view.
 
 mod azimuth;
 mod path_tracer;

@@ -350,7 +350,7 @@ fn a_loss_without_its_tail_is_found() {
         Defect::MissingLoss { stored, worst, .. } => Some((*stored, *worst)),
         _ => None,
     });
-    let (stored, [kept, truth]) = missing.expect("the missing loss is told");
+    let (stored, [kept, truth]) = missing.expect("the audit names the missing loss");
     assert!(stored > 0.1 && stored < 0.7 && kept < truth, "{stored} {kept} {truth}");
     assert!(found.verdict.contains("tail of the lobe"), "{}", found.verdict);
 }
@@ -380,7 +380,7 @@ fn a_clamped_and_a_stale_part_are_found() {
         Defect::Part { texels, mean, range, .. } => Some((*texels, *mean, range.clone())),
         _ => None,
     });
-    let (texels, mean, range) = part.expect("the part is told");
+    let (texels, mean, range) = part.expect("the audit names the part");
     assert_eq!((texels, range), ([128, 1024], vec![[0, 15], [24, 31]]));
     assert!((mean - 0.3).abs() < 1e-6, "{mean}");
     assert!(

@@ -1,8 +1,9 @@
 //! The program of one level t: are there coefficients whose every residual is below t?
 //!
-//! |R| <= t D is linear in the coefficients, which are taken homogeneous (x_0, x_1 ...), p_j = x_j / x_0, so that none can run
-//! away. With weights w_i > 0 minimise z subject to |R_i| - t D_i <= z t w_i and mean(D / w) = 1:
-//! z < 0 gives coefficients with a smaller largest residual, z > 0 proves that there are none.
+//! |R| <= t D is linear in the coefficients, which are taken homogeneous (x_0, x_1 ...),
+//! p_j = x_j / x_0, so that none can run away. With weights w_i > 0 minimise z subject to
+//! |R_i| - t D_i <= z t w_i and mean(D / w) = 1: z < 0 gives coefficients with a smaller largest
+//! residual, z > 0 proves that there are none.
 
 use super::Row;
 use super::columns::{Columns, NOISE};

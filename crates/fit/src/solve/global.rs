@@ -107,8 +107,7 @@ pub(super) fn seed(objective: &Objective) -> Option<Vec<f64>> {
             scale: samples.scale.clone(),
             target: samples.target.clone(),
         };
-        // A sign that no coefficients have is one fewer; that none is left is the caller's to
-        // report.
+        // A sign that no coefficients have is left out; without any sign the caller reports it.
         minimax(&problem, &[], None).ok()
     });
     let best = best.reduce(|a, b| if b.max < a.max { b } else { a })?;

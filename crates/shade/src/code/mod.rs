@@ -8,13 +8,17 @@
 //!
 //! What is promised of the values, beside those of the hypothesis's tape in f32:
 //!
-//! | language | promise, and what it is tested with |
-//! |---|---|
-//! | Rust | the same bits where [`Printed::exact`], else 8 ulp; rustc, run |
-//! | C | the same bits where [`Printed::exact`], else 4 ulp, without contraction, on machines that evaluate a float as a float; a C99 compiler, run, and a C++ compiler. Contracted, each operation's error is no larger than its rounding's |
-//! | WGSL | read back, the same bits; on a device, what WGSL leaves to it: sums and products within 1 ulp, quotients 2.5; naga, and a Vulkan device |
-//! | HLSL, GLSL | the same as C, with the specifications' built-ins, in C++; on a device, what Vulkan leaves to it, which is the same as in WGSL; glslang, SPIR-V Tools, and a Vulkan device |
-//! | MSL | the same as C, with the specification's built-ins, in C++. No Metal compiler runs outside Apple's systems, and none has read it; fast math, its default, may reorder sums |
+//! - Rust: the same bits where [`Printed::exact`], else 8 ulp. Tested with rustc, run.
+//! - C: the same bits where [`Printed::exact`], else 4 ulp, without contraction, on machines that
+//!   evaluate a float as a float. Contracted, each operation's error is no larger than its
+//!   rounding's. Tested with a C99 compiler, run, and a C++ compiler.
+//! - WGSL: read back, the same bits; on a device, what WGSL leaves to it: sums and products within
+//!   1 ulp, quotients 2.5. Tested with naga, and a Vulkan device.
+//! - HLSL, GLSL: the same as C, with the specifications' built-ins, in C++; on a device, what
+//!   Vulkan leaves to it, which is the same as in WGSL. Tested with glslang, SPIR-V Tools, and a
+//!   Vulkan device.
+//! - MSL: the same as C, with the specification's built-ins, in C++. No Metal compiler runs outside
+//!   Apple's systems, and none has read it; fast math, its default, may reorder sums.
 //!
 //! The ulp are of sums of positive terms, or of 1 where terms cancel. In C's family, `mix` is x
 //! (1 - t) + y t by a function of ours where the language's own is x + t (y - x); `select` is `?:`,

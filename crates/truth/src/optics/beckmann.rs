@@ -2,8 +2,10 @@
 //! isotropic: slopes of facets are normal with variance alpha^2/2 along either axis. With
 //! c = mu/(alpha sin theta) (Heitz 2014, eq. 68)
 //!
-//!   Lambda = (exp(-c^2)/(c sqrt(pi)) - erfc(c))/2,   s = mu (1 + 2 Lambda) = mu erf(c) + alpha sin(theta) exp(-c^2)/sqrt(pi),
-//!   s - mu = alpha sin(theta) ierfc(c),              ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c), the integral of erfc beyond c.
+//!   Lambda = (exp(-c^2)/(c sqrt(pi)) - erfc(c))/2,
+//!   s = mu (1 + 2 Lambda) = mu erf(c) + alpha sin(theta) exp(-c^2)/sqrt(pi),
+//!   s - mu = alpha sin(theta) ierfc(c),
+//!   ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c), the integral of erfc beyond c.
 //!
 //! Ends: s = alpha/sqrt(pi) at grazing view, s = mu at normal incidence.
 

@@ -248,7 +248,8 @@ pub fn pairs() -> Vec<Pair> {
 /// The largest departure from reciprocity over some pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reciprocity {
-    /// |f(l, v) - f(v, l)| over the mean of their sizes, of the worst channel: 0 if reciprocal, 2 if light goes one way only, the most.
+    /// |f(l, v) - f(v, l)| over the mean of their sizes, of the worst channel: 0 if reciprocal, at
+    /// most 2, where light goes one way only.
     pub departure: f64,
     /// The worst channel.
     pub channel: usize,

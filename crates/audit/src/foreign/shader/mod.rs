@@ -66,8 +66,9 @@ struct Program {
 const STACK: usize = 64 << 20;
 
 /// The functions of a shader file: the one that is asked for (each overload of it), or all that can
-/// be read. The language follows from the extension, else from the text. GLSL may be a bare include: it needs neither `#version` nor `main`; directives that name other files are
-/// left out, and so are functions that read textures or that the front end cannot read, unless the
+/// be read. The language follows from the extension, else from the text. GLSL may be a bare include:
+/// it needs neither `#version` nor `main`; directives that name other files are left out, and so are
+/// functions that read textures or that the front end cannot read, unless the
 /// one asked for needs them; `saturate` is known.
 ///
 /// # Errors

@@ -3,14 +3,16 @@
 //! With p = 1/alpha, facets at polar angle theta_h and azimuth phi from the view, y = v.h and
 //! mu_l = 2 y cos(theta_h) - mu, the light's solid angle is 4 y times the facet's and
 //!
-//!   E = (2 + p)/(2 pi) int sin^(p + 1)(theta_h) 2 R(theta_h) dtheta_h,   R = int_0^phi_m y mu_l/(mu^2 + 2 kappa y cos(theta_h)) dphi,
+//!   E = (2 + p)/(2 pi) int sin^(p + 1)(theta_h) 2 R(theta_h) dtheta_h,
+//!   R = int_0^phi_m y mu_l/(mu^2 + 2 kappa y cos(theta_h)) dphi,
 //!
 //! kappa = 1 - mu. R does not depend on alpha, and its integrand is rational in cos(phi): with
 //! a = 2 cos(theta_h), P = mu^2 + kappa a mu cos(theta_h), Q = kappa a sin(theta) sin(theta_h) and
 //! T = tan(phi_m/2) it is, by division of polynomials in y,
 //!
 //!   R = [mu cos(theta_h) phi_m + sin(theta) sin(theta_h) sin(phi_m) - mu/(kappa a) (phi_m - mu^2 J)]/kappa,
-//!   J = int_0^phi_m dphi/(P + Q cos(phi)) = 2/(P + Q) T f(T^2 (P - Q)/(P + Q)),   f(u) = atan(sqrt(u))/sqrt(u).
+//!   J = int_0^phi_m dphi/(P + Q cos(phi)) = 2/(P + Q) T f(T^2 (P - Q)/(P + Q)),
+//!   f(u) = atan(sqrt(u))/sqrt(u).
 //!
 //! The horizon mu_l = 0 ends the azimuth at cos(phi_m) = -cot(theta) cot(2 theta_h). With
 //! eps = pi/2 - theta and tau = tan(eps/2) there are three ranges, each in a variable in which its

@@ -4,11 +4,13 @@
 //! from forward refraction) the half vector H = -+(eta v + l) gives Fresnel rationally, 1 - F = 2
 //! eta P (1 + 1/x^2)/(1 - eta^2)^2 with P = |eta - x| |1 - eta x| =
 //! |H|^2 (v.h) |l.h|, and with it
-//!   T = int dmu_t (G2/mu) (a^2/pi) (2 eta/(1 - eta^2)^2) 2 int_0^end P^2 (1 + 1/x^2)/den^2 dphi,  den = H_x^2 + H_y^2 + a^2 H_z^2.
+//!   T = int dmu_t (G2/mu) (a^2/pi) (2 eta/(1 - eta^2)^2) 2 int_0^end P^2 (1 + 1/x^2)/den^2 dphi,
+//!   den = H_x^2 + H_y^2 + a^2 H_z^2.
 //! mu_t is a function of the angle w of the facet in the plane of incidence, dtheta_t = -+ (h/c_t)
-//! dw with h = |H| at phi = 0 =
-//! |1 - eta^2|/(c_t + eta c_i), c_i and c_t the facet's cosines. Divided by h, with S = sin^2(phi/2) and c = 2 s s_t/h,
-//!   v.h -> c_i -+ c S,  l.h -> c_t +- eta c S,  den -> sin^2 w + a^2 cos^2 w + 2 (eta/h) c S,  x = cos(deviation) - 2 s s_t S,
+//! dw with h = |H| at phi = 0 = |1 - eta^2|/(c_t + eta c_i), c_i and c_t the facet's cosines.
+//! Divided by h, with S = sin^2(phi/2) and c = 2 s s_t/h,
+//!   v.h -> c_i -+ c S,  l.h -> c_t +- eta c S,
+//!   den -> sin^2 w + a^2 cos^2 w + 2 (eta/h) c S,  x = cos(deviation) - 2 s s_t S,
 //! (upper signs from the thinner side), none of which cancels as eta -> 1. The azimuth ends where
 //! the first factor that falls does.
 
