@@ -43,15 +43,15 @@ fn lookups_say_what_they_hold_of() {
                 (true, true) => "color = sum weight_i * sample_level(env, fetch_i.xyz, fetch_i.w)",
             };
             let lobe: &[&str] = match (emitted.lookup.is_fitted(), emitted.lookup.taps) {
-                (false, _) => &["ray is the reflected one", "does not lean"],
+                (false, _) => &["ray (the reflected ray, of unit length)", "does not lean"],
                 (true, 1) => &[
-                    "normal and view",
+                    "view (towards the viewer, of unit length)",
                     "0.7323 alpha^1.7068 mu^-0.2953",
                     "0.205; for the round lobe",
                     "0.225.",
                 ],
                 (true, 2) => {
-                    &["normal and view", "1.1401 alpha^1.63 mu^-0.1866", "0.143; for the round", "0.197."]
+                    &["view (towards", "1.1401 alpha^1.63 mu^-0.1866", "0.143; for the round", "0.197."]
                 }
                 (true, _) => &[
                     "mu^(0.8534 - 1.2592 alpha)",

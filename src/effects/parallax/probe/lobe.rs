@@ -53,17 +53,16 @@ pub(super) fn constants(taps: u32) -> String {
     limits + &rows.map(declared).concat()
 }
 
-/// What the arguments are, and what the lobe is.
+/// What the lobe is.
 pub(super) fn lines(taps: u32) -> Vec<String> {
     let fit = LobeFit::of(taps);
     let [[a, b, c], [d, e, f]] = [fit.lean, fit.narrow];
     let [g, h] = fit.squash;
     let signed = |x: f64| if x < 0.0 { format!("+ {}", -x) } else { format!("- {x}") };
     let mut lines = vec![
-        "normal and view, towards the viewer, are of unit length; mu is |normal.view|, at least 0.02. Seen from below,".into(),
-        "normal.view < 0, the view counts as mirrored in the surface. The lobe is that of GGX, within 1 % of the error of".into(),
-        "what study parallax fits for this many fetches at roughness 0.15 to 0.9 and mu from 0 to 1; as alpha goes to 0".into(),
-        "it is the mirror ray:".into(),
+        "mu is |normal.view|, at least 0.02. Seen from below, normal.view < 0, the view counts as mirrored in the surface.".into(),
+        "The lobe is that of GGX, within 1 % of the error of what study parallax fits for this many fetches at roughness".into(),
+        "0.15 to 0.9 and mu from 0 to 1; as alpha goes to 0 it is the mirror ray:".into(),
         format!("  its axis has a share min({a} alpha^{b} mu^{c}, 1) of the normal, the rest of the mirror ray;"),
         format!("  its footprint is max(mu^({d} {} alpha) (1 {} alpha), {NARROWEST}) times as wide as a round one's.", signed(e), signed(f)),
     ];

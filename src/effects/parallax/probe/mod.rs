@@ -5,6 +5,7 @@
 //! from the probe's prefiltered cubemap: a direction with the width of a lobe, or with the level
 //! that holds it where the chain is known.
 
+pub mod arguments;
 mod lobe;
 mod meet;
 mod rule;
@@ -19,10 +20,10 @@ use lobefit_math::ops;
 use lobefit_shade::code::{self, CodeError, Language};
 use lobefit_shade::{Hypothesis, ShadeError, Source};
 
-/// What the ray of the mirror lobe is.
+/// What the mirror lobe is.
 const MIRROR: [&str; 2] = [
-    "ray is the reflected one, of unit length, and points away from the surface. The lobe is round about the ray:",
-    "it does not lean as the lobe of a surface does at grazing angles.",
+    "The lobe is round about the ray, which points away from the surface: it does not lean as the lobe of a surface",
+    "does at grazing angles.",
 ];
 
 /// The function of the file that gives the level of a roughness.
@@ -107,8 +108,8 @@ impl Wanted {
         Ok(function.variables[..function.arguments].iter().map(|v| v.name.clone()).collect())
     }
 
-    /// What the function takes and returns, and how that is used.
-    pub fn lines(&self) -> Vec<String> {
+    /// What the function of these arguments takes and returns, and how that is used.
+    pub fn lines(&self, inputs: &[String]) -> Vec<String> {
         let given = match self.level {
             Some(_) => "the level",
             None => "the width alpha of the lobe",
@@ -119,16 +120,14 @@ impl Wanted {
             SurfaceLobe::Fitted => "what a GGX surface of width alpha reflects at a place over its albedo",
         };
         if self.lookup.hit {
-            return self.hit_lines();
+            return self.hit_lines(inputs);
         }
         let mut lines = if several {
             let first = format!("{} fetches from a probe for {lobe},", self.lookup.taps);
             let second = format!(
                 "along the axis that the wall stretches: directions (xyz) and {given} (w), with their weights."
             );
-            let third = format!(
-                "normal is that of the surface, of unit length: below a cosine of {FADE} with it a fetch fades out."
-            );
+            let third = format!("A fetch whose cosine with the normal is below {FADE} fades out.");
             vec![first, second, third]
         } else {
             vec![
@@ -141,6 +140,7 @@ impl Wanted {
             let jumps = "Edges are sharp: the width jumps where a ray passes from one plane to the next.";
             lines.push(jumps.into());
         }
+        lines.extend(arguments::lines(inputs));
         lines.extend(self.frame());
         lines.push(self.sum());
         if self.lookup.is_fitted() {
@@ -150,16 +150,23 @@ impl Wanted {
     }
 
     /// Those of a lookup of what the engine has hit.
-    fn hit_lines(&self) -> Vec<String> {
+    fn hit_lines(&self, inputs: &[String]) -> Vec<String> {
         let [low, high] = self.rho;
-        vec![
+        let mut lines = vec![
             "What to fetch from a probe for a lobe of width alpha about a ray: offset, of any length, and the level (w) or width.".into(),
-            "The engine has found what the ray hits: offset is from the probe to there, distance from the shading point to there.".into(),
-            "The width follows the ratio of the distances, which does not jump at edges, and ignores slants.".into(),
-            format!("Domain: alpha in [0, 1], distances of 0 or more; their ratio is clamped to [{low}, {high}]."),
+            "The engine has found what the ray hits.".into(),
+        ];
+        lines.extend(arguments::lines(inputs));
+        lines.extend([
+            "The width follows the ratio of the distances, which does not jump at edges, and ignores slants."
+                .into(),
+            format!(
+                "Domain: alpha in [0, 1], distances of 0 or more; their ratio is clamped to [{low}, {high}]."
+            ),
             "offset is not zero: what lies at the probe itself is seen in no direction.".into(),
             self.sum(),
-        ]
+        ]);
+        lines
     }
 
     /// What smooth edges are rounded over, a formula of the lobe's width: of alpha, or of the
@@ -168,7 +175,7 @@ impl Wanted {
         Eased::formula(if self.lookup.is_fitted() { "width" } else { "alpha" })
     }
 
-    /// What the arguments must be.
+    /// What must hold of the arguments.
     fn frame(&self) -> Vec<String> {
         let body = if self.lookup.planes.is_none() { "low, high" } else { "planes" };
         let (mut lines, ray) = match self.lookup.lobe {
@@ -311,6 +318,8 @@ mod tests {
                 alpha_map: AlphaMap::RoughnessSquared,
             };
             assert!(wanted.operations().expect("a source") > 20, "{lookup:?}");
+            let inputs = wanted.inputs().expect("arguments");
+            assert!(inputs.iter().all(|input| arguments::meaning(input).is_some()), "{inputs:?}");
             for language in Language::ALL {
                 let text = print(language, std::slice::from_ref(&wanted)).expect("a text");
                 let renamed =
