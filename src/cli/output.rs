@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::CliError;
+use crate::scene::escape::visible;
 
 /// How a verb ended that did its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +37,16 @@ pub fn print_json(value: &impl Serialize) -> Result<(), CliError> {
 /// Says something on standard error; where nobody can read it, nothing can be done about that.
 pub fn say(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Says which promises of a scene are not kept. Each is a line, and lines on what would keep it: no name of
+/// a scene holds the end of a line.
+pub fn say_broken(promises: &[String]) {
+    for promise in promises {
+        let mut lines = promise.lines().map(visible);
+        say(&format!("promise not kept: {}", lines.next().unwrap_or_default()));
+        lines.for_each(|line| say(&format!("  {line}")));
+    }
 }
 
 /// The exit code of a verb, after its error was said.

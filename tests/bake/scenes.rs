@@ -114,12 +114,20 @@ fn a_limit_of_a_table_fails_before_the_fits_and_names_what_keeps_it() {
     let said = baked(&metal("[0.3, 1]", wants));
     assert!(said.fits.is_empty(), "nothing is fitted");
     let [text] = &said.broken[..] else { panic!("{:?}", said.broken) };
-    for part in
-        ["exceeds the max_error 0.004 of m", "64x64: 0.0", "keeps it", "layout `homogeneous` at 32x32: 0.0"]
-    {
-        assert!(text.contains(part), "{part}: {text}");
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[0].ends_with("exceeds the max_error 0.004 of m (materials[0].wants.tables[0].max_error)"));
+    assert!(lines[1].starts_with("worst at "), "{text}");
+    for part in ["128x128: 32768 bytes, error 0.00", "32x32, layout `homogeneous`: 2048 bytes, error 0.00"] {
+        let keeps = |line: &&str| line.starts_with(&format!("keeps it: {part}"));
+        assert!(lines.iter().any(keeps), "{part}: {text}");
     }
-    assert!(text.ends_with("without `size` lobefit chooses one that keeps it"), "{text}");
+    assert_eq!(lines.last(), Some(&"keeps it: no `size`: lobefit chooses the smallest square that does"));
+    let nothing = r#"{"tables":[{"size": [8, 8], "max_error": 1e-9}]}"#;
+    let said = baked(&metal("[0.3, 1]", nothing)).broken.concat();
+    assert!(
+        said.contains("\nmeasured, and not within it: 16x16 (0.0") && !said.contains("keeps it"),
+        "{said}"
+    );
 }
 
 /// The cosines over which a table is judged stand in the manifest and above its function.

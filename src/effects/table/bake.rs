@@ -91,7 +91,8 @@ impl BakedTable {
     }
 }
 
-/// Bakes the jobs in order; returns also the promises that tables do not keep, in words.
+/// Bakes the jobs in order; returns also the promises that tables do not keep: a line each, of the
+/// last table of a job with a line for each choice that keeps it.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -117,7 +118,9 @@ pub fn bake(
         let mut unkept: Vec<String> = tables.iter().filter_map(|table| unkept(job, table)).collect();
         if let (Some(last), Some(table), Some(limit)) = (unkept.last_mut(), tables.first(), job.max_error) {
             let size: Vec<usize> = table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
-            *last += &format!("; {}", instead(family, (job, &size), &judge, limit, context)?);
+            for line in instead(family, (job, &size), &judge, limit, context)? {
+                *last += &format!("\n{line}");
+            }
         }
         broken.extend(unkept);
         broken.extend(tables.iter().filter_map(|table| unjudged(job, table)));
@@ -160,9 +163,7 @@ fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {
     let limit = job.max_error.filter(|limit| error.is_nan() || error > *limit)?;
     let by = &job.limited_by;
     let at = header::place(&baked.errors.lookup.at);
-    Some(format!(
-        "table {name}: lookup error {error} exceeds the max_error {limit} of {by}, the most at {at}"
-    ))
+    Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}\nworst at {at}"))
 }
 
 fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::bake::finish;
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
-use crate::data::{Layout, TexelFormat};
+use crate::data::TexelFormat;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
@@ -15,12 +15,17 @@ use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 /// Larger tables take more seconds than an error message is worth.
 const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
 
-/// Ends what keeps the limit.
-const KEEPS: &str = " keeps it";
+/// What else was measured, and its error.
+struct Choice {
+    words: String,
+    bytes: u64,
+    error: f64,
+}
 
-/// In words, what keeps the limit of a job whose tables of this size do not: sizes doubled until
-/// one keeps it, the other layouts of its kind at the job's size, and in place of f16 the smallest
-/// of these sizes with f32 texels that keeps it. `judge` has the truth of the job.
+/// Lines that say what keeps the limit of a job whose tables of this size do not, each with its
+/// bytes and its error. Measured are sizes doubled until one keeps it, the other layouts of its kind
+/// at the job's size, and in place of f16 the smallest size with f32 texels that keeps it where f16
+/// does not. `judge` has the truth of the job.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -30,47 +35,60 @@ pub(super) fn instead(
     judge: &Arc<Judge>,
     limit: f64,
     context: &Context,
-) -> Result<String, BakeError> {
-    let of = |job: TableJob, size: &[usize]| measured(family, (&job, size), judge, context);
-    let error = |layout: Layout, size: &[usize]| of(TableJob { layout, ..job.clone() }, size);
-    let words = |size: &[usize], error: f64| {
-        format!("{}: {error}{}", size_text(size), if error <= limit { KEEPS } else { "" })
-    };
-    let mut parts = Vec::new();
-    let (mut size, mut kept) = (size.to_vec(), false);
-    let own = size.clone();
+) -> Result<Vec<String>, BakeError> {
+    let of = |job: TableJob, size: &[usize], but: String| measured(family, (&job, size), but, judge, context);
+    let (own, mut size, mut kept) = (size, size.to_vec(), false);
+    let mut choices = Vec::new();
     while !kept && is_measured(&doubled(&size)) {
         size = doubled(&size);
-        let error = error(job.layout, &size)?;
-        kept = error <= limit;
-        parts.push(words(&size, error));
+        let choice = of(job.clone(), &size, String::new())?;
+        kept = choice.error <= limit;
+        choices.push(choice);
     }
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
-        parts.push(format!("layout `{}` at {}", layout.name(), words(&own, error(layout, &own)?)));
+        let but = format!(", layout `{}`", layout.name());
+        choices.push(of(TableJob { layout, ..job.clone() }, own, but)?);
     }
-    let mut any = parts.iter().any(|part| part.ends_with(KEEPS));
-    let mut wider = if job.format == TexelFormat::F16 { vec![own, size.clone()] } else { Vec::new() };
+    let mut wider = match job.format {
+        TexelFormat::F16 if kept => vec![own],
+        TexelFormat::F16 => vec![own, &size],
+        TexelFormat::F32 => Vec::new(),
+    };
     wider.dedup();
     for size in wider {
-        let error = of(TableJob { format: TexelFormat::F32, ..job.clone() }, &size)?;
-        if error <= limit {
-            any = true;
-            parts.push(format!("format `f32` at {}", words(&size, error)));
+        let format = TexelFormat::F32;
+        let choice = of(TableJob { format, ..job.clone() }, size, format!(", format `{}`", format.name()))?;
+        let keeps = choice.error <= limit;
+        choices.push(choice);
+        if keeps {
             break;
         }
     }
     let chosen = job.size.is_some() && size.len() == 2 && kept && size.iter().all(|n| *n <= AUTO_SIDE);
-    parts.extend(chosen.then(|| "without `size` lobefit chooses one that keeps it".to_string()));
-    if parts.is_empty() {
-        return Ok("a larger size is not measured: raise max_error, or the lower end of roughness".into());
+    Ok(said(&choices, limit, chosen))
+}
+
+/// A line for each choice that keeps the limit; where none does, what was measured, and what else a
+/// scene can change.
+fn said(choices: &[Choice], limit: f64, is_chosen: bool) -> Vec<String> {
+    let line = |choice: &Choice| {
+        let Choice { words, bytes, error } = choice;
+        format!("keeps it: {words}: {bytes} bytes, error {error}")
+    };
+    let mut lines: Vec<String> = choices.iter().filter(|choice| choice.error <= limit).map(line).collect();
+    if is_chosen {
+        lines.push("keeps it: no `size`: lobefit chooses the smallest square that does".into());
     }
-    if !any {
-        let wider = if job.format == TexelFormat::F16 { ", nor do `f32` texels at these sizes" } else { "" };
-        parts.push(format!(
-            "none of these keeps it{wider}: raise max_error, or narrow `n_dot_v` of the table or the roughness"
-        ));
+    if lines.is_empty() {
+        let each = |choice: &Choice| format!("{} ({})", choice.words, choice.error);
+        let all = choices.iter().map(each).collect::<Vec<_>>().join("; ");
+        lines.push(match choices {
+            [] => "a larger size is not measured".into(),
+            _ => format!("measured, and not within it: {all}"),
+        });
+        lines.push("raise max_error, or narrow `n_dot_v` of the table or the roughness".into());
     }
-    Ok(format!("measured instead: {}", parts.join("; ")))
+    lines
 }
 
 fn doubled(size: &[usize]) -> Vec<usize> {
@@ -89,18 +107,21 @@ fn is_measured(size: &[usize]) -> bool {
     }
 }
 
-/// The largest lookup error of the tables of a job in a size.
+/// The largest lookup error of the tables of a job in a size, and the bytes of one of them; `but` says
+/// what else is not the job's own.
 fn measured(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),
+    but: String,
     judge: &Arc<Judge>,
     context: &Context,
-) -> Result<f64, BakeError> {
+) -> Result<Choice, BakeError> {
     let spec = job.spec(size.to_vec(), &size_text(size));
     let (tables, made) = family.build(&spec, &context.counter)?;
-    let mut worst = 0.0_f64;
+    let (mut error, mut bytes) = (0.0_f64, 0);
     for (i, table) in tables.iter().enumerate() {
-        worst = worst.max(finish(&spec, table, made, (judge, i))?.errors.lookup.max);
+        bytes = table.bytes();
+        error = error.max(finish(&spec, table, made, (judge, i))?.errors.lookup.max);
     }
-    Ok(worst)
+    Ok(Choice { words: format!("{}{but}", size_text(size)), bytes, error })
 }

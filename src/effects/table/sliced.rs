@@ -51,6 +51,9 @@ impl<F: Sliced> Effect for F {
         let mut made = Made::new(called, measured(&tables), metric);
         made.part.finding.expected_error = expected(&jobs);
         made.broken = broken;
+        if !made.broken.is_empty() {
+            return Ok(made);
+        }
         made.tables(context, tables)?;
         if context.reports(called.effect) {
             let findings = findings::findings(self, &made.part, &made.tables, context)?;
