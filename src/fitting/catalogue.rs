@@ -83,10 +83,15 @@ pub(super) fn beside(catalogue: &[CatalogueFit], ops: u32, max: f64) -> Option<S
 }
 
 /// How an engine gets a formula for the target.
-pub(super) fn ways_out(target: &Target) -> &'static str {
+pub(super) fn ways_out(target: &Target) -> String {
+    format!("--out DIR writes include files; {}", by_scene(target))
+}
+
+/// How a scene takes a formula for the target.
+pub(super) fn by_scene(target: &Target) -> &'static str {
     if catalogue().iter().any(|effect| effect.takes_formulas_for(target)) {
-        "--out DIR writes include files; a scene takes the formula by its file's name in wants.fit.hypotheses"
+        "a scene takes the formula by its file's name in wants.fit.hypotheses"
     } else {
-        "--out DIR writes include files; scenes take formulas for the normalisation of ggx-reflection only"
+        "scenes take formulas for the normalisation of ggx-reflection only"
     }
 }

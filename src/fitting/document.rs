@@ -259,6 +259,9 @@ fn facts(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<(String, String)>
     let a = &fit.approximation;
     let beside = catalogue::beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs);
     rows.extend(beside.map(|text| ("Catalogue".into(), text)));
-    rows.push(("To emit it".into(), catalogue::ways_out(&fitting.target).into()));
+    let files: Vec<String> =
+        job.languages.iter().map(|language| code_file(job.hypothesis.name(), *language)).collect();
+    let emitted = if files.is_empty() { String::new() } else { format!("{}; ", files.join(", ")) };
+    rows.push(("Emitted".into(), emitted + catalogue::by_scene(&fitting.target)));
     rows
 }
