@@ -9,6 +9,10 @@ use crate::report::ReportError;
 /// Height of a row in pixels.
 const ROW: f64 = 17.0;
 
+/// Widest row in pixels: beside the space for tick labels it is seen whole on a narrow screen, where a wide
+/// plot scrolls.
+const WIDEST: f64 = 300.0;
+
 /// How an entry is drawn in the plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Key {
@@ -39,7 +43,7 @@ impl Legend {
         for (name, colour, key) in entries {
             let name = font::shorten(&name, SMALL, width - 28.0)?;
             let entry = 24.0 + font::width(&name, SMALL)? + 16.0;
-            if x > 0.0 && x + entry - 16.0 > width {
+            if x > 0.0 && x + entry - 16.0 > width.min(WIDEST) {
                 (x, rows) = (0.0, rows + 1);
             }
             placed.push((x, (rows - 1) as f64 * ROW, (name, colour, key)));

@@ -112,7 +112,9 @@ impl Scale {
             for e in (top - 2..=top).rev() {
                 let value: f64 = format!("{m}e{e}").parse().unwrap_or(0.0);
                 let room = |known: &f64| (self.position(*known) - self.position(value)).abs() >= apart;
-                if value <= self.max && values.iter().all(room) {
+                // Beside tens a part of one, of operations say, is no value that anybody looks for.
+                let whole = value >= 1.0 || self.max < 10.0;
+                if whole && value <= self.max && values.iter().all(room) {
                     values.push(value);
                 }
             }
@@ -131,20 +133,20 @@ impl Scale {
     }
 }
 
-/// Ticks at multiples of 1, 2, 2.5 or 5 times a power of ten.
+/// Ticks at multiples of 1, 2, 2.5 or 5 times a power of ten: two at least, for one tells no scale.
 fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
-    let step = nice_step(max - min, count);
-    // A millionth of a step forgives the rounding of min and max.
-    let first = (min / step - 1e-6).ceil();
-    let last = (max / step + 1e-6).floor();
-    if last < first {
-        // No multiple of a round step lies inside: the axis is a single value.
-        return vec![Tick { value: min, label: Some(numbers::tick(min)) }];
-    }
-    (0..=(last - first) as usize)
-        .map(|i| (first + i as f64) * step)
-        .map(|value| Tick { value, label: Some(numbers::tick(value)) })
-        .collect()
+    let tick = |value: f64| Tick { value, label: Some(numbers::tick(value)) };
+    let multiples = |count: usize| {
+        let step = nice_step(max - min, count);
+        // A millionth of a step forgives the rounding of min and max.
+        let (first, last) = ((min / step - 1e-6).ceil(), (max / step + 1e-6).floor());
+        let inside = (last - first).max(-1.0) + 1.0;
+        (0..inside as usize).map(|i| tick((first + i as f64) * step)).collect::<Vec<Tick>>()
+    };
+    // A step of at most a third of the axis has two multiples in it.
+    let enough = (count..=count.max(1) + 6).map(multiples).find(|ticks| ticks.len() > 1);
+    // The axis is a single value.
+    enough.unwrap_or_else(|| vec![tick(min)])
 }
 
 /// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades
@@ -168,7 +170,11 @@ fn log_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
             }
         }
     }
-    ticks
+    // A part of a decade may hold one of these, or none.
+    if ticks.iter().filter(|tick| tick.label.is_some()).count() < 2 {
+        ticks.iter_mut().for_each(|tick| tick.label = Some(label(tick.value)));
+    }
+    if ticks.len() < 2 { linear_ticks(min, max, count) } else { ticks }
 }
 
 /// The step of 1, 2, 2.5 or 5 times a power of ten that gives at most `count` intervals.
@@ -225,6 +231,20 @@ mod tests {
     }
 
     #[test]
+    fn an_axis_has_two_ticks_at_least() {
+        for (spread, min, max, wanted) in [
+            (Spread::Linear, 0.02, 0.33, &["0.1", "0.2", "0.3"][..]),
+            (Spread::Linear, 0.1, 0.26, &["0.1", "0.2"]),
+            (Spread::Log, 0.15, 0.45, &["0.2", "0.3", "0.4"]),
+            (Spread::Log, 0.21, 0.29, &["0.22", "0.24", "0.26", "0.28"]),
+        ] {
+            let ticks = Scale { spread, min, max }.ticks(2).into_iter();
+            let labels: Vec<String> = ticks.filter_map(|tick| tick.label).collect();
+            assert_eq!(labels, wanted, "{spread:?} {min} {max}");
+        }
+    }
+
+    #[test]
     fn a_root_axis_has_ticks_at_any_size() {
         for max in [0.7, 3.0, 56.0, 1584.0] {
             let scale = Scale::around(Spread::Root, [max].into_iter());
@@ -234,6 +254,8 @@ mod tests {
         let scale = Scale { spread: Spread::Root, min: 0.0, max: 56.0 };
         let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
         assert_eq!(labels, ["0", "1", "5", "10", "20", "30", "40", "50"]);
+        let fine: Vec<String> = scale.ticks(15).into_iter().filter_map(|t| t.label).collect();
+        assert_eq!(fine[..3], ["0", "1", "3"], "whole operations alone");
     }
 
     #[test]
