@@ -11,10 +11,10 @@ use clap::Args;
 use serde::Serialize;
 
 use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
-use super::output::{Outcome, print, print_json, say};
+use super::output::{Outcome, print, print_json, say_broken};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, compare};
+use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
@@ -39,7 +39,7 @@ the record, and a count that grew fails. Studies (reports/studies/, by lobefit r
 must be of this version, if its package lobefit-studies is built; else a note says that they were not checked.";
 
 /// Largest file that is compared, bytes.
-const FILE_BYTES: u64 = 1 << 30;
+pub(super) const FILE_BYTES: u64 = 1 << 30;
 
 /// What of a bake can be compared alone.
 const PARTS: [&str; 4] = ["tables", "fits", "reports", "manifest"];
@@ -93,9 +93,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     })?;
     drop(progress);
     // What breaks a promise is not written by a bake: there is nothing to compare with.
-    for promise in &found.broken {
-        say(&format!("promise not kept: {}", visible(promise)));
-    }
+    say_broken(&found.broken);
     if !found.broken.is_empty() {
         return Ok(Outcome::Failed);
     }
@@ -125,6 +123,8 @@ struct Found {
     changes: Vec<String>,
     /// Whether no value did.
     names_only: bool,
+    /// Where the scene changed: the files whose numbers or code, which a shader reads, are others.
+    changed: Vec<String>,
 }
 
 impl Found {
@@ -147,6 +147,7 @@ impl Found {
         let names_only = options.values.is_none()
             && !changes.is_empty()
             && compare(&baked, &found, &strays, Some(0.0), &Silent).is_empty();
+        let changed = if changes.is_empty() { Vec::new() } else { changed(&baked, &found) };
         baked.files.retain(|file, _| options.asks_for(file));
         Ok(Found {
             broken: baked.broken,
@@ -159,6 +160,7 @@ impl Found {
             studies_unknown: studies.unknown,
             changes,
             names_only,
+            changed,
         })
     }
 
@@ -171,6 +173,7 @@ impl Found {
             schema_version: 1,
             same: self.all().next().is_none(),
             scene_changes: &self.changes,
+            changed_for_shaders: (!self.changes.is_empty()).then_some(&self.changed),
             differences: self.all().collect(),
             records: &self.records,
             counts: &self.counts,
@@ -190,6 +193,7 @@ impl Found {
             }
             let files: Vec<&str> = self.of_bake.iter().map(|difference| difference.file.as_str()).collect();
             lines.push(format!("files that differ: {}\n", visible(&files.join(", "))));
+            lines.push(visible(&for_shaders(&self.changed)) + "\n");
             lines.push(format!("bake it again: {}\n", visible(&command("bake", "--out", options))));
         }
         let beside = self.of_studies.iter().chain(&self.of_records);
@@ -203,7 +207,7 @@ impl Found {
         if self.names_only {
             let command = command("check", "--against", options);
             let passes = visible(&format!("{command} --values 0"));
-            lines.push(format!("names only: no value changed; `{passes}` passes\n"));
+            lines.push(format!("names only: `{passes}` passes\n"));
         }
         lines.concat()
     }
@@ -240,6 +244,9 @@ struct Verdict<'a> {
     /// What changed in the scene since the bake that is checked.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     scene_changes: &'a [String],
+    /// Of a changed scene the files whose numbers or code, which a shader reads, are others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    changed_for_shaders: Option<&'a Vec<String>>,
     differences: Vec<&'a Difference>,
     /// Times on graphics processors, those of other code among them.
     #[serde(skip_serializing_if = "<[Record]>::is_empty")]
@@ -274,6 +281,14 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
         !allowed && !baked
     });
     Ok(strays)
+}
+
+/// Whether what a shader reads changed, and where.
+pub(super) fn for_shaders(changed: &[String]) -> String {
+    match changed {
+        [] => "no number and no code that a shader reads changed".into(),
+        files => format!("numbers or code that a shader reads changed in {}", files.join(", ")),
+    }
 }
 
 /// The command of a verb on the scene and the folder.

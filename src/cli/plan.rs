@@ -11,6 +11,7 @@ use super::output::{Outcome, print, print_json};
 use crate::effects::Called;
 use crate::emit::header::short;
 use crate::plan::{self, Plan};
+use crate::scene::UNNAMED;
 use crate::scene::escape::visible;
 
 pub(super) const EXAMPLES: &str = "\
@@ -44,7 +45,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 
 /// The plan for people.
 fn text(plan: &Plan) -> String {
-    let mut out = format!("scene {}\n", visible(&plan.scene));
+    let name = if plan.scene == UNNAMED { "without a name".into() } else { visible(&plan.scene) };
+    let mut out = format!("scene {name}\n");
     if plan.is_empty() {
         out += "nothing to bake\n";
     }

@@ -21,16 +21,17 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
     assert_eq!(code, Some(1), "{text}");
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
-        lines[..4],
+        lines[..5],
         [
             "the scene changed: materials[0].roughness[0]: 0.4 became 0.5",
             "the scene changed: name: \"game\" became \"play\"",
             "files that differ: fits/lobefit.h, manifest.json",
+            "numbers or code that a shader reads changed in fits/lobefit.h",
             "bake it again: lobefit bake - --out assets"
         ],
         "{text}"
     );
-    assert_eq!(lines.len(), 5, "no line for each file, nor that of names alone: {text}");
+    assert_eq!(lines.len(), 6, "no line for each file, nor that of names alone: {text}");
     let json = run(&["check", "-", "--against", "assets", "--json"], &changed).1;
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["scene_changes"].as_array().map(Vec::len), Some(2));
@@ -51,7 +52,8 @@ fn a_renamed_material_passes_by_its_values() {
     let plain = lobefit(folder.path(), &["check", "-"], renamed.as_bytes());
     let (code, text) = (plain.status.code(), String::from_utf8(plain.stdout).expect("text"));
     assert_eq!(code, Some(1), "{text}");
-    assert!(text.ends_with("names only: no value changed; `lobefit check - --values 0` passes\n"), "{text}");
+    assert!(text.ends_with("names only: `lobefit check - --values 0` passes\n"), "{text}");
+    assert!(text.contains("\nno number and no code that a shader reads changed\n"), "{text}");
     assert_eq!(check(&renamed), Some(0));
     assert_eq!(check(&renamed.replace("[0.4,1]", "[0.5,1]")), Some(1));
     assert_eq!(check(&renamed.replace("\"f0\":1", "\"f0\":0.9")), Some(1));
@@ -59,4 +61,36 @@ fn a_renamed_material_passes_by_its_values() {
     let text = std::fs::read_to_string(&manifest).expect("a manifest");
     std::fs::write(&manifest, text.replace("\"of\": \"a\"", "\"of\": \"b\"")).expect("written");
     assert_eq!(check(&renamed), Some(1), "a name that is none of the scene's");
+}
+
+/// A colour is one change, and so is an index of refraction with the reflectance that follows from
+/// it; neither is in the code of an energy compensation.
+#[test]
+fn another_reflectance_is_said_once_and_changes_no_number_of_shaders() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |arguments: &[&str], scene: &str| {
+        let output = lobefit(folder.path(), arguments, scene.as_bytes());
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let plastic = SCENE.replace("metal", "dielectric");
+    let said = |old: &str, new: &str| {
+        run(&["bake", "-", "--quiet"], old);
+        run(&["check", "-"], new)
+    };
+    for (old, new, change) in [
+        (SCENE, SCENE.replace("\"f0\":1", "\"f0\":0.9"), "materials[0].f0: 1.0 became 0.9"),
+        (SCENE, SCENE.replace("\"f0\":1", "\"f0\":[1,0.9,0.5]"), "materials[0].f0: 1.0 became [1.0,0.9,0.5]"),
+        (
+            &plastic.replace("\"f0\":1", "\"ior\":1.5"),
+            plastic.replace("\"f0\":1", "\"ior\":1.6"),
+            "materials[0].ior: 1.5 became 1.6",
+        ),
+    ] {
+        let text = said(old, &new);
+        assert_eq!(text.matches("the scene changed: ").count(), 1, "{text}");
+        assert!(text.starts_with(&format!("the scene changed: {change}\n")), "{text}");
+        assert!(text.contains("no number and no code that a shader reads changed\n"), "{text}");
+        let baked = run(&["bake", "-"], &new);
+        assert!(baked.contains("\nno number and no code that a shader reads changed\n"), "{baked}");
+    }
 }

@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::{Baked, BakedTable};
 use crate::data::Container;
 use crate::effects::context::Progress;
-use crate::emit::container::packed;
+use crate::emit::container::{SIDECAR, packed};
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Files};
 use provenance::Restated;
@@ -121,6 +121,22 @@ pub fn compare(
         differences.retain(|d| beyond(d) || d.promise_kept == Some(false));
     }
     differences
+}
+
+/// What a shader reads of a bake, tables and include files, where its numbers or its code are not those of
+/// `found`: comments, headers and sidecars aside.
+pub fn changed(baked: &Baked, found: &Files) -> Vec<String> {
+    let changed = |file: &str, expected: &[u8]| match (file.split_once('/'), found.get(file)) {
+        (Some(("fits", _)), Some(bytes)) => text::code(bytes) != text::code(expected),
+        (Some(("tables", _)), _) if file.ends_with(SIDECAR) => false,
+        (Some(("tables", _)), Some(bytes)) => {
+            bytes != expected && different(baked, file, expected, bytes).max_abs != Some(0.0)
+        }
+        (Some(("fits" | "tables", _)), None) => true,
+        _ => false,
+    };
+    let files = baked.files.iter().filter(|(file, expected)| changed(file, expected));
+    files.map(|(file, _)| file.clone()).collect()
 }
 
 fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {

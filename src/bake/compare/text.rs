@@ -2,6 +2,12 @@
 
 use super::{Difference, Kind};
 
+/// The lines of an include file that are no comments.
+pub fn code(bytes: &[u8]) -> Vec<&[u8]> {
+    let lines = bytes.split(|byte| *byte == b'\n');
+    lines.filter(|line| !line.trim_ascii_start().starts_with(b"//")).collect()
+}
+
 /// How two texts differ: by the largest difference of their numbers if all else is equal, else by
 /// their first differing line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {

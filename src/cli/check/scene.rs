@@ -40,12 +40,18 @@ fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
     let absent = Value::Null;
     match (old, new) {
         (Value::Object(a), Value::Object(b)) => {
+            // The reflectance of what has an index of refraction follows from it.
+            let index = [a, b].map(|fields| fields.get("ior").unwrap_or(&absent));
+            let follows = |key: &str| key == "f0" && index[0] != index[1] && !index[1].is_null();
             let more = b.keys().filter(|key| !a.contains_key(*key));
-            for key in a.keys().chain(more) {
+            for key in a.keys().chain(more).filter(|key| !follows(key)) {
                 let dot = if path.is_empty() { "" } else { "." };
                 let (old, new) = (a.get(key).unwrap_or(&absent), b.get(key).unwrap_or(&absent));
                 compare(&format!("{path}{dot}{key}"), old, new, all);
             }
+        }
+        (Value::Array(a), Value::Array(b)) if is_one_change(a, b) => {
+            all.push(format!("{path}: {} became {}", figures(a), figures(b)));
         }
         (Value::Array(a), Value::Array(b)) => {
             for i in 0..a.len().max(b.len()) {
@@ -57,6 +63,20 @@ fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
         (Value::Null, new) => all.push(format!("{path}: {} is new", shown(new))),
         (old, Value::Null) => all.push(format!("{path}: {} is gone", shown(old))),
         (old, new) => all.push(format!("{path}: {} became {}", shown(old), shown(new))),
+    }
+}
+
+/// Whether several of as many numbers changed: those of one colour, or both ends of a range.
+fn is_one_change(old: &[Value], new: &[Value]) -> bool {
+    let figures = old.len() == new.len() && old.iter().chain(new).all(Value::is_number);
+    figures && old.iter().zip(new).filter(|(old, new)| old != new).count() > 1
+}
+
+/// A list of numbers, or the number that all of them are.
+fn figures(list: &[Value]) -> String {
+    match list {
+        [first, rest @ ..] if rest.iter().all(|other| other == first) => first.to_string(),
+        _ => Value::Array(list.to_vec()).to_string(),
     }
 }
 
