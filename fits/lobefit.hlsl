@@ -61,6 +61,9 @@ float3 ggx_compensate_glass(float3 f, float e) {
 }
 
 // ---- reflection ----
+// Recommended: ggx_energy_compensation_rgb:
+//   the cheapest function within max_error (0.02 where the scene states neither max_error nor max_ops),
+//   or the most accurate within max_ops
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
 /// Fourteen operations. One reciprocal, and a nested sum in which each monomial is another one times a step. mu and alpha times
@@ -437,8 +440,10 @@ float4 parallax_fetch_box_smooth_log_7(
 /// What to fetch from a probe for a lobe of width alpha about a ray from a place:
 /// the direction (xyz) and the level (w).
 /// The proxy is a box with smooth edges, 1 fetch.
-/// ray is the reflected one, of unit length, and points away from the surface. The lobe is round about the ray:
-/// it does not lean as the lobe of a surface does at grazing angles.
+/// Arguments: place (the shaded point), ray (the reflected ray, of unit length), alpha (the width of the lobe),
+///   low (the lowest corner of the box), high (its highest corner), probe (where the cubemap was taken).
+/// The lobe is round about the ray, which points away from the surface: it does not lean as the lobe of a surface
+/// does at grazing angles.
 /// place, low, high, probe, ray are in one frame and one unit of length; the cubemap's axes are the frame's.
 /// probe is strictly inside the proxy. Domain: alpha in [0, 1], places anywhere: a wall that the place is outside of
 /// counts as being as far ahead as it is behind, and rho is clamped to [0.0625, 8].

@@ -1,4 +1,4 @@
-//! Which fits of a job are emitted, and what their functions are called.
+//! Which fits of a job are emitted, which of them is recommended, and what their functions are called.
 
 use super::target::TargetSpec;
 use super::{Fit, FitStageError};
@@ -48,6 +48,24 @@ impl Default for Emission {
 }
 
 impl Emission {
+    /// The rule by which one of several functions is recommended, as it follows "is".
+    pub fn rule() -> String {
+        format!(
+            "the cheapest function within max_error ({USUAL_ERROR} where the scene states neither max_error nor max_ops), \
+             or the most accurate within max_ops"
+        )
+    }
+
+    /// The one to take of the emitted fits: by the rule of [`Emission::best`], of the first norm that has any.
+    pub(super) fn recommended(&self, fits: &[Fit], norms: &[Norm], max_ops: Option<u32>) -> Option<usize> {
+        let of_norm = |norm: &Norm| {
+            let emitted = |i: &usize| fits[*i].emitted && fits[*i].norm() == norm.name();
+            let emitted: Vec<usize> = (0..fits.len()).filter(emitted).collect();
+            self.best(fits, &emitted, *norm, max_ops)
+        };
+        norms.iter().find_map(of_norm)
+    }
+
     /// The fits to emit with the names of their functions; `None`: all, as they are.
     pub(super) fn picked(
         &self,
@@ -58,14 +76,15 @@ impl Emission {
         let picked = |norm: &Norm| -> Vec<(usize, String)> {
             let suffix = if *norm == Norm::Rms && norms.contains(&Norm::Max) { "_rms" } else { "" };
             let of_norm: Vec<usize> = (0..fits.len()).filter(|&i| fits[i].norm() == norm.name()).collect();
+            let best = self.best(fits, &of_norm, *norm, max_ops);
             match self.pick {
-                Pick::Best => {
-                    let best = self.best(fits, &of_norm, *norm, max_ops);
-                    best.map(|i| (i, format!("{}{suffix}", self.role))).into_iter().collect()
-                }
+                Pick::Best => best.map(|i| (i, format!("{}{suffix}", self.role))).into_iter().collect(),
                 Pick::Frontier | Pick::All => {
                     let name = |i: usize| format!("{}_{}{suffix}", self.role, ops(&fits[i]));
-                    frontier(fits, &of_norm, *norm).into_iter().map(|i| (i, name(i))).collect()
+                    // What keeps a limit on the largest error may be beaten in the mean square.
+                    let mut picked = frontier(fits, &of_norm, *norm);
+                    picked.extend(best.filter(|best| !picked.contains(best)));
+                    picked.into_iter().map(|i| (i, name(i))).collect()
                 }
             }
         };

@@ -17,6 +17,8 @@ pub struct Fit {
     pub termination: Option<Termination>,
     /// Whether it is emitted, or only reported for comparison.
     pub emitted: bool,
+    /// Whether it is the one to take of those that were fitted and emitted for one use.
+    pub recommended: bool,
     /// Where it is proven to have no pole and no negative value, if that was asked for.
     pub safe: Option<Safe>,
 }

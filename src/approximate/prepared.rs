@@ -122,7 +122,8 @@ impl Prepared {
             found = worse(half.map_err(refused)?, found);
         }
         let approximation = approximation(&hypothesis, form, &self.target, source, found);
-        Ok(Fit { approximation, hypothesis, termination: None, emitted: false, safe: None })
+        let (termination, emitted, recommended, safe) = (None, false, false, None);
+        Ok(Fit { approximation, hypothesis, termination, emitted, recommended, safe })
     }
 }
 

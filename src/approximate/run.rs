@@ -61,6 +61,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
+    stage.recommend(&mut fits);
     let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
     let measured = pairs.par_iter().map(|(entry, h)| {
@@ -171,6 +172,14 @@ impl<'a> Stage<'a> {
             }
         }
         Ok("no formula of the catalogue keeps it in this region: widen max_error, or take a table".into())
+    }
+
+    /// Marks the emitted fit to take.
+    fn recommend(&self, fits: &mut [Fit]) {
+        let Wanted { emission, norms, max_ops, .. } = self.wanted;
+        if let Some(best) = emission.recommended(fits, norms, *max_ops) {
+            fits[best].recommended = true;
+        }
     }
 
     /// Leaves those emitted that the scene asks for, each by the name of its role and with the

@@ -22,11 +22,10 @@ use crate::effects::{Made, Part};
 use crate::emit::call::Call;
 use crate::emit::manifest::FitLeftOut;
 use crate::plan::Plan;
-use crate::report::Role;
 use crate::scene::Scene;
 use crate::store::{Cache, Files};
 pub use build::{BUILD, BUILD_FILE, sign};
-pub use compare::{Difference, Kind, compare};
+pub use compare::{Difference, Kind, changed, compare};
 pub use previous::{PreviousError, previous};
 pub use recipe::{TOOL, recipe};
 
@@ -48,8 +47,6 @@ pub struct Baked {
     pub dropped: Vec<FitLeftOut>,
     /// What each material and probe calls.
     pub calls: Vec<Call>,
-    /// Names of the fits that are recommended, one for each purpose.
-    pub recommended: Vec<String>,
 }
 
 impl Baked {
@@ -58,9 +55,6 @@ impl Baked {
         self.broken.extend(made.broken);
         self.tables.extend(made.tables);
         self.fits.extend(made.fits);
-        let choices = made.purposes.into_iter().flat_map(|purpose| purpose.choices);
-        let recommended = choices.filter(|offer| offer.role == Role::Recommended);
-        self.recommended.extend(recommended.map(|offer| offer.name));
         self.dropped.extend(made.part.entries.fits_left_out.iter().cloned());
         self.calls.extend(made.part.entries.calls.iter().cloned());
         made.part
@@ -109,7 +103,6 @@ pub fn bake(
         fits: Vec::new(),
         dropped: Vec::new(),
         calls: Vec::new(),
-        recommended: Vec::new(),
     };
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();

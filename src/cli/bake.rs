@@ -4,21 +4,21 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::check::{FILE_BYTES, for_shaders};
 use super::columns::{self, Side::Left, Side::Right};
 use super::options::{PagesOption, SceneOption, ThreadsOption, effect};
-use super::output::{Outcome, print, say};
+use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
-use crate::bake::{Baked, Selection, previous, recipe, sign};
-use crate::data::Pick;
-use crate::effects::RECOMMENDED;
+use crate::bake::{Baked, Selection, changed, previous, recipe, sign};
+use crate::effects::rule;
 use crate::emit::call::Call;
+use crate::emit::container::SIDECAR;
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
-use crate::scene::Scene;
 use crate::scene::escape::visible;
-use crate::store::{Cache, Folder, MANIFEST, Written};
+use crate::store::{self, Cache, Folder, MANIFEST, Written};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -29,7 +29,7 @@ Examples:
 Writes tables/ fits/ reports/ and manifest.json in the output folder and nothing else. Files that an older bake left
 there and this one does not have are removed.";
 
-/// Stands before the recommended function where several are emitted.
+/// Stands before the recommended function where a material or probe has a choice.
 const MARK: &str = "*";
 
 /// Options of `bake`.
@@ -74,19 +74,20 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if let Some(error) = cache.as_ref().and_then(Cache::failed) {
         say(&format!("note: nothing is kept for other bakes: {}", visible(&error.to_string())));
     }
-    for promise in &baked.broken {
-        say(&format!("promise not kept: {}", visible(promise)));
-    }
+    say_broken(&baked.broken);
     if !baked.broken.is_empty() {
         say("nothing written");
         return Ok(Outcome::Failed);
     }
+    let changed = changed_since(options, &baked)?;
     sign(&mut baked.files);
     let written = folder.write(&baked.files)?;
     if options.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
     } else if !options.quiet {
-        print(summary(&input.scene, &plan, &baked, &written, options).as_bytes())?;
+        let lines = [summary(&plan, &baked, options), written_files(&baked, &written, changed, options)];
+        // Reasons quote the scene's names.
+        print(lines.concat().iter().map(|line| visible(line) + "\n").collect::<String>().as_bytes())?;
     }
     Ok(Outcome::Done)
 }
@@ -111,15 +112,10 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
 }
 
 /// What was made: what each material and probe calls, or everything where more than one function of
-/// a job is emitted; then what was left out and written.
-fn summary(scene: &Scene, plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> String {
-    let mut lines = match scene.output.pick {
-        Pick::Best => table(&baked.calls, &[]),
-        Pick::Frontier | Pick::All => table(&baked.calls, &baked.recommended),
-    };
-    if lines.iter().any(|line| line.starts_with(MARK)) {
-        lines.push(format!("{MARK} is recommended. {RECOMMENDED}"));
-    }
+/// a job is emitted; then what was left out.
+fn summary(plan: &Plan, baked: &Baked, options: &Options) -> Vec<String> {
+    let mut lines = table(&baked.calls);
+    lines.extend(recommended(&baked.calls));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }
@@ -133,6 +129,25 @@ fn summary(scene: &Scene, plan: &Plan, baked: &Baked, written: &Written, options
         lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect, l.reason)));
     }
     lines.extend(read_by_engines(baked, options));
+    lines
+}
+
+/// What of an older bake in the output folder a shader reads otherwise now; none where there is no older
+/// bake.
+fn changed_since(options: &Options, baked: &Baked) -> Result<Option<Vec<String>>, CliError> {
+    let files = baked.files.keys().map(String::as_str);
+    let found = store::read_set(&options.out, files, FILE_BYTES)?;
+    Ok(found.contains_key(MANIFEST).then(|| changed(baked, &found)))
+}
+
+/// How many files were written, and what that changes for shaders.
+fn written_files(
+    baked: &Baked,
+    written: &Written,
+    changed: Option<Vec<String>>,
+    options: &Options,
+) -> Vec<String> {
+    let mut lines: Vec<String> = changed.iter().map(|changed| for_shaders(changed)).collect();
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
     let index = options.out.join("reports/index.html");
     let page = if baked.files.contains_key("reports/index.html") {
@@ -141,14 +156,23 @@ fn summary(scene: &Scene, plan: &Plan, baked: &Baked, written: &Written, options
         String::new()
     };
     lines.push(format!("{new} files written, {same} unchanged, {gone} removed{page}"));
-    // Reasons quote the scene's names.
-    lines.iter().map(|line| visible(line) + "\n").collect()
+    lines
 }
 
-/// The files that an engine reads: include files and tables, as a shell would write them.
+/// What the mark before a function means; none where no function is marked.
+fn recommended(calls: &[Call]) -> Option<String> {
+    let mut rules: Vec<String> = calls.iter().filter(|call| call.is_preferred(calls)).map(rule).collect();
+    rules.sort();
+    rules.dedup();
+    (!rules.is_empty()).then(|| format!("{MARK} is recommended: {}", rules.join("; ")))
+}
+
+/// The files that an engine reads, without what describes tables: include files and tables, as a
+/// shell would write them.
 fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
     let of = |verb: &str, start: &str| {
-        let ends: Vec<&str> = baked.files.keys().filter_map(|file| file.strip_prefix(start)).collect();
+        let read = baked.files.keys().filter(|file| !file.ends_with(SIDECAR));
+        let ends: Vec<&str> = read.filter_map(|file| file.strip_prefix(start)).collect();
         let at = options.out.join(start).display().to_string();
         match ends[..] {
             [] => None,
@@ -161,10 +185,12 @@ fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-/// What is called, a row for each function, with who calls it; those of `recommended` fits are
-/// marked.
-fn table(calls: &[Call], recommended: &[String]) -> Vec<String> {
+/// What is called, a row for each function, with who calls it. What is recommended to a material or
+/// probe that has a choice is marked.
+fn table(calls: &[Call]) -> Vec<String> {
     let mut rows: Vec<(&Call, Vec<&str>)> = Vec::new();
+    let preferred: Vec<&str> =
+        calls.iter().filter(|call| call.is_preferred(calls)).map(|call| call.function.as_str()).collect();
     for call in calls {
         match rows
             .iter_mut()
@@ -181,9 +207,9 @@ fn table(calls: &[Call], recommended: &[String]) -> Vec<String> {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
         let [ops, fetches, bytes, error] = figures;
-        let mark = match recommended {
+        let mark = match preferred[..] {
             [] => String::new(),
-            _ => format!("{:2}", if recommended.contains(&call.name) { MARK } else { "" }),
+            _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
         };
         [mark + &call.function, ops, fetches, bytes, error, call.metric.clone(), listed(names)]
     };

@@ -1,22 +1,21 @@
 //! What a reader takes from an effect: of everything that its bake measured, up to three choices
 //! for each purpose.
 
+use std::cmp::Reverse;
+
 use super::table::BakedTable;
 use super::{BakeError, Made};
-use crate::approximate::Fit;
-use crate::data::{Approximation, Cost, Form, Layout, Norm, Source, Use};
-use crate::emit::call::LookupFunction;
+use crate::approximate::{Emission, Fit};
+use crate::data::{Approximation, Cost, Form, Layout, Source, Use};
+use crate::emit::call::{Call, LookupFunction};
+use crate::emit::manifest::Entries;
 use crate::report::numbers::{grouped, significant};
 use crate::report::sections::words::{self, operations};
 use crate::report::{Answer, Furnace, FurnaceRow, Measured, Offer, Purpose, Role};
 use lobefit_shade::code::{self, Language};
 
-/// The error that a recommended fit keeps where the scene states none.
-const USUAL_ERROR: f64 = 0.02;
-
-/// What is recommended.
-pub(crate) const RECOMMENDED: &str =
-    "It is the cheapest within the stated error (0.02 where none is stated), or the most accurate.";
+/// The edges of a lookup whose width jumps, as the manifest has them.
+const SHARP: &str = "sharp";
 
 /// Spheres of a strip, and every how many of their cosines it is drawn from.
 const SPHERES: usize = 6;
@@ -26,11 +25,7 @@ const EVERY: usize = 3;
 ///
 /// # Errors
 /// A formula that cannot be printed.
-pub(super) fn of_fits(
-    fits: &[Fit],
-    limit: Option<f64>,
-    languages: &[Language],
-) -> Result<Vec<Purpose>, BakeError> {
+pub(super) fn of_fits(fits: &[Fit], languages: &[Language]) -> Result<Vec<Purpose>, BakeError> {
     let mut groups: Vec<Vec<&Fit>> = Vec::new();
     let key = |fit: &Fit| {
         let a = &fit.approximation;
@@ -42,15 +37,12 @@ pub(super) fn of_fits(
             None => groups.push(vec![fit]),
         }
     }
-    groups.iter().filter_map(|group| of_group(group, limit, languages).transpose()).collect()
+    groups.iter().filter_map(|group| of_group(group, languages).transpose()).collect()
 }
 
-fn of_group(
-    group: &[&Fit],
-    limit: Option<f64>,
-    languages: &[Language],
-) -> Result<Option<Purpose>, BakeError> {
-    let Some(best) = recommended(group, limit.unwrap_or(USUAL_ERROR)) else { return Ok(None) };
+fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, BakeError> {
+    let best = group.iter().find(|fit| fit.emitted && fit.recommended);
+    let Some(best) = best else { return Ok(None) };
     let mut choices = vec![offer(Role::Recommended, best, languages)?];
     if let Some(cheap) = cheap(group, best) {
         choices.insert(0, offer(Role::Cheap, cheap, languages)?);
@@ -69,21 +61,8 @@ fn of_group(
         choices,
         measured: group.iter().map(|fit| measured(&fit.approximation)).collect(),
         furnace: None,
+        is_other_side: false,
     }))
-}
-
-/// Of a purpose with several emitted fits, which to take, in words.
-pub(super) fn recommends(purpose: &Purpose) -> Option<String> {
-    let offer = purpose.choices.iter().find(|offer| offer.role == Role::Recommended)?;
-    Some(format!("Recommended: {}. {RECOMMENDED}", offer.function.as_ref()?))
-}
-
-/// The cheapest of the emitted fits that keeps the limit, else the most accurate.
-fn recommended<'a>(group: &[&'a Fit], limit: f64) -> Option<&'a Fit> {
-    let emitted = || group.iter().copied().filter(|fit| fit.emitted);
-    let keeping = emitted().filter(|fit| error(fit) <= limit);
-    let cheapest = keeping.min_by_key(|fit| (fit.approximation.cost.ops, fit.norm() != Norm::Max.name()));
-    cheapest.or_else(|| emitted().min_by(|a, b| error(a).total_cmp(&error(b))))
 }
 
 /// The most accurate of ours for at most half the operations; if there is none, for fewer.
@@ -114,6 +93,7 @@ fn offer(role: Role, fit: &Fit, languages: &[Language]) -> Result<Offer, BakeErr
         error: Some(errors(a)),
         metric: String::new(),
         cost: a.cost,
+        coloured: None,
         code: if fit.emitted { Vec::new() } else { printed? },
     })
 }
@@ -137,7 +117,16 @@ fn of_table(role: Role, table: &BakedTable, purpose: &str) -> Offer {
     let own = metric(a);
     let metric = if own == purpose { String::new() } else { own };
     let (function, error) = (Some(table.names.lookup.clone()), Some(errors(a)));
-    Offer { role, name: a.name.clone(), function, error, metric, cost: a.cost, code: Vec::new() }
+    Offer {
+        role,
+        name: a.name.clone(),
+        function,
+        error,
+        metric,
+        cost: a.cost,
+        coloured: None,
+        code: Vec::new(),
+    }
 }
 
 /// What the error of an approximation is; of a table it is that of its lookup.
@@ -179,12 +168,17 @@ fn add_tables(purposes: &mut Vec<Purpose>, fits: &[Fit], tables: &[BakedTable]) 
             None => groups.push(vec![table]),
         }
     }
+    let mut last = None;
     for group in groups {
         let ours = group.iter().copied().filter(|t| t.layout != Layout::PathTracer);
         let Some(best) = ours.min_by(by_error).or_else(|| group.iter().copied().min_by(by_error)) else {
             continue;
         };
-        purposes.push(of_tables(&group, best));
+        // A surface is met from both of its sides.
+        let of = (best.side.is_some(), &best.approximation.quantity);
+        let is_other_side = best.side.is_some() && last == Some(of);
+        last = Some(of);
+        purposes.push(Purpose { is_other_side, ..of_tables(&group, best) });
     }
 }
 
@@ -206,15 +200,20 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
         choices,
         measured: group.iter().map(|t| measured(&t.approximation)).collect(),
         furnace: None,
+        is_other_side: false,
     }
 }
 
-/// Lookups of probes: the fewest operations, the fewest of those with the most fetches, and the
-/// most operations. The error of a lookup is that of the width that it fetches.
+/// The order in which lookups of probes are taken: by fetches, smooth edges before sharp, then by operations.
+fn preference(lookup: &LookupFunction) -> (Reverse<u32>, bool, u32) {
+    (Reverse(lookup.cost.fetches), lookup.edges == SHARP, lookup.cost.ops)
+}
+
+/// Lookups of probes: the fewest operations, the preferred, and the most operations. The error of a
+/// lookup is that of the width that it fetches.
 fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let ops = |lookup: &&LookupFunction| lookup.cost.ops;
-    let most = lookups.iter().map(|lookup| lookup.cost.fetches).max()?;
-    let best = lookups.iter().filter(|lookup| lookup.cost.fetches == most).min_by_key(ops)?;
+    let best = lookups.iter().min_by_key(|lookup| preference(lookup))?;
     let width =
         |lookup: &LookupFunction| fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width);
     let offer = |role: Role, lookup: &LookupFunction| Offer {
@@ -224,6 +223,7 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
         error: width(lookup).map(errors),
         metric: String::new(),
         cost: Cost { ops: lookup.cost.ops, fetches: lookup.cost.fetches, bytes: lookup.cost.bytes },
+        coloured: None,
         code: Vec::new(),
     };
     let mut choices = vec![offer(Role::Recommended, best)];
@@ -233,35 +233,14 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     choices.extend(dear.map(|lookup| offer(Role::Accurate, lookup)));
     Some(Purpose {
         name: best.function.clone(),
-        about: format!("Lookup of a probe through a proxy of its room. {}", arguments(&best.inputs)),
+        about: format!("Lookup of a probe through a proxy of its room. {}", best.arguments),
         caution: String::new(),
         metric: width(best).map_or_else(String::new, metric),
         choices,
         measured: Vec::new(),
         furnace: None,
+        is_other_side: false,
     })
-}
-
-/// What the arguments of a lookup are, in one sentence; the comment of the function says more.
-fn arguments(inputs: &[String]) -> String {
-    let meaning = |input: &String| {
-        let meaning = match input.as_str() {
-            "place" => "the shaded point",
-            "ray" => "the reflected ray, of unit length",
-            "normal" => "the surface's, of unit length",
-            "view" => "towards the viewer, of unit length",
-            "alpha" => "the lobe's width",
-            "low" => "lowest corner of the box",
-            "high" => "its highest corner",
-            "planes" => "those of the proxy",
-            "probe" => "where the cubemap was taken",
-            "offset" => "from the probe to what the ray hits",
-            "distance" => "from the shaded point to there",
-            _ => return input.clone(),
-        };
-        format!("{input} ({meaning})")
-    };
-    format!("Arguments: {}.", inputs.iter().map(meaning).collect::<Vec<_>>().join(", "))
 }
 
 /// The strip of a purpose: the first row of the furnace, and one for each choice that has one.
@@ -304,19 +283,94 @@ fn strip(purpose: &Purpose, furnaces: &[Furnace]) -> Option<Furnace> {
 
 /// The answer of an effect that was baked.
 pub(super) fn answer(made: &Made) -> Answer {
-    let mut purposes = made.purposes.clone();
+    let (mut purposes, entries) = (made.purposes.clone(), &made.part.entries);
     add_tables(&mut purposes, &made.fits, &made.tables);
-    purposes.splice(0..0, of_lookups(&made.part.entries.lookups, &made.fits));
+    purposes.splice(0..0, of_lookups(&entries.lookups, &made.fits));
     for purpose in &mut purposes {
+        purpose.choices.iter_mut().for_each(|offer| offer.coloured = coloured(offer, entries));
         purpose.furnace = strip(purpose, &made.furnaces);
         let caution = made.cautions.iter().find(|(function, _)| *function == purpose.name);
         purpose.caution = caution.map(|(_, text)| text.clone()).unwrap_or_default();
     }
     // What has no error of its own is followed by what it is made of.
     let judged = |purpose: &Purpose| purpose.choices.iter().any(|choice| choice.error.is_some());
-    let last = purposes.iter().position(judged).map_or(purposes.len(), |i| i + 1);
+    let first = purposes.iter().position(judged).map_or(purposes.len(), |i| i + 1);
+    let last = first + purposes[first..].iter().take_while(|purpose| purpose.is_other_side).count();
     let conclusion = purposes[..last].iter().map(conclusion).collect::<Vec<_>>().join(" ");
     Answer { effect: made.part.by.name().into(), conclusion, purposes }
+}
+
+/// Operations of the form of an offer for three channels, where a material calls that.
+fn coloured(offer: &Offer, entries: &Entries) -> Option<u32> {
+    let function = offer.function.as_ref()?;
+    let rgb = entries.fits.iter().find(|fit| fit.function == *function)?.rgb.as_ref()?;
+    entries.calls.iter().find(|call| call.function == *rgb).map(|call| call.cost.ops)
+}
+
+/// Notes of each call what for it is, and whether it is the one that its material or probe is to
+/// take for that: what is recommended, or where the material has not asked for that, the most
+/// accurate, and of lookups the preferred.
+pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
+    let Entries { calls, lookups, .. } = entries;
+    let lookup = |name: &str| lookups.iter().find(|lookup| lookup.function == name);
+    let serves = |purpose: &Purpose, call: &Call| match lookup(&call.function) {
+        Some(_) => lookup(&purpose.name).is_some(),
+        None => purpose.measured.iter().any(|measured| measured.name == call.name),
+    };
+    for purpose in purposes {
+        let offered = |call: &Call| {
+            let name = if lookup(&call.function).is_some() { &call.function } else { &call.name };
+            purpose.choices.iter().any(|offer| offer.role == Role::Recommended && offer.name == *name)
+        };
+        let of_purpose: Vec<usize> = (0..calls.len()).filter(|&i| serves(purpose, &calls[i])).collect();
+        for &i in &of_purpose {
+            calls[i].purpose.clone_from(&purpose.name);
+            let same = || of_purpose.iter().map(|&k| &calls[k]).filter(|call| call.of == calls[i].of);
+            let best = same().find(|call| offered(call)).or_else(|| {
+                same().min_by(|a, b| {
+                    let rank = |call: &Call| lookup(&call.function).map(preference);
+                    a.max_error.total_cmp(&b.max_error).then(rank(a).cmp(&rank(b)))
+                })
+            });
+            calls[i].recommended = best.is_some_and(|best| best.function == calls[i].function);
+        }
+    }
+}
+
+/// Which functions to take where materials or probes have a choice, and why: for an include file.
+pub(super) fn recommendations(calls: &[Call]) -> Vec<String> {
+    let mut purposes: Vec<&str> = Vec::new();
+    let chosen: Vec<&Call> = calls.iter().filter(|call| call.is_preferred(calls)).collect();
+    for call in &chosen {
+        if !purposes.contains(&call.purpose.as_str()) {
+            purposes.push(&call.purpose);
+        }
+    }
+    let lines = |purpose: &str| {
+        let of_purpose = || chosen.iter().filter(|call| call.purpose == purpose);
+        let mut functions: Vec<&str> = Vec::new();
+        for call in of_purpose() {
+            if !functions.contains(&call.function.as_str()) {
+                functions.push(&call.function);
+            }
+        }
+        let rule = of_purpose().next().map(|call| rule(call)).unwrap_or_default();
+        let mut lines = vec![format!("Recommended: {}:", functions.join(", "))];
+        lines.extend(rule.split_inclusive(", ").map(|part| format!("  {}", part.trim_end())));
+        lines
+    };
+    purposes.into_iter().flat_map(lines).collect()
+}
+
+/// Why a call is recommended before others for its purpose.
+pub(crate) fn rule(call: &Call) -> String {
+    match (&call.file, call.cost.fetches) {
+        (Some(_), _) => "the most accurate table".into(),
+        (None, 0) => Emission::rule(),
+        _ => format!(
+            "the lookup with the most fetches, smooth edges before {SHARP}, and the fewest operations"
+        ),
+    }
 }
 
 /// One sentence: what the recommended choice takes and keeps, and what stands beside it.
@@ -327,7 +381,8 @@ fn conclusion(purpose: &Purpose) -> String {
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
         offer.error.map_or_else(String::new, |[max, _]| format!(", {metric} at most {}", words::max(max)))
     };
-    let mut text = format!("{}: {}{}", purpose.name, taken(&best.cost), kept(best));
+    let in_colour = best.coloured.map_or_else(String::new, |ops| format!(" ({ops} for three channels)"));
+    let mut text = format!("{}: {}{in_colour}{}", purpose.name, taken(&best.cost), kept(best));
     let published = purpose.measured.iter().filter(|m| m.published && m.ops <= best.cost.ops);
     let theirs = published.min_by(|a, b| a.error[0].total_cmp(&b.error[0]));
     if let (Some(theirs), Some([ours, _])) = (theirs, best.error) {

@@ -10,7 +10,7 @@ use super::explore::Exploring;
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
-use crate::data::{Approximation, Pick, Use};
+use crate::data::{Approximation, Use};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
@@ -96,8 +96,13 @@ impl Made {
     /// # Errors
     /// Figures that are not finite.
     pub fn finished(mut self) -> Result<Made, BakeError> {
+        let answer = answer::answer(&self);
+        answer::mark(&mut self.part.entries, &answer.purposes);
+        let recommended = comment("//", &answer::recommendations(&self.part.entries.calls));
+        // Behind the head of a file, where Rust takes no inner documentation.
+        self.part.code.values_mut().for_each(|text| text.insert_str(0, &recommended));
         let Some(draft) = self.draft.take() else { return Ok(self) };
-        self.part.answer = report::settled(answer::answer(&self))?;
+        self.part.answer = report::settled(answer)?;
         let effect = self.part.by.name();
         for file in draft.files(&self.part.answer.conclusion) {
             let entry = Report { effect: Some(effect.into()), file: file.path.clone() };
@@ -119,16 +124,7 @@ impl Made {
         (fits, dropped): (Vec<Fit>, Vec<Dropped>),
         more: impl Fn(usize, &Fit, FitEntry) -> FitEntry,
     ) -> Result<(), BakeError> {
-        let (limit, languages) = (self.part.finding.expected_error, &context.scene.output.languages);
-        let purposes = answer::of_fits(&fits, limit, languages)?;
-        if context.scene.output.pick != Pick::Best {
-            let lines: Vec<String> = purposes.iter().flat_map(answer::recommends).collect();
-            // Behind the head of a file, where Rust takes no inner documentation.
-            for text in self.part.code.values_mut() {
-                text.insert_str(0, &comment("//", &lines));
-            }
-        }
-        self.purposes.extend(purposes);
+        self.purposes.extend(answer::of_fits(&fits, &context.scene.output.languages)?);
         let (effect, alpha_map) = (self.part.by.name(), context.scene.alpha.name());
         let entries = &mut self.part.entries;
         for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {
@@ -157,6 +153,8 @@ impl Made {
         self.part.entries.calls.extend(names.into_iter().map(|of| Call {
             effect: effect.into(),
             of,
+            purpose: String::new(),
+            recommended: false,
             function: function.into(),
             name: a.name.clone(),
             file: file.map(String::from),

@@ -29,7 +29,7 @@ pub mod value;
 mod who;
 
 pub use albedo::Albedo;
-pub(crate) use answer::RECOMMENDED;
+pub(crate) use answer::rule;
 pub use called::{Called, JobSummary, LeftOut};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};

@@ -12,6 +12,13 @@ pub struct Call {
     pub effect: String,
     /// Name of the material or probe.
     pub of: String,
+    /// What for, by the name of its card on the overview: calls of one material for one purpose stand
+    /// for one another.
+    #[serde(default)]
+    pub purpose: String,
+    /// Whether it is the one to take of these.
+    #[serde(default)]
+    pub recommended: bool,
     /// The function in the include files.
     pub function: String,
     /// What it is made of: the name of the fit or of the table.
@@ -36,6 +43,9 @@ pub struct LookupFunction {
     pub function: String,
     /// Argument names in order.
     pub inputs: Vec<String>,
+    /// What they are, in a sentence.
+    #[serde(default)]
+    pub arguments: String,
     /// `box`, the number of planes after `planes_`, or `hit`: what the engine has hit.
     pub proxy: String,
     /// `smooth` or `sharp`; `none` of a hit.
@@ -59,6 +69,14 @@ pub struct LookupFunction {
     pub chain: Option<String>,
     /// Cost, its fetches among it; bytes are the chain's.
     pub cost: CostEntry,
+}
+
+impl Call {
+    /// Whether it is the one to take of several of its material or probe for its purpose.
+    pub fn is_preferred(&self, calls: &[Call]) -> bool {
+        let stands_beside = |other: &&Call| (&other.of, &other.purpose) == (&self.of, &self.purpose);
+        self.recommended && calls.iter().filter(stands_beside).count() > 1
+    }
 }
 
 impl Manifest {

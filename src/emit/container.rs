@@ -7,6 +7,9 @@ use super::texture::TextureError;
 use super::{dds, exr, ktx2, npy, raw};
 use crate::data::{Certificate, Container, Decode, Table, TableError};
 
+/// What follows the name of a table's file in that of its sidecar.
+pub const SIDECAR: &str = ".json";
+
 /// A table with what its files say of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Described<'a> {
@@ -79,5 +82,5 @@ pub fn encode(container: Container, described: &Described) -> Result<Vec<File>, 
     };
     let beside = Sidecar::new(container, described, &packed).bytes()?;
     let file = File { extension: extension.into(), bytes: packed.file(table) };
-    Ok(vec![file, File { extension: format!("{extension}.json"), bytes: beside }])
+    Ok(vec![file, File { extension: format!("{extension}{SIDECAR}"), bytes: beside }])
 }

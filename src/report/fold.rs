@@ -5,7 +5,7 @@ use super::sections::words;
 
 /// Pixels of a page of usual width before a reader opens anything; what is estimated here is off by
 /// some percent.
-const TALL: f64 = 5700.0;
+const TALL: f64 = 5900.0;
 
 /// Width of a page's content in pixels, and of a character of its tables and of its text.
 const WIDTH: f64 = 1160.0;
@@ -75,7 +75,11 @@ pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
                 open -= 1;
             }
             let rest = blocks.split_off(open);
-            blocks.push(folded(if open == 0 { "Show" } else { "More" }, rest));
+            // What is folded already needs no second line before it.
+            match rest[..] {
+                [Block::Fold { .. }] => blocks.extend(rest),
+                _ => blocks.push(folded(if open == 0 { "Show" } else { "More" }, rest)),
+            }
         }
         blocks
     };
@@ -111,27 +115,38 @@ fn height(block: &Block) -> f64 {
         Block::Fold { .. } => 64.0,
         // Its page is made for it: never folded.
         Block::Live { .. } => 0.0,
-        Block::Cards(cards) => cards.iter().map(of_card).sum(),
+        Block::Cards(cards) if is_paired(cards) => {
+            // The drawing stands below the choice.
+            let tallest = |pair: &[Card]| pair.iter().map(|card| of_card(card, 1)).fold(0.0, f64::max);
+            cards.chunks(2).map(tallest).sum()
+        }
+        Block::Cards(cards) => cards.iter().map(|card| of_card(card, 3)).sum(),
         Block::Switch { of, .. } => of.iter().map(|(_, block)| height(block)).fold(40.0, f64::max),
     }
 }
 
-/// A card: its choices stand side by side.
-fn of_card(card: &Card) -> f64 {
+/// Whether cards stand side by side: those with one choice each.
+pub(super) fn is_paired(cards: &[Card]) -> bool {
+    cards.len() > 1 && cards.iter().all(|card| card.choices.len() == 1)
+}
+
+/// A card whose choices stand side by side, of which so many or more leave no room for the drawing.
+fn of_card(card: &Card, full: usize) -> f64 {
     let code = |(_, text): &(String, String)| 20.0 * text.lines().count() as f64;
     let choice = |c: &Choice| 190.0 + 24.0 * c.facts.len() as f64 + c.code.first().map_or(0.0, code);
     let tallest = card.choices.iter().map(choice).fold(0.0, f64::max);
-    // Three choices fill the width: the drawing stands below them.
     let svg = card.svg.as_ref().map_or(0.0, |svg| pictures(std::slice::from_ref(svg)));
-    120.0 + if card.choices.len() < 3 { tallest.max(svg) } else { tallest + svg }
+    120.0 + if card.choices.len() < full { tallest.max(svg) } else { tallest + svg }
+}
+
+/// The width or the height of a drawing; infinite where it does not say it.
+pub(super) fn size(svg: &str, name: &str) -> f64 {
+    let rest = svg.split_once(&format!(" {name}=\"")).map_or("", |(_, rest)| rest);
+    rest.split('"').next().and_then(|number| number.parse().ok()).unwrap_or(f64::INFINITY)
 }
 
 /// Drawings that flow into rows; one that does not say its size finds no room.
 fn pictures(svg: &[String]) -> f64 {
-    let size = |svg: &String, name: &str| -> f64 {
-        let rest = svg.split_once(&format!(" {name}=\"")).map_or("", |(_, rest)| rest);
-        rest.split('"').next().and_then(|number| number.parse().ok()).unwrap_or(f64::INFINITY)
-    };
     let (mut total, mut across, mut tallest) = (0.0, 0.0, 0.0_f64);
     for one in svg {
         let (width, height) = (size(one, "width"), size(one, "height"));

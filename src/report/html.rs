@@ -7,9 +7,14 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
 use super::{bar, fold};
+use crate::scene::UNNAMED;
 
 /// The font of the drawings, that of the plots in the container of the web: its tables are packed.
 const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.woff");
+
+/// Widest drawing in pixels that is still read where it is made as small as a narrow screen; a wider one
+/// scrolls there.
+const SMALL: f64 = 720.0;
 
 /// The page as HTML: one self-contained file without network. What makes it longer than a few
 /// screens is folded. A script sorts and filters its tables, copies its code and says the values
@@ -104,7 +109,7 @@ fn head(out: &mut String, page: &Page) {
 fn footer(out: &mut String, page: &Page) {
     let origin = &page.origin;
     out.push_str("<footer>\n<dl class=\"facts\">\n");
-    if !origin.scene.is_empty() {
+    if !origin.scene.is_empty() && origin.scene != UNNAMED {
         put(out, format_args!("<dt>Scene</dt><dd>{}</dd>\n", Escaped(&origin.scene)));
     }
     let (recipe, tool, command) = (Escaped(&origin.recipe), Escaped(&origin.tool), Escaped(&origin.command));
@@ -118,8 +123,13 @@ fn block(out: &mut String, block: &Block) {
         Block::Text { text } => put(out, format_args!("<p>{}</p>\n", Broken(text))),
         Block::Heading { text } => put(out, format_args!("<h3>{}</h3>\n", Broken(text))),
         Block::Code { text } => put(out, format_args!("<pre><code>{}</code></pre>\n", Escaped(text))),
-        Block::Cards(cards) => cards.iter().for_each(|one| card(out, one)),
-        Block::Switch { name, of } => switch(out, name, of),
+        Block::Cards(cards) => {
+            let class = if fold::is_paired(cards) { "cards paired" } else { "cards" };
+            put(out, format_args!("<div class=\"{class}\">\n"));
+            cards.iter().for_each(|one| card(out, one));
+            out.push_str("</div>\n");
+        }
+        Block::Switch { name, of } => switch(out, ("switch", name), of, |out, _, one| self::block(out, one)),
         Block::Facts { rows } => {
             out.push_str("<dl class=\"facts\">\n");
             for (name, value) in rows {
@@ -137,7 +147,8 @@ fn block(out: &mut String, block: &Block) {
         Block::Figures { svg, caption } => {
             out.push_str("<figure>\n<div class=\"row\">\n");
             for svg in svg {
-                put(out, format_args!("<div class=\"plate\">{svg}</div>\n"));
+                let class = if fold::size(svg, "width") <= SMALL { "plate small" } else { "plate" };
+                put(out, format_args!("<div class=\"{class}\">{svg}</div>\n"));
             }
             out.push_str("</div>\n");
             captioned(out, caption);
@@ -146,10 +157,21 @@ fn block(out: &mut String, block: &Block) {
         Block::Live { data, still } => live(out, data, still),
         Block::Fold { summary, blocks } => {
             put(out, format_args!("<details>\n<summary>{}</summary>\n", Broken(summary)));
-            for inner in blocks {
-                self::block(out, inner);
-            }
+            opened(out, blocks);
             out.push_str("</details>\n");
+        }
+    }
+}
+
+/// Blocks of a fold. What is folded once more is open in it, below its line.
+fn opened(out: &mut String, blocks: &[Block]) {
+    for inner in blocks {
+        match inner {
+            Block::Fold { summary, blocks } => {
+                put(out, format_args!("<h4>{}</h4>\n", Broken(summary)));
+                opened(out, blocks);
+            }
+            inner => block(out, inner),
         }
     }
 }
@@ -177,14 +199,14 @@ fn card(out: &mut String, card: &Card) {
     let (shown, file) = (Escaped(&card.link.0), Escaped(&card.link.1));
     put(out, format_args!("<article class=\"card\" id=\"{id}\">\n<h3>{title}</h3>\n"));
     put(out, format_args!("<p>{about} <a href=\"{file}\">{shown}</a></p>\n<div class=\"choices\">\n"));
-    card.choices.iter().for_each(|one| choice(out, one));
+    card.choices.iter().for_each(|one| choice(out, &card.id, one));
     if let Some(svg) = &card.svg {
         put(out, format_args!("<div class=\"plate\">{svg}</div>\n"));
     }
     out.push_str("</div>\n</article>\n");
 }
 
-fn choice(out: &mut String, choice: &Choice) {
+fn choice(out: &mut String, card: &str, choice: &Choice) {
     let class = if choice.recommended { "choice recommended" } else { "choice" };
     let (role, call) = (Escaped(&choice.role), Broken(&choice.call));
     put(out, format_args!("<div class=\"{class}\">\n<h4>{role}</h4>\n<p><code>{call}</code></p>\n"));
@@ -192,33 +214,32 @@ fn choice(out: &mut String, choice: &Choice) {
     if !choice.note.is_empty() {
         put(out, format_args!("<p class=\"note\">{}</p>\n", Broken(&choice.note)));
     }
-    let code = |out: &mut String, (language, text): &(String, String)| {
+    let name = format!("{card}-{}", choice.role);
+    switch(out, ("switch tabs", &name), &choice.code, |out, language, text| {
         let (language, text) = (Escaped(language), Escaped(text));
         put(out, format_args!("<pre data-language=\"{language}\"><code>{text}</code></pre>\n"));
-    };
-    if let Some((first, others)) = choice.code.split_first() {
-        code(out, first);
-        if !others.is_empty() {
-            let names: Vec<&str> = others.iter().map(|(language, _)| language.as_str()).collect();
-            put(out, format_args!("<details>\n<summary>{}</summary>\n", Escaped(&names.join(", "))));
-            others.iter().for_each(|one| code(out, one));
-            out.push_str("</details>\n");
-        }
-    }
+    });
     out.push_str("</div>\n");
 }
 
-/// Blocks of which one is seen, by buttons that need no script.
-fn switch(out: &mut String, name: &str, of: &[(String, Block)]) {
-    put(out, format_args!("<div class=\"switch\">\n"));
-    for (i, (label, _)) in of.iter().enumerate() {
+/// Things of which one is seen, by buttons that need no script; a single one has none. The style of the
+/// page knows six of them.
+fn switch<T>(
+    out: &mut String,
+    (class, name): (&str, &str),
+    of: &[(String, T)],
+    print: impl Fn(&mut String, &str, &T),
+) {
+    put(out, format_args!("<div class=\"{class}\">\n"));
+    for (i, (label, _)) in of.iter().enumerate().filter(|_| of.len() > 1) {
         let (checked, name, label) = (if i == 0 { " checked" } else { "" }, Escaped(name), Escaped(label));
         put(out, format_args!("<input type=\"radio\" name=\"{name}\" id=\"{name}-{i}\"{checked}>"));
         put(out, format_args!("<label for=\"{name}-{i}\">{label}</label>\n"));
     }
-    for (_, one) in of {
-        out.push_str("<div>\n");
-        block(out, one);
+    for (label, one) in of {
+        let class = if of.len() > 1 { "" } else { " class=\"alone\"" };
+        put(out, format_args!("<div{class}>\n"));
+        print(out, label, one);
         out.push_str("</div>\n");
     }
     out.push_str("</div>\n");

@@ -328,3 +328,69 @@ fn a_chosen_size_does_not_take_the_name_of_another_table() {
     ];
     assert_eq!(named, wanted);
 }
+
+/// The names of the functions that a manifest recommends to a material, in the order of its calls.
+fn recommended(manifest: &Value, of: &str) -> Vec<String> {
+    let calls = manifest["calls"].as_array().expect("a list").iter();
+    let own = calls.filter(|call| call["of"] == of && call["recommended"] == true);
+    own.map(|call| call["function"].as_str().expect("a name").to_string()).collect()
+}
+
+/// One rule: of several functions the one is recommended that `best` emits alone, and every output
+/// names it as the material calls it.
+#[test]
+fn what_best_emits_is_recommended_of_several() {
+    let both = |fit: &str| {
+        let plain = metal("d", fit).replace("metal", "dielectric");
+        [metal("m", fit), plain].join(",")
+    };
+    for fit in [
+        r#"{"max_ops": 16}"#,
+        r#"{"max_ops": 20, "max_error": 0.05, "norms": ["max", "rms"]}"#,
+        r#"{"max_error": 0.03, "norms": ["rms"]}"#,
+    ] {
+        let name = |manifest: &Value, function: &str| {
+            let fits = manifest["fits"].as_array().expect("a list");
+            let own = fits.iter().find(|fit| fit["function"] == function || fit["rgb"] == function);
+            own.expect("its entry")["name"].clone()
+        };
+        let mut wanted = None;
+        for pick in ["best", "frontier", "all"] {
+            let fields = format!(r#""pick": "{pick}", "languages": ["wgsl"],"#);
+            let baked = baked(&fields, &both(fit));
+            let manifest = manifest(&baked);
+            let [of_metal, of_plain] = ["m", "d"].map(|of| recommended(&manifest, of));
+            assert_eq!((of_metal.len(), of_plain.len()), (1, 1), "{pick} {fit}");
+            assert_eq!(of_metal[0], format!("{}_rgb", of_plain[0]), "{pick} {fit}");
+            let found = name(&manifest, &of_plain[0]);
+            assert_eq!(*wanted.get_or_insert(found.clone()), found, "{pick} {fit}");
+            let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+            let line = format!("// Recommended: {}, {}:\n", of_metal[0], of_plain[0]);
+            let has_choice = manifest["calls"].as_array().expect("a list").len() > 2;
+            assert_eq!(text.contains(&line), has_choice, "{pick} {fit}");
+        }
+    }
+}
+
+/// Of several tables the most accurate is recommended, to a material that has asked for it; a
+/// function is recommended before a table of the same.
+#[test]
+fn each_material_has_its_recommended_table() {
+    let wants = |sizes: &str| format!(r#"{{"tables": [{sizes}]}}"#);
+    let material = |name: &str, wants: &str| {
+        format!(
+            r#"{{"name": "{name}", "kind": "metal", "f0": 0.9, "roughness": [0.3, 1], "wants": {wants}}}"#
+        )
+    };
+    let (small, large) = (r#"{"size": [8, 8]}"#, r#"{"size": [16, 16]}"#);
+    let both = material("both", &wants(&format!("{small}, {large}")));
+    let fit = material("fit", &format!(r#"{{"tables": [{small}], "fit": {{"max_ops": 20}}}}"#));
+    let tables = manifest(&baked("", &[material("one", &wants(small)), both].join(",")));
+    assert_eq!(recommended(&tables, "one"), ["ggx_albedo"]);
+    assert_eq!(recommended(&tables, "both"), ["ggx_albedo_16x16"]);
+    let manifest = manifest(&baked("", &fit));
+    assert_eq!(recommended(&manifest, "fit"), ["ggx_energy_compensation_rgb"]);
+    let purposes: Vec<&Value> =
+        manifest["calls"].as_array().expect("a list").iter().map(|c| &c["purpose"]).collect();
+    assert_eq!(purposes, ["ggx_energy_compensation", "ggx_energy_compensation"]);
+}

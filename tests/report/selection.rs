@@ -51,3 +51,34 @@ fn a_table_alone_is_baked_not_fitted() -> Outcome {
     assert!(!page.contains("ormalisation") && !page.contains("our fits"), "no word of fits");
     Ok(())
 }
+
+/// A card has the cost of the call: of a metal's that of three channels, as budgets count it. What a page
+/// says of errors holds of the functions that it lists.
+#[test]
+fn a_card_costs_what_its_call_costs() -> Outcome {
+    let index = |pick: &str, fit: &str| -> Result<(Value, String), Box<dyn std::error::Error>> {
+        let json = format!(
+            r#"{{"schema_version": 1, "languages": ["wgsl"], "pick": "{pick}", "materials": [
+                {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {{"fit": {fit}}}}}]}}"#
+        );
+        let scene = Scene::from_json(json.as_bytes(), "test.json")?;
+        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+        let page = String::from_utf8(baked.files["reports/index.html"].clone())?;
+        Ok((serde_json::from_slice(&baked.files["manifest.json"])?, page))
+    };
+    let (manifest, page) = index("best", r#"{"max_error": 0.05}"#)?;
+    let [ops, three] = [&manifest["fits"], &manifest["calls"]].map(|list| list[0]["cost"]["ops"].clone());
+    assert!(
+        page.contains(&format!("<dt>Cost</dt><dd>{three} operations for three channels</dd>")),
+        "{three}"
+    );
+    assert!(page.contains(&format!("{ops} operations for one channel</dd>")), "{ops}");
+    assert!(page.contains("every error that the scene states is kept."));
+    assert!(!page.contains("<dt>Scene</dt>"), "the scene has no name");
+    let (_, page) = index("frontier", r#"{"max_error": 0.05}"#)?;
+    assert!(page.contains("what is recommended keeps every error that the scene states"));
+    assert!(page.contains("<td>yes</td>"), "the list of calls marks it");
+    let (_, page) = index("frontier", r#"{"max_ops": 12}"#)?;
+    assert!(page.contains("the scene states no limit on an error."));
+    Ok(())
+}

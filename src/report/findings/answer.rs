@@ -36,6 +36,9 @@ pub struct Purpose {
     /// one, named as its role.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub furnace: Option<Furnace>,
+    /// Whether it is called beside the purpose before it, from the other side of the same surface.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_other_side: bool,
 }
 
 /// What a choice is made for.
@@ -82,6 +85,9 @@ pub struct Offer {
     pub metric: String,
     /// Cost of a call.
     pub cost: Cost,
+    /// Operations of its form for three channels, where a material calls that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coloured: Option<u32>,
     /// Its code by language, where it is not emitted.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub code: Vec<(String, String)>,

@@ -40,11 +40,11 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
     let of = |answer: &Answer| -> Result<Vec<Block>, ReportError> {
         let cards =
             answer.purposes.iter().map(|purpose| card(&answer.effect, purpose, drawn, include.as_ref()));
-        let cards = cards.collect::<Result<Vec<_>, _>>()?;
+        let mut cards = cards.collect::<Result<Vec<_>, _>>()?;
         let mut blocks = vec![Block::Text { text: answer.conclusion.clone() }];
-        let mut cards = cards.into_iter();
-        blocks.push(Block::Cards(cards.next().into_iter().collect()));
-        let others: Vec<Card> = cards.collect();
+        let other_sides = answer.purposes.iter().skip(1).take_while(|purpose| purpose.is_other_side);
+        let others = cards.split_off(cards.len().min(1 + other_sides.count()));
+        blocks.push(Block::Cards(cards));
         if !others.is_empty() {
             let names: Vec<&str> = others.iter().map(|card| card.title.as_str()).collect();
             let summary = format!("Also: {}", names.join(", "));
@@ -91,31 +91,20 @@ fn card(
 
 fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Include>) -> Choice {
     let function = offer.function.as_deref();
-    // A metal calls the form for three channels.
-    let coloured =
-        drawn.manifest.entries.calls.iter().find(|call| {
-            call.name == offer.name && function.is_some_and(|function| call.function != function)
-        });
     let (calls, code) = match function {
-        Some(function) => called(coloured.map_or(function, |call| &call.function), drawn),
+        Some(function) => called(in_colour(offer, drawn.manifest).unwrap_or(function), drawn),
         None => {
             let mut code = offer.code.clone();
             code.sort_by_key(|(language, _)| language != FIRST.title());
             (None, code)
         }
     };
-    let note = match (function, coloured) {
-        (None, _) => {
+    let note = match function {
+        None => {
             let map = drawn.manifest.alpha_map().map(|map| format!("; alpha = {map}")).unwrap_or_default();
             format!("This scene does not emit it: copy it from here. mu = n_dot_v{map}.")
         }
-        (Some(function), Some(call)) => {
-            format!(
-                "The call is in colour: {}. Cost is that of {function}.",
-                words::operations(call.cost.ops)
-            )
-        }
-        _ => String::new(),
+        Some(_) => String::new(),
     };
     let shown = calls.or_else(|| function.map(String::from)).unwrap_or_else(|| offer.name.clone());
     Choice {
@@ -126,6 +115,12 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
         note,
         code,
     }
+}
+
+/// The form of an offer for three channels, where a material calls that.
+fn in_colour<'a>(offer: &Offer, manifest: &'a Manifest) -> Option<&'a str> {
+    let emitted = |function: &String| offer.coloured.is_some() && Some(function) == offer.function.as_ref();
+    manifest.entries.fits.iter().find(|fit| emitted(&fit.function))?.rgb.as_deref()
 }
 
 /// The call as WGSL has it, or the first of the languages, and by language its lines: where it is
@@ -169,7 +164,17 @@ pub(super) fn time(
 fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, String)> {
     let cost = offer.cost;
     let time = time.map_or_else(String::new, |time| format!(", {} µs at 4K", significant(time, 3)));
-    let mut rows = vec![("Cost".to_string(), format!("{}{time}", words::operations(cost.ops)))];
+    // What stands beside a call in colour for one channel says so.
+    let has_colour = purpose.choices.iter().any(|other| other.coloured.is_some());
+    let channel = if has_colour && cost.fetches == 0 { " for one channel" } else { "" };
+    let own = format!("{}{channel}{time}", words::operations(cost.ops));
+    let mut rows = match offer.coloured {
+        Some(ops) => vec![
+            ("Cost".to_string(), format!("{} for three channels", words::operations(ops))),
+            (String::new(), own),
+        ],
+        None => vec![("Cost".to_string(), own)],
+    };
     if offer.function.as_ref().is_some_and(|function| *function != offer.name) {
         rows.insert(0, (if cost.bytes > 0 { "Table" } else { "Formula" }.into(), offer.name.clone()));
     }

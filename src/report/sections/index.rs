@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use serde_json::Value;
+
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
@@ -19,8 +21,9 @@ const COLUMNS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-const CALLS: [(&str, bool); 8] = [
+const CALLS: [(&str, bool); 9] = [
     ("call", false),
+    ("recommended", false),
     ("effect", false),
     ("for", false),
     ("max error", true),
@@ -90,8 +93,32 @@ pub(super) fn conclusion(manifest: &Manifest) -> String {
     let kinds = [(named("materials"), "material", "materials"), (named("probes"), "probe", "probes")];
     let kinds = kinds.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| words::count(n, one, many));
     let users = kinds.collect::<Vec<_>>().join(" and ");
-    let kept = "every error that the scene states is kept.";
-    format!("{functions} {users}; {kept}")
+    format!("{functions} {users}; {}", kept(manifest))
+}
+
+/// What holds of the errors that the scene states: formulas that are emitted for who compares keep none.
+fn kept(manifest: &Manifest) -> &'static str {
+    let beside = |call: &Call| !call.recommended && call.file.is_none() && call.cost.fetches == 0;
+    if !states_error(&manifest.made_from) {
+        return "the scene states no limit on an error.";
+    }
+    match manifest.entries.calls.iter().any(beside) {
+        true => {
+            "what is recommended keeps every error that the scene states, and the other functions state their own."
+        }
+        false => "every error that the scene states is kept.",
+    }
+}
+
+/// Whether any part of a scene has a limit on its error.
+fn states_error(scene: &Value) -> bool {
+    match scene {
+        Value::Object(fields) => {
+            fields.iter().any(|(key, value)| key == "max_error" && !value.is_null() || states_error(value))
+        }
+        Value::Array(items) => items.iter().any(states_error),
+        _ => false,
+    }
 }
 
 /// A row for each function, with who calls it.
@@ -110,6 +137,7 @@ fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
             || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
         let words = [
             manifest.signature(call).ok_or_else(problem)?,
+            recommended(call.function.as_str(), manifest).into(),
             call.effect.clone(),
             numbers::shortened(&names.join(", ")),
             words::max(call.max_error),
@@ -118,6 +146,13 @@ fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
         Ok(words.into_iter().chain(figures).collect())
     };
     found.into_iter().map(row).collect()
+}
+
+/// Whether a function is recommended to one that has a choice.
+fn recommended(function: &str, manifest: &Manifest) -> &'static str {
+    let calls = &manifest.entries.calls;
+    let preferred = calls.iter().any(|call| call.function == function && call.is_preferred(calls));
+    if preferred { "yes" } else { "" }
 }
 
 /// Tables and fits by effect, in the order of the effects.

@@ -6,7 +6,7 @@ use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
 use crate::effects::Effect;
 use crate::effects::parallax::Parallax;
-use crate::effects::parallax::probe::{Level, Wanted};
+use crate::effects::parallax::probe::{Level, Wanted, arguments};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::{Gives, TapRule, named};
 use crate::emit::call::{Call, LookupFunction};
@@ -61,9 +61,11 @@ fn one(
         alpha_map: lobe.spec.alpha_map,
     };
     let ops = wanted.operations()?;
-    wanted.header = header(lobe, &wanted, flow, chain, ops);
+    let inputs = wanted.inputs()?;
+    wanted.header = wanted.lines(&inputs);
+    wanted.header.extend(header(lobe, &wanted, flow, chain, ops));
     let (fit, max_error) = (flow.approximation.name.clone(), flow.approximation.certificate.max_abs);
-    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, fit, max_error })
+    Ok(Lookup { inputs, wanted, chain: chain.cloned(), ops, fit, max_error })
 }
 
 /// The constant of the width of lookups.
@@ -78,11 +80,10 @@ fn constant(flow: &Fit) -> Result<f64, BakeError> {
     }
 }
 
-/// What it does, what it must be paired with, what it costs, and what it is off by.
+/// What it must be paired with, what it costs, and what it is off by.
 fn header(lobe: &Lobe, wanted: &Wanted, flow: &Fit, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
     let fetches = wanted.lookup.taps;
-    let mut lines = wanted.lines();
-    lines.push(format!("Pairing: {}", code::paired(lobe)));
+    let mut lines = vec![format!("Pairing: {}", code::paired(lobe))];
     lines.extend(chain.map(|chain| format!("  {}", chain.text())));
     let [roughness, rho] = [lobe.spec.roughness, lobe.spec.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
     lines.push(format!(
@@ -114,6 +115,7 @@ impl Lookup {
             effect: Parallax.name().into(),
             function: name.clone(),
             inputs: self.inputs.clone(),
+            arguments: arguments::sentence(&self.inputs),
             proxy: lookup.shape(),
             edges: lookup.edges().into(),
             lobe: lookup.lobe.name().into(),
@@ -135,6 +137,8 @@ impl Lookup {
         let call = calling.map(|probe| Call {
             effect: Parallax.name().into(),
             of: probe.name.clone(),
+            purpose: String::new(),
+            recommended: false,
             function: name.clone(),
             name: self.fit.clone(),
             file: None,
