@@ -4,8 +4,8 @@
 //! the width of the lobe, y = (1 + a alpha) sigma/(z + alpha), and tilts in units of alpha before
 //! the last step, the two fetches are at
 //!
-//!   -+z (c0 + c1 z)/(1 + c2 alpha), of widths 1 + z (e0 + e1 z + e2 alpha)
-//!   + y (n0 + n1 z) near and y (f0 + f1 z) far,
+//!   -+z (c0 + c1 z)/(1 + c2 alpha), of widths 1 + z (e0 + e1 z + e2 alpha) +
+//!   y (n0 + n1 z) near and y (f0 + f1 z) far,
 //!   of weights (1 +- k/sqrt(z^2 + k^2))/2, k = y (w0 + w1 z).
 //!
 //! The three, with Y = y (b0 + b1 z)/z in [0, 1.5] and A = (c0 + c1 z)/(1 + c2 alpha), are at -A
