@@ -274,19 +274,21 @@ fn the_only_effect_asked_for_by_name_is_the_whole_bake() {
 #[test]
 fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
+    let scene = br#"{"schema_version":1,"formats":["exr","npy"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
         "wants":{"tables":[{"size":[8,8],"layout":"plain"}],"fit":{"max_ops":7,"norms":["max"]}}}]}"#;
     let output = lobefit(folder.path(), &["bake", "-"], scene);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     let lines: Vec<&str> = out.lines().collect();
     assert!(lines[0].starts_with("call  "), "{out}");
-    assert!(lines[1].starts_with("ggx_albedo  ") && lines[1].ends_with("  m"), "{out}");
+    assert!(lines[1].starts_with("  ggx_albedo  ") && lines[1].ends_with("  m"), "{out}");
     let end = |line: &str, word: &str| line.find(word).expect("the word") + word.len();
     assert_eq!(end(lines[0], "bytes"), end(lines[1], " 128"), "{out}");
-    assert!(lines[2].starts_with("ggx_energy_compensation_rgb  ") && lines[2].ends_with("  m"), "{out}");
-    let read = "; load ./tables/ggx-dfg-correlated-8x8-plain.exr";
-    assert!(lines[3].starts_with("include ./fits/lobefit.") && lines[3].ends_with(read), "{out}");
+    assert!(lines[2].starts_with("* ggx_energy_compensation_rgb  ") && lines[2].ends_with("  m"), "{out}");
+    assert!(lines[3].starts_with("* is recommended: the cheapest function within max_error (0.02 "), "{out}");
+    let read = "; load ./tables/{ggx-dfg-correlated-8x8-plain.exr,ggx-dfg-correlated-8x8-plain.npy}";
+    assert!(lines[4].starts_with("include ./fits/lobefit.") && lines[4].ends_with(read), "{out}");
+    assert!(lines[5].contains(" files written, "), "no older bake to compare with: {out}");
     assert!(err.lines().count() >= 3 && err.starts_with("[1/"), "{err}");
     assert!(err.contains("] table ggx-dfg-correlated-8x8-plain\n"), "{err}");
     for quiet in ["--quiet", "--json"] {
