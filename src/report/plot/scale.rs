@@ -255,7 +255,7 @@ mod tests {
         let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
         assert_eq!(labels, ["0", "1", "5", "10", "20", "30", "40", "50"]);
         let fine: Vec<String> = scale.ticks(15).into_iter().filter_map(|t| t.label).collect();
-        assert_eq!(fine[..3], ["0", "1", "3"], "whole operations alone");
+        assert_eq!(fine[..3], ["0", "1", "2"], "whole operations alone");
     }
 
     #[test]
