@@ -137,7 +137,7 @@ fn summary(plan: &Plan, baked: &Baked, options: &Options) -> Vec<String> {
 fn changed_since(options: &Options, baked: &Baked) -> Result<Option<Vec<String>>, CliError> {
     let files = baked.files.keys().map(String::as_str);
     let found = store::read_set(&options.out, files, FILE_BYTES)?;
-    Ok(found.contains_key(MANIFEST).then(|| changed(baked, &found)))
+    Ok(found.contains_key(MANIFEST).then(|| changed(&baked.files, &found)))
 }
 
 /// How many files were written, and what that changes for shaders.

@@ -147,7 +147,7 @@ impl Found {
         let names_only = options.values.is_none()
             && !changes.is_empty()
             && compare(&baked, &found, &strays, Some(0.0), &Silent).is_empty();
-        let changed = if changes.is_empty() { Vec::new() } else { changed(&baked, &found) };
+        let changed = if changes.is_empty() { Vec::new() } else { changed(&baked.files, &found) };
         baked.files.retain(|file, _| options.asks_for(file));
         Ok(Found {
             broken: baked.broken,

@@ -93,4 +93,17 @@ fn another_reflectance_is_said_once_and_changes_no_number_of_shaders() {
         let baked = run(&["bake", "-"], &new);
         assert!(baked.contains("\nno number and no code that a shader reads changed\n"), "{baked}");
     }
+    // Headers of tables name the recipe: texels are compared without them, in every format.
+    let table = r#"{"tables":[{"size":[8,8]}]}"#;
+    let tables = SCENE
+        .replace(r#"{"fit":{"max_ops":9}}"#, table)
+        .replace("\"reports\"", r#""formats":["exr","dds","ktx2","npy","raw"],"reports""#);
+    assert!(tables.contains(table), "{tables}");
+    let text = said(&tables, &tables.replace("\"f0\":1", "\"f0\":0.9"));
+    assert!(text.contains("no number and no code that a shader reads changed\n"), "{text}");
+    let text = run(&["check", "-"], &tables.replace("[0.4,1]", "[0.5,1]"));
+    for file in ["fits/lobefit.h", ".dds", ".exr", ".ktx2", ".npy", ".raw"] {
+        let line = text.lines().find(|line| line.starts_with("numbers or code")).expect("the line");
+        assert!(line.contains(file) && !line.contains(".json"), "{file}: {text}");
+    }
 }

@@ -3,7 +3,10 @@
 use super::{Difference, Kind};
 use crate::bake::BakedTable;
 use crate::data::{Channel, TexelFormat};
+use crate::emit::container::SIDECAR;
 use crate::emit::exr::{self, Decoded};
+use crate::emit::sidecar::Sidecar;
+use crate::store::Files;
 
 /// How two EXR files differ; `table` is that of the recipe.
 pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) -> Difference {
@@ -18,6 +21,20 @@ pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) 
         return Difference::plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
     }
     judged(table, table.table().map_or(TexelFormat::F32, |t| t.format), file, &expected, &found)
+}
+
+/// Whether a table holds the same texels in two sets of files: an EXR by its channels, another format by
+/// what follows the header, whose length its sidecar states.
+pub fn is_same(file: &str, files: &Files, found: &Files) -> bool {
+    let texels = |files: &Files| {
+        let sidecar: Sidecar = serde_json::from_slice(files.get(&format!("{file}{SIDECAR}"))?).ok()?;
+        let channels = (sidecar.size, sidecar.channels, sidecar.stored);
+        Some((files.get(file)?.get(sidecar.offset..)?.to_vec(), channels))
+    };
+    match [files, found].map(|files| files.get(file).map(|bytes| exr::decode(bytes))) {
+        [Some(Ok(new)), Some(Ok(old))] => shape(&new) == shape(&old) && new.channels == old.channels,
+        _ => texels(files).is_some() && texels(files) == texels(found),
+    }
 }
 
 /// How the texels of two images of one shape, stored in `format`, differ: the texel that is
