@@ -9,7 +9,7 @@ use crate::effects::context::Context;
 use crate::effects::{BakeError, Called, Effect, Made, Part};
 use crate::emit::manifest::Entries;
 use crate::report::explore::Explored;
-use crate::report::{Answer, EffectFinding, Purpose};
+use crate::report::{Answer, EffectFinding};
 use crate::store::{Cache, Files};
 use lobefit_shade::code::Language;
 
@@ -26,7 +26,6 @@ struct Head {
     code: BTreeMap<String, String>,
     explored: Vec<Explored>,
     answer: Answer,
-    purposes: Vec<Purpose>,
     files: Vec<(String, usize)>,
 }
 
@@ -71,7 +70,6 @@ fn encoded(made: &Made, recipe: &str) -> Result<Vec<u8>, serde_json::Error> {
         code: code.iter().map(|(language, text)| (language.name().into(), text.clone())).collect(),
         explored: explored.clone(),
         answer: answer.clone(),
-        purposes: made.purposes.clone(),
         files: files.iter().map(|(name, bytes)| (name.clone(), bytes.len())).collect(),
     };
     let mut bytes = serde_json::to_vec(&head)?;
@@ -108,9 +106,7 @@ fn decoded(mut bytes: Vec<u8>, by: &'static dyn Effect, recipe: &str) -> Option<
         explored: head.explored,
         answer: head.answer,
     };
-    let mut made = Made::of(part);
-    made.purposes = head.purposes;
-    Some(made)
+    Some(Made::of(part))
 }
 
 /// Writes one hash in place of another wherever it stands.
