@@ -2,7 +2,7 @@
 
 use super::target::TargetSpec;
 use super::{Fit, FitStageError};
-use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick};
+use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick, Vendor};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Float;
 
@@ -26,6 +26,8 @@ pub struct Emission {
     pub max_error: Option<f64>,
     /// Whether the most accurate is taken where the scene states neither an error nor a budget.
     pub most_accurate: bool,
+    /// The vendor on whose GPUs they are to be cheap; none: by operations.
+    pub cost: Option<Vendor>,
     /// The numbers that the functions compute with, and that the fits are measured in.
     pub float: Float,
     /// Operations that a material's call takes beside the formula; the budget covers them.
@@ -41,6 +43,7 @@ impl Default for Emission {
             role: String::new(),
             max_error: None,
             most_accurate: false,
+            cost: None,
             float: Float::F32,
             beside: 0,
         }
@@ -80,11 +83,17 @@ impl Emission {
             match self.pick {
                 Pick::Best => best.map(|i| (i, format!("{}{suffix}", self.role))).into_iter().collect(),
                 Pick::Frontier | Pick::All => {
-                    let name = |i: usize| format!("{}_{}{suffix}", self.role, ops(&fits[i]));
                     // What keeps a limit on the largest error may be beaten in the mean square.
                     let mut picked = frontier(fits, &of_norm, *norm);
                     picked.extend(best.filter(|best| !picked.contains(best)));
-                    picked.into_iter().map(|i| (i, name(i))).collect()
+                    // On a vendor's GPUs formulas of as many operations may differ in cost.
+                    let name = |(k, &i): (usize, &usize)| {
+                        let same =
+                            picked[..k].iter().filter(|&&other| ops(&fits[other]) == ops(&fits[i])).count();
+                        let again = if same == 0 { String::new() } else { format!("_{}", same + 1) };
+                        (i, format!("{}_{}{again}{suffix}", self.role, ops(&fits[i])))
+                    };
+                    picked.iter().enumerate().map(name).collect()
                 }
             }
         };
@@ -101,7 +110,8 @@ impl Emission {
             .iter()
             .copied()
             .filter(|&i| limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit));
-        let cheapest = keeping.min_by(|a, b| ops(&fits[*a]).cmp(&ops(&fits[*b])).then(least(a, b)));
+        let price = |i: &usize| fits[*i].price;
+        let cheapest = keeping.min_by(|a, b| price(a).total_cmp(&price(b)).then(least(a, b)));
         cheapest.or_else(|| of_norm.iter().copied().min_by(least))
     }
 
@@ -139,8 +149,8 @@ impl Emission {
 /// Those that none of the others beats in both cost and error.
 fn frontier(fits: &[Fit], of_norm: &[usize], norm: Norm) -> Vec<usize> {
     let mut order = of_norm.to_vec();
-    let rank = |i: &usize| (ops(&fits[*i]), error(&fits[*i], norm));
-    order.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
+    let rank = |i: &usize| (fits[*i].price, error(&fits[*i], norm));
+    order.sort_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
     let mut least = f64::INFINITY;
     order.retain(|&i| {
         let better = error(&fits[i], norm) < least;

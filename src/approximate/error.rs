@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::target::TargetError;
+use crate::data::WeightsError;
 use lobefit_fit::{FitError, Termination};
 use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
@@ -17,6 +18,9 @@ pub enum FitStageError {
     /// A truth could not be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
+    /// What formulas cost on a vendor's GPUs.
+    #[error(transparent)]
+    Weights(#[from] WeightsError),
     /// What a fit is made to.
     #[error(transparent)]
     Target(#[from] TargetError),

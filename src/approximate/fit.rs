@@ -15,6 +15,9 @@ pub struct Fit {
     pub hypothesis: Hypothesis,
     /// How the search ended; none for published constants.
     pub termination: Option<Termination>,
+    /// What it costs where formulas are compared: operations, or by the model of the vendor that the
+    /// scene names.
+    pub price: f64,
     /// Whether it is emitted, or only reported for comparison.
     pub emitted: bool,
     /// Whether it is the one to take of those that were fitted and emitted for one use.

@@ -82,7 +82,13 @@ impl Prepared {
         let mut called = self.measure(hypothesis, &fit.coefficients(), fit.norm(), Source::Fitted)?;
         called.approximation.name.clone_from(&fit.approximation.name);
         called.approximation.cost = fit.approximation.cost;
-        Ok(Fit { termination: fit.termination, emitted: true, safe: fit.safe.clone(), ..called })
+        Ok(Fit {
+            termination: fit.termination,
+            price: fit.price,
+            emitted: true,
+            safe: fit.safe.clone(),
+            ..called
+        })
     }
 
     /// Measures an emitted fit in half precision, unless it was.
@@ -123,7 +129,8 @@ impl Prepared {
         }
         let approximation = approximation(&hypothesis, form, &self.target, source, found);
         let (termination, emitted, recommended, safe) = (None, false, false, None);
-        Ok(Fit { approximation, hypothesis, termination, emitted, recommended, safe })
+        let price = f64::from(approximation.cost.ops);
+        Ok(Fit { approximation, hypothesis, termination, price, emitted, recommended, safe })
     }
 }
 

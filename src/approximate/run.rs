@@ -57,6 +57,10 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let user: Vec<Hypothesis> = user.into_iter().filter(|h| wanted.affords(h)).collect();
     let (jobs, results) = stage.fits(&own);
     let mut fits = kept(&jobs, results, &mut dropped)?;
+    if let Some(vendor) = wanted.emission.cost {
+        let model = vendor.model()?;
+        fits.iter_mut().for_each(|fit| fit.price = model.cost(fit.hypothesis.tape()));
+    }
     stage.pick(&mut fits)?;
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);

@@ -261,9 +261,9 @@ impl Job {
 
     /// What is emitted of its fits, under the name of their role.
     pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
-        let Output { pick, arguments, float, .. } = scene.output;
+        let Output { pick, arguments, cost, float, .. } = scene.output;
         let max_error = self.goals.max_error;
-        Emission { pick, arguments, float, role: role.into(), max_error, ..Emission::default() }
+        Emission { pick, arguments, cost, float, role: role.into(), max_error, ..Emission::default() }
     }
 
     /// The materials that set the strictest limit, with the field of each:

@@ -16,7 +16,7 @@ use super::probe::Probe;
 use super::table::TableWant;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
-use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith};
+use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_shade::code::{Float, Language};
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -90,6 +90,11 @@ struct SceneFile {
     /// or by `both`. With `all`, formulas take what they read.
     #[serde(default)]
     arguments: Maybe<Word<Arguments>>,
+    /// The GPUs on which the emitted formulas are to be cheap: `neutral` (the default: the operation
+    /// model), `amd`, `intel`, `adreno`, `mali` or `nvidia`, by models of these vendors' compiled code.
+    /// `max_ops` and the figures of operations stay the neutral ones.
+    #[serde(default)]
+    cost: Maybe<Word<OneOf<Option<Vendor>>>>,
     /// Languages of the include files; default all.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
@@ -170,6 +175,7 @@ impl Scene {
             pick: parsed.pick.0.map_or_else(Pick::default, |w| w.0),
             arguments: parsed.arguments.0.map_or_else(Arguments::default, |w| w.0),
             languages: languages.map_err(|message| whole(("languages".into(), message)))?,
+            cost: parsed.cost.0.and_then(|w| w.0.0),
             float: parsed.precision.0.map_or_else(Float::default, |w| w.0.0),
             reports: parsed.reports.0.unwrap_or(true),
         };

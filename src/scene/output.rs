@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::value::{List, Word};
-use crate::data::{Arguments, Pick};
+use crate::data::{Arguments, Pick, Vendor};
 use lobefit_shade::code::{Float, Language};
 
 /// What a bake writes.
@@ -16,6 +16,8 @@ pub struct Output {
     pub pick: Pick,
     /// How their functions take the width of the lobe.
     pub arguments: Arguments,
+    /// The vendor whose GPUs the emitted formulas are to be cheap on; none: the operation model's.
+    pub cost: Option<Vendor>,
     /// The numbers that emitted formulas compute with.
     #[serde(rename = "precision", serialize_with = "float_name")]
     pub float: Float,
@@ -31,6 +33,7 @@ impl Default for Output {
         Output {
             pick: Pick::default(),
             arguments: Arguments::default(),
+            cost: None,
             float: Float::F32,
             languages: Language::ALL.to_vec(),
             reports: true,
@@ -76,6 +79,22 @@ impl Named for Float {
     const ALL: &'static [Float] = &Float::ALL;
     fn name(self) -> &'static str {
         Float::name(self)
+    }
+}
+
+/// A vendor, or none in particular.
+impl Named for Option<Vendor> {
+    const WHAT: &'static str = "cost";
+    const ALL: &'static [Option<Vendor>] = &[
+        None,
+        Some(Vendor::Amd),
+        Some(Vendor::Intel),
+        Some(Vendor::Adreno),
+        Some(Vendor::Mali),
+        Some(Vendor::Nvidia),
+    ];
+    fn name(self) -> &'static str {
+        self.map_or("neutral", Vendor::word)
     }
 }
 

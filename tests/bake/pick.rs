@@ -3,10 +3,11 @@
 use std::sync::OnceLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::data::Vendor;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_shade::tape::Half;
-use lobefit_shade::{Source, Tape};
+use lobefit_shade::{Hypothesis, Source, Tape};
 use serde_json::Value;
 
 fn baked(fields: &str, materials: &str) -> Baked {
@@ -393,4 +394,30 @@ fn each_material_has_its_recommended_table() {
     let purposes: Vec<&Value> =
         manifest["calls"].as_array().expect("a list").iter().map(|c| &c["purpose"]).collect();
     assert_eq!(purposes, ["ggx_energy_compensation", "ggx_energy_compensation"]);
+}
+
+/// On Adreno GPUs the long formula with a short chain is cheaper than those of fewer operations that
+/// keep the same error.
+#[test]
+fn formulas_are_picked_for_the_gpus_of_a_vendor() {
+    let of = |cost: &str| {
+        let scene = baked(
+            &format!(r#""cost": "{cost}", "languages": ["wgsl"],"#),
+            &metal("m", r#"{"max_error": 0.012}"#),
+        );
+        let fit = manifest(&scene)["fits"][0].clone();
+        assert!(fit["certificate"]["max_abs"].as_f64().expect("an error") <= 0.012);
+        fit["name"].as_str().expect("a name").to_string()
+    };
+    let model = Vendor::Adreno.model().expect("a model");
+    let price = |name: &str| {
+        let text = std::fs::read_to_string(format!("fits/hypotheses/{name}.wgsl")).expect("a formula");
+        model.cost(Hypothesis::parse("f.wgsl", &text).expect("a formula").tape())
+    };
+    let (neutral, adreno) = (of("neutral"), of("adreno"));
+    assert!(price(&adreno) < price(&neutral), "{adreno} {neutral}");
+    let frontier = baked(r#""cost": "intel", "pick": "frontier", "languages": ["wgsl"],"#, &metal("m", "{}"));
+    let names = functions(&frontier);
+    let once: std::collections::BTreeSet<&String> = names.iter().collect();
+    assert_eq!(once.len(), names.len(), "{names:?}");
 }
