@@ -25,8 +25,20 @@ fn every_verb_has_a_manual_page() {
     let output = lobefit(folder.path(), &["man", "pages"], b"");
     assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     let pages = names(&folder.path().join("pages"));
-    let verbs =
-        ["audit", "bake", "check", "completions", "cost", "eval", "fit", "man", "plan", "report", "schema"];
+    let verbs = [
+        "audit",
+        "bake",
+        "cache",
+        "check",
+        "completions",
+        "cost",
+        "eval",
+        "fit",
+        "man",
+        "plan",
+        "report",
+        "schema",
+    ];
     let expected: Vec<String> = verbs.iter().map(|verb| format!("lobefit-{verb}.1")).collect();
     assert_eq!(pages, [expected, vec!["lobefit.1".into()]].concat());
     let page = std::fs::read_to_string(folder.path().join("pages/lobefit-bake.1")).expect("text");
