@@ -1,7 +1,7 @@
 //! Running the built binary.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// The program under test and the arguments that it takes: a package above `lobefit` has a binary
@@ -19,17 +19,13 @@ fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
     }
 }
 
-/// The cache that bakes of the tests share: not the user's.
-pub fn cache() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache")
-}
-
-/// Runs the program in a folder, with bytes on its standard input.
+/// Runs the program in a folder, with bytes on its standard input and an empty cache.
 pub fn lobefit(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    lobefit_with(&cache(), folder, arguments, input)
+    let cache = tempfile::tempdir().expect("a folder");
+    lobefit_with(cache.path(), folder, arguments, input)
 }
 
-/// The same with a cache of its own.
+/// The same with this cache.
 pub fn lobefit_with(cache: &Path, folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
     let (program, arguments) = program(arguments);
     let mut child = Command::new(program)
