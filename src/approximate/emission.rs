@@ -59,7 +59,7 @@ impl Emission {
         )
     }
 
-    /// The one to take of the emitted fits: by the rule of [`Emission::best`], of the first norm that has any.
+    /// The one to take of the emitted fits, by [`Emission::best`], of the first norm that has any.
     pub(super) fn recommended(&self, fits: &[Fit], norms: &[Norm], max_ops: Option<u32>) -> Option<usize> {
         let of_norm = |norm: &Norm| {
             let emitted = |i: &usize| fits[*i].emitted && fits[*i].norm() == norm.name();

@@ -91,8 +91,8 @@ pub struct Options {
     /// The folder in whose reports/isa and reports/gpu the records are
     #[arg(long, value_name = "DIR", default_value = ".", requires = "weights")]
     pub records: PathBuf,
-    /// Families of GPUs: navi21, gfx1100 and others of AMD; with --drivers skl, tgl, dg2, a630, a660, g52; or amd, intel,
-    /// adreno, mali for the usual ones
+    /// Families of GPUs: navi21, gfx1100 and others of AMD; with --drivers skl, tgl, dg2, a630, a660,
+    /// g52; or amd, intel, adreno, mali for the usual ones
     #[arg(
         long,
         value_name = "FAMILY",

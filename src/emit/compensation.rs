@@ -54,9 +54,9 @@ impl Compensation {
     }
 }
 
-/// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function
-/// `inner` of these arguments in these numbers. It is exact for f0 = 1 wherever N is. With F the furnace error of N,
-/// its relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0,
+/// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function `inner`
+/// of these arguments in these numbers. It is exact for f0 = 1 wherever N is. With F the furnace error
+/// of N, its relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0,
 /// 1], so N's certificate stands for it.
 ///
 /// # Errors

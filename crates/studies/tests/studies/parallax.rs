@@ -157,7 +157,7 @@ fn the_committed_study_keeps_its_bars() {
         let stated = LobeFit::expected(lobe["fetches"].as_u64().expect("a number") as u32);
         for (key, stated) in ["shipped", "mirror"].into_iter().zip(stated) {
             let measured = number(&lobe[key]);
-            assert!((measured - stated).abs() < 1e-3, "{key}: {measured} where the heads say {stated}");
+            assert!((measured - stated).abs() < 1e-3, "{key}: {measured} where the headers say {stated}");
         }
     }
     let law = Eased::formula("alpha");
