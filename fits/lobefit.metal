@@ -72,7 +72,7 @@ inline float3 ggx_compensate_glass(float3 f, float e) {
 /// Fourteen operations. One reciprocal, and a nested sum in which each monomial is another one times a step. mu and alpha times
 /// the reciprocal depend on mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness. Exactly 1 for a mirror.
 ///
-/// ggx-reflection E, smith correlated; 14 operations; constants minimise the largest error
+/// ggx-reflection E, smith correlated; 14 operations and 1 for alpha; constants minimise the largest error
 /// error (furnace error |E N - 1|): max 0.009712, rms 0.005961, mean -0.0004252
 ///   worst at alpha = 1, mu = 0.06746851, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], mu [0.01, 1], roughness [0.02, 1]
@@ -99,7 +99,7 @@ inline float3 ggx_energy_compensation_rgb(float roughness, float n_dot_v, float3
 /// Twelve operations: a quotient in roughness and alpha, good to some units of f32.
 /// Exactly 1 for a mirror.
 ///
-/// ggx-average E_avg, smith correlated; 12 operations; constants minimise the largest error
+/// ggx-average E_avg, smith correlated; 12 operations and 1 for alpha; constants minimise the largest error
 /// error (absolute): max 0.000001997, rms 0.000001291, mean 0.00000008931
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]

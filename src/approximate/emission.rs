@@ -2,7 +2,7 @@
 
 use super::target::TargetSpec;
 use super::{Fit, FitStageError};
-use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick, Vendor};
+use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick, Vendor, WeightsError};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Float;
 
@@ -28,10 +28,16 @@ pub struct Emission {
     pub most_accurate: bool,
     /// The vendor on whose GPUs they are to be cheap; none: by operations.
     pub cost: Option<Vendor>,
+    /// The most that a call may cost on them.
+    pub budget: Option<f64>,
+    /// The error that every function is to keep, whatever it is for.
+    pub every_error: Option<f64>,
     /// The numbers that the functions compute with, and that the fits are measured in.
     pub float: Float,
     /// Operations that a material's call takes beside the formula; the budget covers them.
     pub beside: u32,
+    /// What they cost on the vendor's GPUs.
+    pub beside_price: f64,
 }
 
 impl Default for Emission {
@@ -44,8 +50,11 @@ impl Default for Emission {
             max_error: None,
             most_accurate: false,
             cost: None,
+            budget: None,
+            every_error: None,
             float: Float::F32,
             beside: 0,
+            beside_price: 0.0,
         }
     }
 }
@@ -57,6 +66,32 @@ impl Emission {
             "the cheapest function within max_error ({USUAL_ERROR} where the scene states neither max_error nor max_ops), \
              or the most accurate within max_ops"
         )
+    }
+
+    /// The rule for a job whose scene states no limit on the error.
+    pub fn rule_without_limit(max_ops: Option<u32>) -> String {
+        match max_ops {
+            None => format!("the cheapest within {USUAL_ERROR}"),
+            Some(most) => format!("the most accurate of at most {most} operations"),
+        }
+    }
+
+    /// What a formula costs where formulas are compared: operations, or by the vendor's model.
+    ///
+    /// # Errors
+    /// As [`Vendor::model`].
+    pub fn price(&self, formula: &Hypothesis) -> Result<f64, WeightsError> {
+        let ops = || Ok(f64::from(formula.tape().cost_ops()));
+        self.cost.map_or_else(ops, |vendor| vendor.price(&formula.tape().features()))
+    }
+
+    /// What a call of a formula costs on the vendor's GPUs, where a budget there is exceeded.
+    ///
+    /// # Errors
+    /// As [`Vendor::model`].
+    pub fn beyond(&self, formula: &Hypothesis) -> Result<Option<f64>, WeightsError> {
+        let price = self.price(formula)? + self.beside_price;
+        Ok(self.budget.is_some_and(|most| price > most).then_some(price))
     }
 
     /// The one to take of the emitted fits, by [`Emission::best`], of the first norm that has any.
@@ -103,7 +138,7 @@ impl Emission {
     /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate
     /// where none keeps it, or where a budget alone is stated.
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
-        let free = max_ops.is_none() && !self.most_accurate;
+        let free = max_ops.is_none() && self.budget.is_none() && !self.most_accurate;
         let limit = self.max_error.or(free.then_some(USUAL_ERROR));
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
         let keeping = of_norm

@@ -39,7 +39,7 @@ pub struct Dropped {
 }
 
 /// Everything that a fit job gives.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct FitSet {
     /// Fits and published formulas.
     pub fits: Vec<Fit>,
@@ -47,6 +47,15 @@ pub struct FitSet {
     pub dropped: Vec<Dropped>,
     /// Where no fit within the budget keeps the stated error: what does, in words.
     pub nearest: Option<String>,
+    /// Functions for other uses that no formula within the limits gives: what does, in words.
+    pub unserved: Vec<String>,
+}
+
+impl FitSet {
+    /// That no formula gives a function within the limits, and the nearest.
+    pub fn unkept(function: &str, nearest: &str) -> String {
+        format!("{function}: no formula is within the limits: {nearest}")
+    }
 }
 
 impl Fit {

@@ -51,16 +51,14 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())), float)?;
     let known = parse(published.iter().map(|entry| (entry.file, entry.source)), Float::F32)?;
     let mut dropped = Vec::new();
-    let (own, dear): (Vec<Hypothesis>, Vec<Hypothesis>) = own.into_iter().partition(|h| wanted.affords(h));
+    let (own, dear) = wanted.affordable(own)?;
     let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter)?;
-    dropped.extend(user.iter().filter(|h| !wanted.affords(h)).map(|h| wanted.too_dear(h)));
-    let user: Vec<Hypothesis> = user.into_iter().filter(|h| wanted.affords(h)).collect();
+    let (user, too_dear) = wanted.affordable(user)?;
+    for h in &too_dear {
+        dropped.extend(wanted.too_dear(h)?);
+    }
     let (jobs, results) = stage.fits(&own);
     let mut fits = kept(&jobs, results, &mut dropped)?;
-    if let Some(vendor) = wanted.emission.cost {
-        let model = vendor.model()?;
-        fits.iter_mut().for_each(|fit| fit.price = model.cost(fit.hypothesis.tape()));
-    }
     stage.pick(&mut fits)?;
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
@@ -70,6 +68,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
     let measured = pairs.par_iter().map(|(entry, h)| {
         let mut fit = stage.of(h)?.published(entry, h)?;
+        fit.price = wanted.emission.price(h)?;
         // Some of them are emitted then.
         if wanted.emission.pick == Pick::All {
             stage.of(h)?.halve(&mut fit)?;
@@ -77,7 +76,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
         Ok::<Fit, FitStageError>(fit)
     });
     fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
-    Ok(FitSet { fits, dropped, nearest })
+    Ok(FitSet { fits, dropped, nearest, unserved: Vec::new() })
 }
 
 fn parse<'a>(
@@ -88,20 +87,33 @@ fn parse<'a>(
 }
 
 impl Wanted<'_> {
-    /// Whether a formula costs no more than the scene allows.
-    pub fn affords(&self, hypothesis: &Hypothesis) -> bool {
-        self.max_ops.is_none_or(|most| hypothesis.tape().cost_ops() + self.emission.beside <= most)
+    /// Formulas that cost no more than the scene allows, and those that do.
+    fn affordable(
+        &self,
+        formulas: Vec<Hypothesis>,
+    ) -> Result<(Vec<Hypothesis>, Vec<Hypothesis>), FitStageError> {
+        let (mut affordable, mut dear) = (Vec::new(), Vec::new());
+        for h in formulas {
+            if self.too_dear(&h)?.is_none() { affordable.push(h) } else { dear.push(h) }
+        }
+        Ok((affordable, dear))
     }
 
-    /// A formula that was asked for and costs more than the scene allows.
-    pub fn too_dear(&self, hypothesis: &Hypothesis) -> Dropped {
+    /// What is said of a formula that costs more than the scene allows; none of another.
+    ///
+    /// # Errors
+    /// No model of the vendor's GPUs.
+    pub fn too_dear(&self, hypothesis: &Hypothesis) -> Result<Option<Dropped>, FitStageError> {
         let ops = hypothesis.tape().cost_ops() + self.emission.beside;
-        let most = self.max_ops.unwrap_or(u32::MAX);
-        Dropped {
-            hypothesis: hypothesis.name().to_string(),
-            norm: "any",
-            reason: format!("{}: {ops} operations, max_ops is {most}", hypothesis.file()),
-        }
+        let reason = match (self.max_ops, self.emission.beyond(hypothesis)?) {
+            (Some(most), _) if ops > most => format!("{ops} operations, max_ops is {most}"),
+            (_, Some(price)) => {
+                format!("cost {price:.1}, the budget is {}", self.emission.budget.unwrap_or(f64::INFINITY))
+            }
+            _ => return Ok(None),
+        };
+        let reason = format!("{}: {reason}", hypothesis.file());
+        Ok(Some(Dropped { hypothesis: hypothesis.name().to_string(), norm: "any", reason }))
     }
 }
 
@@ -138,7 +150,10 @@ impl<'a> Stage<'a> {
         let norms =
             |h: &Hypothesis| self.wanted.norms.iter().map(|norm| (h.clone(), *norm)).collect::<Vec<_>>();
         let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
-        let fit = |(h, norm): &Job| self.of(h)?.fit(h, *norm, self.wanted.safe_range.as_ref());
+        let fit = |(h, norm): &Job| {
+            let price = self.wanted.emission.price(h)?;
+            Ok(Fit { price, ..self.of(h)?.fit(h, *norm, self.wanted.safe_range.as_ref())? })
+        };
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
     }
@@ -152,11 +167,13 @@ impl<'a> Stage<'a> {
     }
 
     /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more.
-    fn nearest(&self, mut dear: Vec<Hypothesis>, counter: &Counter) -> Result<String, FitStageError> {
+    fn nearest(&self, dear: Vec<Hypothesis>, counter: &Counter) -> Result<String, FitStageError> {
         let Wanted { emission, safe_range, .. } = self.wanted;
         let limit = emission.max_error.unwrap_or(f64::INFINITY);
-        dear.sort_by_key(|h| h.tape().cost_ops());
-        for h in &dear {
+        let prices = dear.iter().map(|h| emission.price(h)).collect::<Result<Vec<f64>, _>>()?;
+        let mut dear: Vec<(f64, Hypothesis)> = prices.into_iter().zip(dear).collect();
+        dear.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (price, h) in &dear {
             let own = match self.of(h) {
                 Ok(_) => None,
                 Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
@@ -172,7 +189,15 @@ impl<'a> Stage<'a> {
             if error <= limit {
                 let ops = h.tape().cost_ops() + emission.beside;
                 let keeps = if limit.is_finite() { "keeps it" } else { "is the cheapest" };
-                return Ok(format!("{} {keeps}: error {error} with {ops} operations", h.name()));
+                let cost = match emission.cost.filter(|_| emission.budget.is_some()) {
+                    Some(vendor) => format!(
+                        "at a cost of {:.1} by {}'s model",
+                        price + emission.beside_price,
+                        vendor.title()
+                    ),
+                    None => format!("with {ops} operations"),
+                };
+                return Ok(format!("{} {keeps}: error {error} {cost}", h.name()));
             }
         }
         Ok("no formula of the catalogue keeps it in this region: widen max_error, or take a table".into())
@@ -240,7 +265,10 @@ fn kept(
             Err(error) if is_unreliable(&error) => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),
                 norm: norm.name(),
-                reason: error.to_string(),
+                reason: match error {
+                    FitStageError::Refused { reason, .. } => reason,
+                    error => error.to_string(),
+                },
             }),
             Err(error) => return Err(error),
         }

@@ -54,6 +54,7 @@ fn key(called: &Called, context: &Context) -> Result<String, serde_json::Error> 
     };
     let scene = serde_json::to_string(context.scene)?;
     [CODE, called.effect, &scene, &context.recipe.command].into_iter().for_each(&mut add);
+    called.work.iter().for_each(|job| add(&job.name));
     called.by.sources().into_iter().for_each(&mut add);
     context.hypotheses.iter().flat_map(|own| [own.file.as_str(), &own.source]).for_each(&mut add);
     context.pages.iter().flat_map(|(name, file)| [name.as_str(), file]).for_each(&mut add);

@@ -11,6 +11,7 @@ use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, changed, previous, recipe, sign};
+use crate::data::Vendor;
 use crate::effects::rule;
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
@@ -31,6 +32,9 @@ there and this one does not have are removed.";
 
 /// Stands before the recommended function where a material or probe has a choice.
 const MARK: &str = "*";
+
+/// Most names that stand in a row; more are a group with a number.
+const NAMED: usize = 3;
 
 /// Options of `bake`.
 #[derive(Args)]
@@ -114,7 +118,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
 /// What was made: what each material and probe calls, or everything where more than one function of
 /// a job is emitted; then what was left out.
 fn summary(plan: &Plan, baked: &Baked, options: &Options) -> Vec<String> {
-    let mut lines = table(&baked.calls);
+    let mut lines = table(&baked.calls, None);
     lines.extend(recommended(&baked.calls));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
@@ -185,9 +189,10 @@ fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-/// What is called, a row for each function, with who calls it. What is recommended to a material or
-/// probe that has a choice is marked.
-fn table(calls: &[Call]) -> Vec<String> {
+/// What is called, a row for each function, with who calls it, and what it costs: operations, or by
+/// the model of a vendor's GPUs. What is recommended to a material or probe that has a choice is
+/// marked.
+pub(super) fn table(calls: &[Call], vendor: Option<Vendor>) -> Vec<String> {
     let mut rows: Vec<(&Call, Vec<&str>)> = Vec::new();
     let preferred: Vec<&str> =
         calls.iter().filter(|call| call.is_preferred(calls)).map(|call| call.function.as_str()).collect();
@@ -203,34 +208,43 @@ fn table(calls: &[Call]) -> Vec<String> {
     if rows.is_empty() {
         return Vec::new();
     }
+    let mut groups: Vec<&[&str]> = Vec::new();
+    for (_, names) in &rows {
+        if names.len() > NAMED && !groups.contains(&names.as_slice()) {
+            groups.push(names);
+        }
+    }
     let row = |(call, names): &(&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
-        let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
-        let [ops, fetches, bytes, error] = figures;
+        let cost = call.price.filter(|_| vendor.is_some());
+        let cost = cost.map_or_else(|| ops.to_string(), |price| format!("{price:.1}"));
+        let figures = [cost, fetches.to_string(), bytes.to_string(), short(call.max_error)];
+        let [cost, fetches, bytes, error] = figures;
         let mark = match preferred[..] {
             [] => String::new(),
             _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
         };
-        [mark + &call.function, ops, fetches, bytes, error, call.metric.clone(), listed(names)]
+        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), listed(names, &groups)]
     };
     let header = [
         ("call", Left),
-        ("operations", Right),
+        (if vendor.is_some() { "cost" } else { "operations" }, Right),
         ("fetches", Right),
         ("bytes", Right),
         ("max error", Right),
         ("which error", Left),
         ("for", Left),
     ];
-    columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>())
+    let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
+    let group = |(i, names): (usize, &&[&str])| format!("group {}: {}", i + 1, names.join(", "));
+    lines.extend(groups.iter().enumerate().map(group));
+    lines
 }
 
-/// `steel`, `steel and gold`, `steel, gold and 16 more`.
-fn listed(names: &[&str]) -> String {
-    match names {
-        [one] => (*one).to_string(),
-        [one, other] => format!("{one} and {other}"),
-        [one, other, rest @ ..] => format!("{one}, {other} and {} more", rest.len()),
-        [] => String::new(),
+/// `steel, gold`, or from four names on `group 1 (18)`.
+fn listed(names: &[&str], groups: &[&[&str]]) -> String {
+    match groups.iter().position(|group| *group == names) {
+        Some(i) => format!("group {} ({})", i + 1, names.len()),
+        None => names.join(", "),
     }
 }

@@ -190,11 +190,18 @@ impl Found {
             // Of another scene every file is another: the change is what there is to say.
             for change in &self.changes {
                 lines.push(format!("the scene changed: {}\n", visible(change)));
+                if change.starts_with(scene::PAGES) {
+                    let without = command("check", "--against", options, true);
+                    lines.push(format!("  without pages: {}\n", visible(&without)));
+                }
             }
             let files: Vec<&str> = self.of_bake.iter().map(|difference| difference.file.as_str()).collect();
             lines.push(format!("files that differ: {}\n", visible(&files.join(", "))));
             lines.push(visible(&for_shaders(&self.changed)) + "\n");
-            lines.push(format!("bake it again: {}\n", visible(&command("bake", "--out", options))));
+            lines.push(format!(
+                "bake it again: {}\n",
+                visible(&command("bake", "--out", options, options.pages.no_reports))
+            ));
         }
         let beside = self.of_studies.iter().chain(&self.of_records);
         lines.extend(beside.map(|difference| format!("{difference}\n")));
@@ -205,7 +212,7 @@ impl Found {
         }
         lines.push(self.closing(options));
         if self.names_only {
-            let command = command("check", "--against", options);
+            let command = command("check", "--against", options, options.pages.no_reports);
             let passes = visible(&format!("{command} --values 0"));
             lines.push(format!("names only: `{passes}` passes\n"));
         }
@@ -292,7 +299,7 @@ pub(super) fn for_shaders(changed: &[String]) -> String {
 }
 
 /// The command of a verb on the scene and the folder.
-fn command(verb: &str, folder: &str, options: &Options) -> String {
+fn command(verb: &str, folder: &str, options: &Options, no_reports: bool) -> String {
     let scene =
         options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
     let out = if options.against == Path::new(".") {
@@ -300,7 +307,7 @@ fn command(verb: &str, folder: &str, options: &Options) -> String {
     } else {
         format!(" {folder} {}", shown(options))
     };
-    let pages = if options.pages.no_reports { " --no-reports" } else { "" };
+    let pages = if no_reports { " --no-reports" } else { "" };
     format!("lobefit {verb}{scene}{out}{pages}")
 }
 

@@ -1,6 +1,8 @@
 //! `lobefit cost`: what accuracy costs in time.
 
 mod from;
+mod limited;
+mod page;
 mod record;
 mod weights;
 
@@ -13,16 +15,18 @@ use std::path::{Path, PathBuf};
 use clap::{ArgGroup, Args};
 
 use super::input::Input;
-use super::options::{SceneOption, ThreadsOption};
+use super::options::{SceneOption, ThreadsOption, language, positive};
 use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, external, input};
 use crate::bake::{BakeError, Progress, Selection, recipe};
+use crate::data::Vendor;
 use crate::plan::{self, Plan};
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
 use crate::timing::isa::Precision;
 use crate::timing::timings;
+use lobefit_shade::code::Language;
 
 /// Examples of the help.
 pub const EXAMPLES: &str = "\
@@ -34,6 +38,8 @@ Examples:
                                         and write it as a record, with its page mine.html beside it
   lobefit cost --page reports/gpu/mine.json
                                         write the page of a record again
+  lobefit cost examples/every-formula.json --page reports/cost.html
+                                        write the page of what accuracy costs, by the records in reports/
   lobefit cost --isa                    compile every emitted function for three families of AMD GPUs, and count instructions
   lobefit cost --isa --from . --families vega10,gfx1036
                                         for these families, of the bake in this folder
@@ -47,6 +53,11 @@ Examples:
                                         fail (exit code 1) where a count grew
   lobefit cost --weights --from every --records .
                                         fit what kinds of work cost on each vendor's GPUs, to the records in reports/isa of the bake in every
+
+  lobefit cost scene.json --budget 100 --vendor intel
+                                        what to ship: for each effect the most accurate within 100 cycles on Intel's GPUs
+  lobefit cost --max-error 0.02 --max-bytes 4096 --language hlsl
+                                        the cheapest within an error, and tables within 4096 bytes
 
 Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
 other code than the bake's, and compiles a function again whose code is not that of the record in reports/isa/. --gpu and --isa are in
@@ -65,6 +76,8 @@ pub const FAMILIES: &str = "amd";
 /// Options of `cost`.
 #[derive(Args)]
 #[command(group(ArgGroup::new("recorded").args(["gpu", "isa", "weights"])))]
+#[command(group(ArgGroup::new("limited").args(["budget", "max_error", "max_bytes"]).multiple(true).conflicts_with_all(["recorded", "page"])))]
+#[command(group(ArgGroup::new("compared").args(["weights", "page"])))]
 #[command(group(ArgGroup::new("counted").args(["isa", "weights"])))]
 pub struct Options {
     /// The scene.
@@ -73,6 +86,23 @@ pub struct Options {
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".", conflicts_with_all = ["recorded", "page"])]
     pub out: PathBuf,
+    /// Say what to ship: for each effect the most accurate function of at most so many operations, or with
+    /// --vendor of at most this cost on its GPUs. Limits of the scene on functions do not count
+    #[arg(long, value_name = "COST", value_parser = positive)]
+    pub budget: Option<f64>,
+    /// Say what to ship: the cheapest function and the smallest table within this error
+    #[arg(long, value_name = "ERROR", value_parser = positive)]
+    pub max_error: Option<f64>,
+    /// Say what to ship: tables of at most so many bytes, the smallest within --max-error, or the most
+    /// accurate
+    #[arg(long, value_name = "BYTES")]
+    pub max_bytes: Option<u64>,
+    /// Count what functions cost on this vendor's GPUs, by the model of its compiled code
+    #[arg(long, value_name = "VENDOR", value_parser = Vendor::WORDS, requires = "limited")]
+    pub vendor: Option<String>,
+    /// The language of the snippets: rust, wgsl, hlsl, glsl, msl or c
+    #[arg(long, value_name = "LANGUAGE", value_parser = language, default_value = "wgsl", requires = "limited")]
+    pub language: Language,
     /// Time the emitted WGSL on a graphics processor instead; writes nothing without --record
     #[arg(long)]
     pub gpu: bool,
@@ -89,7 +119,7 @@ pub struct Options {
     #[arg(long, requires = "from")]
     pub weights: bool,
     /// The folder in whose reports/isa and reports/gpu the records are
-    #[arg(long, value_name = "DIR", default_value = ".", requires = "weights")]
+    #[arg(long, value_name = "DIR", default_value = ".", requires = "compared")]
     pub records: PathBuf,
     /// Families of GPUs: navi21, gfx1100 and others of AMD; with --drivers skl, tgl, dg2, a630, a660,
     /// g52; or amd, intel, adreno, mali for the usual ones
@@ -120,8 +150,9 @@ pub struct Options {
     /// Write the times, counts or weights to this file, whose name ends with .json; beside times their page
     #[arg(long, value_name = "FILE", requires = "recorded")]
     pub record: Option<PathBuf>,
-    /// Write the page of a record again, and measure nothing
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["recorded", "scene", "json"])]
+    /// Write the page of a record again, and measure nothing; of a name that ends with .html the page of
+    /// what every formula of the scene costs by the records
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["recorded", "json"])]
     pub page: Option<PathBuf>,
     /// The worker threads.
     #[command(flatten)]
@@ -138,13 +169,20 @@ pub struct Options {
 /// processors and their compilers.
 pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliError> {
     if let Some(record) = &options.page {
-        return record::page(options, record);
+        return if record.extension().is_some_and(|end| end == "html") {
+            page::verb(options, record)
+        } else {
+            record::page(options, record)
+        };
     }
     if let (true, Some(from)) = (options.weights, &options.from) {
         return weights::verb(options, from);
     }
     if options.gpu || options.isa {
         return external::run("lobefit-gpu", words);
+    }
+    if options.budget.is_some() || options.max_error.is_some() || options.max_bytes.is_some() {
+        return limited::verb(options);
     }
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);

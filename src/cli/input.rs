@@ -10,7 +10,7 @@ use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::plan::Plan;
-use crate::scene::{self, Scene, SceneError, limits};
+use crate::scene::{self, Limits, Scene, SceneError, limits};
 use crate::store;
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
@@ -34,6 +34,12 @@ impl Input {
     /// The input as the options of a verb change it.
     pub(super) fn with(mut self, pages: &PagesOption) -> Input {
         self.scene.output.reports &= !pages.no_reports;
+        self
+    }
+
+    /// The input under the limits of `cost` in place of the scene's.
+    pub(super) fn limited(mut self, limits: &Limits) -> Input {
+        self.scene = self.scene.limited(limits);
         self
     }
 

@@ -67,7 +67,7 @@ enum Verb {
     Audit(external::Words),
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
-    Cost(cost::Options),
+    Cost(Box<cost::Options>),
     /// Make the page of a long study, which no bake waits for
     #[command(disable_help_flag = true)]
     Report(external::Words),

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
-use crate::data::Smith;
+use crate::data::{Smith, Vendor};
 use crate::effects::catalogue;
 use crate::scene::limits;
+use lobefit_shade::code::Language;
 use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 
 /// The scene of a verb.
@@ -73,6 +74,31 @@ pub fn smith(text: &str) -> Result<Smith, String> {
         .into_iter()
         .find(|s| s.name() == text)
         .ok_or_else(|| "`correlated` or `separable` is called for".into())
+}
+
+/// The word for no vendor: the cost is in operations.
+pub const NEUTRAL: &str = "neutral";
+
+/// The vendor by whose GPUs costs are counted; none: by operations.
+#[derive(Clone, Copy, Debug)]
+pub struct Gpus(pub Option<Vendor>);
+
+/// A vendor's GPUs, or neutral.
+pub fn gpus(text: &str) -> Result<Gpus, String> {
+    match Vendor::of(text) {
+        None if text != NEUTRAL => {
+            Err(format!("one of {}, {NEUTRAL} is called for", Vendor::WORDS.join(", ")))
+        }
+        vendor => Ok(Gpus(vendor)),
+    }
+}
+
+/// A language of the emitted code.
+pub fn language(text: &str) -> Result<Language, String> {
+    Language::parse(text).ok_or_else(|| {
+        let names: Vec<&str> = Language::ALL.iter().map(|language| language.name()).collect();
+        format!("no such language; the languages are {}", names.join(", "))
+    })
 }
 
 /// A finite number above 0.

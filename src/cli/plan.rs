@@ -73,9 +73,11 @@ fn effect_text(effect: &Called) -> String {
             .iter()
             .map(|(name, [lo, hi])| format!("{name} {} to {}", short(*lo), short(*hi)))
             .collect();
-        let error = job
-            .expected_error
-            .map_or_else(|| "no limit on the error".into(), |e| format!("error within {e}"));
+        let error = match (job.expected_error, &job.recommended) {
+            (Some(limit), _) => format!("error within {limit}"),
+            (None, Some(rule)) => format!("no limit on the error: recommended is {rule}"),
+            (None, None) => "no limit on the error".into(),
+        };
         let _ = writeln!(
             out,
             "    over {}; {error}; {}; about {:.1} s",

@@ -29,6 +29,6 @@ pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_FROM, LOG_SCALE, MipChain, MipMap};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
-pub use shader::{Coordinate, Decoder, TableCode, lookup_ops};
+pub use shader::{Coordinate, Decoder, TableCode, lookup_features, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};
 pub use vendor::{Agreement, Model, Vendor, Weights, WeightsError};

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use super::{ARGUMENT_NAMES, AlphaMap, Arguments, Axis, Decode, Surface, Values};
 use lobefit_shade::code::{LETTERS, decimal};
-use lobefit_shade::{ShadeError, Source, Tape};
+use lobefit_shade::{Features, ShadeError, Source, Tape};
 
 /// The text of both files.
 const TEXT: &str = concat!(include_str!("warps.wgsl"), "\n", include_str!("decodings.wgsl"));
@@ -282,6 +282,19 @@ fn decode_function(name: &str, decode: Decode, given: &Given) -> Result<String, 
 /// # Errors
 /// A library that does not parse, a defect of this program.
 pub fn lookup_ops(axes: &[Axis], decode: Decode) -> Result<u32, ShadeError> {
-    let code = TableCode::new("table", axes, decode, (Arguments::Both, AlphaMap::default()))?;
+    let code = counted(axes, decode)?;
     code.source.cost_ops(&[&code.coordinates, &code.decoding])
+}
+
+/// The kinds of work in the same.
+///
+/// # Errors
+/// As [`lookup_ops`].
+pub fn lookup_features(axes: &[Axis], decode: Decode) -> Result<Features, ShadeError> {
+    let code = counted(axes, decode)?;
+    code.source.features(&[&code.coordinates, &code.decoding])
+}
+
+fn counted(axes: &[Axis], decode: Decode) -> Result<TableCode, ShadeError> {
+    TableCode::new("table", axes, decode, (Arguments::Both, AlphaMap::default()))
 }

@@ -36,9 +36,22 @@ impl Vendor {
         Vendor::WORDS[self as usize]
     }
 
+    /// The name that people give it.
+    pub fn title(self) -> &'static str {
+        ["AMD", "Intel", "Adreno", "Mali", "NVIDIA"][self as usize]
+    }
+
     /// The vendor of a word.
     pub fn of(word: &str) -> Option<Vendor> {
         Vendor::ALL.into_iter().find(|vendor| vendor.word() == word)
+    }
+
+    /// What work costs by the committed model, in its unit.
+    ///
+    /// # Errors
+    /// As [`Vendor::model`].
+    pub fn price(self, work: &Features) -> Result<f64, WeightsError> {
+        Ok(self.model()?.features().price(work))
     }
 
     /// The committed model of the vendor's GPUs.

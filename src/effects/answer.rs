@@ -45,7 +45,7 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
     let Some(best) = best else { return Ok(None) };
     let mut choices = vec![offer(Role::Recommended, best, languages)?];
     if let Some(cheap) = cheap(group, best) {
-        choices.insert(0, offer(Role::Cheap, cheap, languages)?);
+        choices.push(offer(Role::Cheap, cheap, languages)?);
     }
     let a = &best.approximation;
     let smith = a.smith.map_or_else(String::new, |smith| format!(", {} Smith", smith.name()));
@@ -189,7 +189,7 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     let mut choices = vec![of_table(Role::Recommended, best, &metric)];
     let cheaper = group.iter().filter(|t| t.approximation.name != a.name && cost(t) < cost(&&best));
     if let Some(cheap) = cheaper.min_by_key(cost) {
-        choices.insert(0, of_table(Role::Cheap, cheap, &metric));
+        choices.push(of_table(Role::Cheap, cheap, &metric));
     }
     let side = best.side.map_or_else(String::new, |side| format!(", from {}", side.name()));
     Purpose {
@@ -229,7 +229,7 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let mut choices = vec![offer(Role::Recommended, best)];
     let cheap = lookups.iter().min_by_key(ops).filter(|lookup| ops(lookup) < ops(&best));
     let dear = lookups.iter().max_by_key(ops).filter(|lookup| ops(lookup) > ops(&best));
-    choices.splice(0..0, cheap.map(|lookup| offer(Role::Cheap, lookup)));
+    choices.extend(cheap.map(|lookup| offer(Role::Cheap, lookup)));
     choices.extend(dear.map(|lookup| offer(Role::Accurate, lookup)));
     Some(Purpose {
         name: best.function.clone(),

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::demand::{Demand, Job, Ranges, hull, merged};
 use super::{BakeError, Effect};
+use crate::approximate::Emission;
 use crate::data::Pick;
 use crate::report::EffectFinding;
 use crate::scene::Scene;
@@ -23,6 +24,9 @@ pub struct JobSummary {
     pub bytes_at_most: bool,
     /// The error that the scene allows; `None` where it sets no limit.
     pub expected_error: Option<f64>,
+    /// What is recommended where the scene sets no limit and there is a choice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recommended: Option<String>,
     /// Expected time on one core.
     pub seconds: f64,
     /// What became of goals that differ between materials.
@@ -79,6 +83,11 @@ impl JobSummary {
             bytes: 0,
             bytes_at_most: false,
             expected_error: job.goals.max_error,
+            recommended: job
+                .goals
+                .max_error
+                .is_none()
+                .then(|| Emission::rule_without_limit(job.goals.max_ops)),
             seconds,
             merging: job.merging(),
         }

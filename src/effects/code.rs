@@ -79,7 +79,15 @@ fn lines(fit: &Fit) -> Vec<String> {
         _ => "absolute",
     };
     let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));
-    let ops = header::operations(a.cost.ops);
+    let ops = match fit.hypothesis.tape().cost_ops().checked_sub(a.cost.ops) {
+        // What the function does before the formula.
+        Some(more) if more > 0 => {
+            let is_given = fit.hypothesis.inputs().iter().any(|input| input == "alpha");
+            let of = if is_given { "roughness" } else { "alpha" };
+            format!("{} and {more} for {of}", header::operations(a.cost.ops))
+        }
+        _ => header::operations(a.cost.ops),
+    };
     lines.push(format!("{} {}{smith}; {ops}; {}", a.quantity, a.column, constants(fit)));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines.extend(header::half_line(a));

@@ -261,9 +261,10 @@ impl Job {
 
     /// What is emitted of its fits, under the name of their role.
     pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
-        let Output { pick, arguments, cost, float, .. } = scene.output;
-        let max_error = self.goals.max_error;
-        Emission { pick, arguments, cost, float, role: role.into(), max_error, ..Emission::default() }
+        let Output { pick, arguments, cost, budget, every_error, float, .. } = scene.output;
+        let (role, max_error) = (role.into(), self.goals.max_error);
+        let own = Emission { pick, arguments, cost, budget, every_error, float, ..Emission::default() };
+        Emission { role, max_error, ..own }
     }
 
     /// The materials that set the strictest limit, with the field of each:

@@ -15,6 +15,7 @@ use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Page, Purpose};
+use crate::scene::Scene;
 use crate::store::Files;
 use lobefit_shade::code::Language;
 use lobefit_shade::comment::comment;
@@ -147,8 +148,15 @@ impl Made {
         Ok(())
     }
 
-    /// Notes that each of some materials or probes calls a function of an approximation.
-    pub fn called_by(&mut self, names: Vec<String>, function: &str, a: &Approximation, file: Option<&str>) {
+    /// Notes that each of some materials or probes calls a function of an approximation, which costs
+    /// so much on the GPUs of the vendor that the scene names.
+    pub fn called_by(
+        &mut self,
+        names: Vec<String>,
+        function: &str,
+        (a, price): (&Approximation, Option<f64>),
+        file: Option<&str>,
+    ) {
         let (effect, cost) = (self.part.by.name(), CostEntry::new(a));
         self.part.entries.calls.extend(names.into_iter().map(|of| Call {
             effect: effect.into(),
@@ -161,13 +169,15 @@ impl Made {
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),
             cost: cost.clone(),
+            price,
         }));
     }
 
     /// Notes that the materials or probes of a job call the emitted ones of its fits.
-    pub fn fits_called(&mut self, job: &Job, fits: &[Fit]) {
+    pub fn fits_called(&mut self, job: &Job, fits: &[Fit], scene: &Scene) {
         for fit in fits.iter().filter(|fit| fit.emitted) {
-            self.called_by(job.wanted_by(), fit.hypothesis.name(), &fit.approximation, None);
+            let price = scene.output.cost.map(|_| fit.price);
+            self.called_by(job.wanted_by(), fit.hypothesis.name(), (&fit.approximation, price), None);
         }
     }
 
@@ -180,7 +190,7 @@ impl Made {
         used_as: Use,
     ) {
         if let (Some(nearest), []) = (nearest, promises) {
-            self.broken.push(format!("{what}: no formula is within max_ops: {nearest}"));
+            self.broken.push(format!("{what}: no formula is within the budget: {nearest}"));
         }
         let nearest = nearest.as_ref().map_or_else(String::new, |nearest| format!("; {nearest}"));
         let broken = promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as));

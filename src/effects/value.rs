@@ -89,7 +89,7 @@ impl ValueFits<'_> {
         }
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;
-        let FitSet { fits, dropped, nearest } =
+        let FitSet { fits, dropped, nearest, .. } =
             approximate::fit_all(&self.wanted(job, context.scene, &region), &context.counter)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
@@ -104,7 +104,7 @@ impl ValueFits<'_> {
             made.findings(&findings)?;
         }
         self.explored(&mut made, (&fits, &region), context)?;
-        made.fits_called(job, &fits);
+        made.fits_called(job, &fits, context.scene);
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;
         Ok(made)
     }

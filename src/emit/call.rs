@@ -32,6 +32,10 @@ pub struct Call {
     pub metric: String,
     /// Cost of a call.
     pub cost: CostEntry,
+    /// What it costs beside fetches on the GPUs of the vendor that the scene names, by the model of
+    /// them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub price: Option<f64>,
 }
 
 /// A function that looks a probe up through a proxy of its room.
@@ -86,7 +90,7 @@ impl Manifest {
         fits.chain(self.entries.tables.iter().map(|table| &table.alpha_map)).next().map(String::as_str)
     }
 
-    /// A call with its arguments as the include files name them; of a table the texture comes
+    /// A call with its arguments as the include files name them; of a table the table comes
     /// first. None of a function that no entry has.
     pub fn signature(&self, call: &Call) -> Option<String> {
         let fits = self.entries.fits.iter();
@@ -97,7 +101,7 @@ impl Manifest {
         };
         let lookups = self.entries.lookups.iter().filter(|lookup| lookup.function == call.function);
         let of_table = |table: &TableEntry| {
-            let inputs = std::iter::once("texture".to_string()).chain(table.inputs.iter().cloned());
+            let inputs = std::iter::once("table".to_string()).chain(table.inputs.iter().cloned());
             (table.function == call.function).then(|| inputs.collect())
         };
         let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());

@@ -2,7 +2,7 @@
 //! "Practical multiple scattering compensation for microfacet models", 2019).
 
 use lobefit_shade::code::{CodeError, Float, Language};
-use lobefit_shade::{ShadeError, Source};
+use lobefit_shade::{Features, ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
 
 /// A lobe that is compensated.
@@ -89,6 +89,14 @@ pub fn coloured(
 /// A text that does not parse, a defect of this program.
 pub fn coloured_ops() -> Result<u32, ShadeError> {
     Source::parse("compensation.wgsl", TEXT)?.cost_ops(&["coloured"])
+}
+
+/// The kinds of work in the same.
+///
+/// # Errors
+/// As [`coloured_ops`].
+pub fn coloured_features() -> Result<Features, ShadeError> {
+    Source::parse("compensation.wgsl", TEXT)?.features(&["coloured"])
 }
 
 /// The compensations that tables of these quantities are made for, each once, in order.

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::FittingError;
 use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target};
-use crate::data::{AlphaMap, Smith};
+use crate::data::{AlphaMap, Model, Smith};
 use crate::effects::catalogue;
 use lobefit_shade::{Hypothesis, Precision};
 
@@ -17,6 +17,8 @@ pub struct CatalogueFit {
     pub name: String,
     /// Operations.
     pub ops: u32,
+    /// Cost by the vendor's model, or the operations.
+    pub price: f64,
     /// Largest error.
     pub max: f64,
     /// Root of the mean square error.
@@ -28,7 +30,7 @@ pub struct CatalogueFit {
 impl CatalogueFit {
     /// As in the documents for machines.
     pub(super) fn entry(&self) -> Value {
-        let CatalogueFit { name, ops, max, rms, published } = self;
+        let CatalogueFit { name, ops, max, rms, published, .. } = self;
         json!({"name": name, "ops": ops, "max": max, "rms": rms, "published": published})
     }
 }
@@ -39,6 +41,7 @@ pub(super) fn fits(
     target: &Target,
     measured: &Sampled,
     most: u32,
+    model: Option<&Model>,
 ) -> Result<Vec<CatalogueFit>, FittingError> {
     let usual = target.variant.smith.unwrap_or_default() == Smith::Correlated
         && target.alpha_map == AlphaMap::RoughnessSquared;
@@ -64,6 +67,7 @@ pub(super) fn fits(
         fits.push(CatalogueFit {
             name,
             ops,
+            price: model.map_or_else(|| f64::from(ops), |model| model.cost(hypothesis.tape())),
             max: certificate.max_abs,
             rms: certificate.rms,
             published: constants.is_empty(),

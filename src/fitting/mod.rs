@@ -29,6 +29,7 @@ pub use perceptual::{Perceptual, sensitivity};
 pub use summary::summary;
 
 use crate::approximate::target::{Target, TargetError, TargetSpec};
+use crate::data::WeightsError;
 use crate::report::ReportError;
 use lobefit_fit::{FitError, Fitted, Goal, Termination};
 use lobefit_shade::code::{CodeError, Language};
@@ -83,6 +84,9 @@ pub enum FittingError {
     /// The formula, its data or its domain.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// The models of vendors' GPUs: a defect of the program.
+    #[error(transparent)]
+    Weights(#[from] WeightsError),
     /// A fit whose main certificate cannot be had: it is not finite where it is measured.
     #[error("{name}: {reason}")]
     Uncertified {
@@ -190,6 +194,6 @@ pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let one = |goal: &Goal| one::fit_one(job, *goal, &target, weight.as_ref(), &constraints, &measured);
     let fits: Vec<Certified> = job.goals.iter().map(one).collect::<Result<_, _>>()?;
     let most = fits.iter().map(|fit| fit.approximation.cost.ops).max().unwrap_or(0);
-    let catalogue = catalogue::fits(&target, &measured, most)?;
+    let catalogue = catalogue::fits(&target, &measured, most, None)?;
     Ok(Fitting { target, fits, catalogue })
 }

@@ -10,7 +10,8 @@ const ANSWERS: &str = include_str!("../../reports/index.json");
 
 /// Pages that other commands put beside those of the built-in scene, as they lie in the repository
 /// of this program: their word in the bar, what they show, and their file.
-const BESIDE: [(&str, &str, &str); 3] = [
+const BESIDE: [(&str, &str, &str); 4] = [
+    ("costs", "What accuracy costs: every formula on the GPUs of every vendor", "cost.html"),
     (
         "study: parallax",
         "Study: lookups of probes in rooms whose light is known",

@@ -114,7 +114,7 @@ fn height(block: &Block) -> f64 {
         Block::Table(table) => of_table(table) + 22.0 * lines(&table.caption, 780.0) + 80.0,
         Block::Fold { .. } => 64.0,
         // Its page is made for it: never folded.
-        Block::Live { .. } => 0.0,
+        Block::Live { .. } | Block::Packed(_) => 0.0,
         Block::Cards(cards) if is_paired(cards) => {
             // The drawing stands below the choice.
             let tallest = |pair: &[Card]| pair.iter().map(|card| of_card(card, 1)).fold(0.0, f64::max);

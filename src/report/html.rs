@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use miniz_oxide::deflate::compress_to_vec_zlib;
 
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
 use super::{bar, fold};
@@ -155,12 +156,26 @@ fn block(out: &mut String, block: &Block) {
         }
         Block::Table(table) => text_table(out, table),
         Block::Live { data, still } => live(out, data, still),
+        Block::Packed(blocks) => packed(out, blocks),
         Block::Fold { summary, blocks } => {
             put(out, format_args!("<details>\n<summary>{}</summary>\n", Broken(summary)));
             opened(out, blocks);
             out.push_str("</details>\n");
         }
     }
+}
+
+/// Blocks that the script of the page unpacks.
+fn packed(out: &mut String, blocks: &[Block]) {
+    let mut text = String::new();
+    blocks.iter().for_each(|one| block(&mut text, one));
+    let data = STANDARD.encode(compress_to_vec_zlib(text.as_bytes(), 10));
+    put(
+        out,
+        format_args!(
+            "<div data-packed=\"{data}\"><p>A script of this page unpacks what stands here.</p></div>\n"
+        ),
+    );
 }
 
 /// Blocks of a fold. What is folded once more is open in it, below its line.
@@ -223,7 +238,7 @@ fn choice(out: &mut String, card: &str, choice: &Choice) {
 }
 
 /// Things of which one is seen, by buttons that need no script; a single one has none. The style of the
-/// page knows six of them.
+/// page knows eight of them.
 fn switch<T>(
     out: &mut String,
     (class, name): (&str, &str),

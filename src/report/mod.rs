@@ -9,6 +9,7 @@
 
 mod bar;
 pub mod check;
+mod cost;
 mod error;
 pub mod explore;
 mod field;
@@ -29,6 +30,7 @@ use serde::{Deserialize, Serialize};
 use crate::emit::manifest::Manifest;
 use crate::store::Files;
 pub use bar::bar_from;
+pub use cost::{CostJob, CostPoint, CostUnit, Costs};
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
@@ -178,6 +180,14 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
     let figures = json::document("gpu.json", record)?;
     let hash = blake3::hash(&figures).to_hex();
     Ok((html(&sections::of_gpu(record, &hash)?), figures))
+}
+
+/// The page of what accuracy costs, as HTML.
+///
+/// # Errors
+/// As [`draft`].
+pub fn cost_page(costs: &Costs) -> Result<String, ReportError> {
+    Ok(html(&sections::of_costs(costs)?))
 }
 
 /// The page of a formula that the user fits, as HTML.

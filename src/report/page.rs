@@ -83,6 +83,8 @@ pub enum Block {
         /// The blocks; the first is seen at first.
         of: Vec<(String, Block)>,
     },
+    /// Blocks that the page holds packed until their part of a switch, or their fold, is seen.
+    Packed(Vec<Block>),
     /// Blocks that are shown when their line is opened.
     Fold {
         /// The line.

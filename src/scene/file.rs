@@ -176,6 +176,8 @@ impl Scene {
             arguments: parsed.arguments.0.map_or_else(Arguments::default, |w| w.0),
             languages: languages.map_err(|message| whole(("languages".into(), message)))?,
             cost: parsed.cost.0.and_then(|w| w.0.0),
+            budget: None,
+            every_error: None,
             float: parsed.precision.0.map_or_else(Float::default, |w| w.0.0),
             reports: parsed.reports.0.unwrap_or(true),
         };

@@ -18,6 +18,12 @@ pub struct Output {
     pub arguments: Arguments,
     /// The vendor whose GPUs the emitted formulas are to be cheap on; none: the operation model's.
     pub cost: Option<Vendor>,
+    /// The most that a call may cost on them. No field of a file: `lobefit cost --budget` states it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub budget: Option<f64>,
+    /// The error that every function is to keep, whatever it is for: `lobefit cost --max-error`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub every_error: Option<f64>,
     /// The numbers that emitted formulas compute with.
     #[serde(rename = "precision", serialize_with = "float_name")]
     pub float: Float,
@@ -34,6 +40,8 @@ impl Default for Output {
             pick: Pick::default(),
             arguments: Arguments::default(),
             cost: None,
+            budget: None,
+            every_error: None,
             float: Float::F32,
             languages: Language::ALL.to_vec(),
             reports: true,

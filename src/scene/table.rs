@@ -56,6 +56,10 @@ pub struct TableWant {
     /// Largest lookup error that the bake may deliver; always given of two axes where `size` is
     /// `None`, never in the path tracer's layout.
     pub max_error: Option<f64>,
+    /// Most bytes of a table whose size is open: of three axes the size is then the largest that is
+    /// tried. No field of a file: `lobefit cost --max-bytes` states it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_bytes: Option<u64>,
     /// The cosine of the view over which its error is measured.
     // Absent at its default: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "is_usual")]
@@ -188,7 +192,7 @@ impl OpenTable {
         let has_open_slices = self.size.is_none() && layout.axes() > 2 && layout != Layout::PathTracer;
         let size = self.size.or_else(|| default_size(lobe, layout));
         let (format, n_dot_v) = (self.format, self.n_dot_v);
-        Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, n_dot_v })
+        Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, max_bytes: None, n_dot_v })
     }
 }
 

@@ -2,6 +2,7 @@
 //! compilers. No part of a bake.
 
 pub mod correlation;
+pub mod costs;
 pub mod isa;
 pub mod record;
 mod tables;

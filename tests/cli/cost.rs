@@ -85,3 +85,93 @@ fn a_scene_without_rough_speculars_is_not_measured() {
         );
     }
 }
+
+/// Runs `cost` on the scene with limits: its exit code, what it says, and what it prints as JSON.
+fn limited(limits: &[&str]) -> (Option<i32>, String, Value) {
+    const LIMITED: &[u8] = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
+      "roughness": [0.3, 1], "wants": {"tables": [{"size": [16, 16]}], "fit": {"max_error": 0.5}}}]}"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = lobefit(folder.path(), &[&["cost", "-", "--json"], limits].concat(), LIMITED);
+    assert!(names(folder.path()).is_empty(), "{limits:?}: nothing is written");
+    (output.status.code(), stderr(&output), serde_json::from_slice(&output.stdout).unwrap_or_default())
+}
+
+/// The call of a function among what is to be shipped.
+fn shipped<'a>(found: &'a Value, function: &str) -> Option<&'a Value> {
+    found["ship"].as_array().expect("a list").iter().find(|of| of["function"] == function)
+}
+
+const FORMULA: &str = "ggx_energy_compensation_rgb";
+
+#[test]
+fn limits_say_what_to_ship_with_the_line_that_calls_it() {
+    let (code, said, found) = limited(&["--max-error", "0.02", "--max-bytes", "4096"]);
+    assert_eq!((code, said.as_str(), &found["unkept"]), (Some(0), "", &serde_json::json!([])));
+    let table = shipped(&found, "ggx_albedo").expect("a table");
+    let bytes = table["cost"]["bytes"].as_u64().expect("bytes");
+    assert!(bytes <= 4096 && table["max_error"].as_f64().expect("an error") <= 0.02);
+    let formula = shipped(&found, FORMULA).expect("a formula");
+    assert_eq!(formula["snippet"], "let value = ggx_energy_compensation_rgb(roughness, n_dot_v, f0);");
+    assert!(formula["code"].as_str().expect("code").contains("fn ggx_energy_compensation(roughness: f32"));
+    // With room alone the most accurate table is taken, and by a stricter limit a dearer formula.
+    let (_, _, large) = limited(&["--max-bytes", "4096"]);
+    let large = shipped(&large, "ggx_albedo").expect("a table");
+    assert!(large["cost"]["bytes"].as_u64() > Some(bytes) && large["cost"]["bytes"].as_u64() <= Some(4096));
+    let (_, _, strict) = limited(&["--max-error", "0.005", "--language", "hlsl"]);
+    let strict = shipped(&strict, FORMULA).expect("a formula");
+    assert!(strict["cost"]["ops"].as_u64() > formula["cost"]["ops"].as_u64());
+    assert!(strict["snippet"].as_str().expect("a line").starts_with("float3 value = "), "{strict}");
+}
+
+#[test]
+fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
+    let (code, _, within) = limited(&["--budget", "20"]);
+    let formula = shipped(&within, FORMULA).expect("a formula").clone();
+    assert_eq!(
+        (code, formula["cost"]["ops"].as_u64() <= Some(20), formula.get("price")),
+        (Some(0), true, None)
+    );
+    let (code, said, dear) = limited(&["--budget", "20", "--vendor", "intel"]);
+    assert_eq!((code, shipped(&dear, "ggx_albedo")), (Some(1), None), "the arithmetic of a table costs more");
+    let unkept = dear["unkept"].to_string();
+    assert!(unkept.contains("ggx_albedo (m) is the nearest to the limits: a cost of "), "{unkept}");
+    assert_eq!(said, "");
+    let price = shipped(&dear, FORMULA).map(|of| of["price"].as_f64().expect("a price"));
+    assert!(price.is_none_or(|price| price <= 20.0), "{price:?}");
+    let (_, _, roomy) = limited(&["--budget", "100", "--vendor", "intel"]);
+    let roomy = shipped(&roomy, FORMULA).expect("a formula");
+    let price = roomy["price"].as_f64().expect("a price");
+    assert!(price > 20.0 && price <= 100.0, "{price}");
+    assert_eq!(dear["unit"], "cycles of a wave");
+    // A function beside the normalisation that no formula gives is not passed over.
+    let blend = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "dielectric", "ior": 1.5,
+      "roughness": [0.3, 1], "wants": {"fit": {"blend": true}}}]}"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = lobefit(folder.path(), &["cost", "-", "--budget", "8"], blend);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("ggx_directional_albedo: no formula is within the limits: ggx_blend_11 "),
+        "{said}"
+    );
+}
+
+#[test]
+fn what_nothing_keeps_names_the_nearest() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (code, _, found) = limited(&["--budget", "5", "--max-error", "0.01"]);
+    assert_eq!((code, shipped(&found, FORMULA)), (Some(1), None));
+    let unkept = found["unkept"].to_string();
+    assert!(unkept.contains(" keeps it: error ") && unkept.contains("operations"), "{unkept}");
+    for (words, part) in [
+        (&["cost", "--vendor", "amd"][..], "required"),
+        (&["cost", "--budget", "0"], "above 0"),
+        (&["cost", "--max-error", "0.1", "--gpu"], "cannot be used with"),
+        (&["cost", "--max-error", "0.1", "--language", "cuda"], "no such language"),
+        (&["cost", "x.json", "--page", "reports/gpu/x.json"], "leave the scene out"),
+    ] {
+        let output = lobefit(folder.path(), words, b"");
+        assert_eq!(output.status.code(), Some(2), "{words:?}");
+        assert!(stderr(&output).contains(part), "{words:?}: {}", stderr(&output));
+    }
+}

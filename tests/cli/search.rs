@@ -88,6 +88,32 @@ fn what_formulas_of_f0_cannot_keep_is_refused() {
     }
 }
 
+/// By a vendor's model the frontier falls in error as it rises in the vendor's cost, each form under
+/// a name of its own, and the most accurate is that of the search by operations.
+#[test]
+fn a_frontier_by_what_a_vendor_pays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let small = ["--to", "diffuse-coupling", "--fix", "specular=normalised", "--helpers", "none"];
+    let small = [&small[..], &["--max-ops", "7", "--width", "6"]].concat();
+    let (_, neutral) = frontier(folder.path(), &small);
+    let (document, figures) = frontier(folder.path(), &[&small[..], &["--cost", "intel"]].concat());
+    let fits = document["fits"].as_array().expect("a list");
+    let number = |fit: &Value, key: &str| fit.pointer(key).and_then(Value::as_f64).expect("a number");
+    let points: Vec<[f64; 2]> = fits
+        .iter()
+        .map(|fit| ["/vendor_cost/price", "/certificate/max_abs"].map(|key| number(fit, key)))
+        .collect();
+    assert!(points.windows(2).all(|w| w[0][0] < w[1][0] && w[0][1] > w[1][1]), "{points:?}");
+    let names: std::collections::BTreeSet<&str> =
+        fits.iter().filter_map(|fit| fit["name"].as_str()).collect();
+    assert_eq!(names.len(), fits.len());
+    assert!(best(&figures, 7) <= best(&neutral, 7), "{figures:?} {neutral:?}");
+    assert_eq!(document["fits"][0]["vendor_cost"]["family"], "skl");
+    let wrong = [&["fit", "--search"][..], &small, &["--cost", "voodoo"]].concat();
+    let output = lobefit(folder.path(), &wrong, b"");
+    assert_eq!((output.status.code(), stderr(&output).contains("adreno")), (Some(2), true));
+}
+
 /// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue
 /// stands beside what is found.
 #[test]

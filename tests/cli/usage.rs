@@ -5,7 +5,7 @@ use crate::common;
 use std::process::{Command, Stdio};
 
 use common::{lobefit, names, stderr};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 const VERBS: [&str; 9] = ["plan", "bake", "check", "eval", "fit", "cost", "schema", "completions", "man"];
 
@@ -201,11 +201,24 @@ fn plan_says_what_is_not_limited_and_what_is_not_yet_known() {
     let text = String::from_utf8(lobefit(folder.path(), &["plan", "-"], scene).stdout).unwrap();
     for words in [
         "; error within 0.001; at most 32768 bytes; ",
-        "; no limit on the error; 0 bytes; ",
+        "; no limit on the error: recommended is the cheapest within 0.02; 0 bytes; ",
         "in all at most 32768 bytes",
     ] {
         assert!(text.contains(words), "`{words}` in {text}");
     }
+}
+
+#[test]
+fn bake_names_everything_that_calls_a_function() {
+    let folder = tempfile::tempdir().unwrap();
+    let metal = |name: &str| json!({"name": name, "kind": "metal", "f0": 0.9, "roughness": 0.5, "wants": {"fit": {"max_ops": 8}}});
+    let materials = ["a", "b", "c", "d"].map(metal);
+    let scene = json!({"schema_version": 1, "languages": ["wgsl"], "materials": materials});
+    let output = lobefit(folder.path(), &["bake", "-", "--no-reports"], scene.to_string().as_bytes());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("|E N - 1|  group 1 (4)\n") && text.contains("\ngroup 1: a, b, c, d\n"), "{text}");
+    let include = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).unwrap();
+    assert!(include.contains(" operations and 1 for alpha; constants"), "{include}");
 }
 
 #[test]

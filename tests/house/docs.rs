@@ -82,6 +82,19 @@ fn the_table_of_formulas_is_what_the_example_bakes() {
     weights_follow(folder.path(), manifest["fits"].clone());
 }
 
+/// The committed page of costs is what the command on it writes, of the committed records.
+#[test]
+fn the_page_of_costs_follows_from_the_records() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, records] =
+        ["examples/every-formula.json", ""].map(|path| root().join(path).display().to_string());
+    let words = ["cost", &scene, "--records", &records, "--page", "cost.html", "--quiet"];
+    let output = lobefit(folder.path(), &words, b"");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let page = std::fs::read_to_string(folder.path().join("cost.html")).expect("a page");
+    assert!(page == read("reports/cost.html"), "not what `lobefit cost --page` writes");
+}
+
 /// The committed prices are those of a bake of every formula, where the records of all vendors are
 /// of its code.
 fn weights_follow(bake: &Path, fits: Value) {

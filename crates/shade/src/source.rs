@@ -4,7 +4,7 @@
 use crate::code::{CodeError, Float, Language};
 use crate::hypothesis::{Formula, Function, Kind};
 use crate::inline::inlined;
-use crate::tape::Tape;
+use crate::tape::{Features, Tape};
 use crate::trim::trimmed;
 use crate::{Place, ShadeError, hypothesis};
 
@@ -124,8 +124,20 @@ impl Source {
     /// There is no function of one of the names; more operations than [`Limits`](crate::Limits)
     /// has.
     pub fn cost_ops(&self, names: &[&str]) -> Result<u32, ShadeError> {
+        Ok(self.tape_of(names)?.cost_ops())
+    }
+
+    /// The kinds of work in some functions together, as [`Source::cost_ops`] counts them.
+    ///
+    /// # Errors
+    /// As [`Source::cost_ops`].
+    pub fn features(&self, names: &[&str]) -> Result<Features, ShadeError> {
+        Ok(self.tape_of(names)?.features_of_all())
+    }
+
+    fn tape_of(&self, names: &[&str]) -> Result<Tape, ShadeError> {
         let indices: Result<Vec<usize>, ShadeError> = names.iter().map(|name| self.index(name)).collect();
-        Ok(Tape::of_functions(&self.formula, &indices?, [&self.file, &self.text])?.cost_ops())
+        Tape::of_functions(&self.formula, &indices?, [&self.file, &self.text])
     }
 
     /// A function as source text, `header` as its documentation. It calls the others by their

@@ -8,6 +8,9 @@ use crate::store::{Files, MANIFEST};
 /// Most changes that are named.
 const NAMED: usize = 5;
 
+/// How the change begins where the bake has no pages and the scene asks for them.
+pub(super) const PAGES: &str = "output.reports: false became";
+
 /// The changes from the scene of the manifest among `found` to that of the manifest among `baked`,
 /// as `materials[0].roughness[0]: 0.05 became 0.1`; none where a manifest does not hold its scene.
 pub(super) fn changes(found: &Files, baked: &Files) -> Vec<String> {

@@ -67,6 +67,10 @@ impl RecordPlace {
 
 /// Writes the page of a record again, and the record as this version writes it.
 pub(super) fn page(options: &Options, path: &Path) -> Result<Outcome, CliError> {
+    if options.scene.scene.is_some() {
+        let text = "--page: a record is of the scene that it names; leave the scene out, or give a name that ends with .html";
+        return Err(CliError::Usage(text.into()));
+    }
     let place = RecordPlace::of("--page", path)?;
     let bytes = store::read(path, RECORD_BYTES)?;
     let record = record::read(&bytes)

@@ -8,7 +8,7 @@ use clap::Args;
 use crate::approximate::target::{TargetError, TargetSpec};
 use crate::cli::CliError;
 use crate::cli::input::kernel;
-use crate::cli::options::{ThreadsOption, positive, smith};
+use crate::cli::options::{Gpus, NEUTRAL, ThreadsOption, gpus, positive, smith};
 use crate::data::{AlphaMap, Smith, Use};
 use crate::fitting::search::{AidKind, Aids, SearchJob};
 use crate::fitting::{Demand, FittingError, Job};
@@ -34,6 +34,10 @@ pub(in crate::cli) struct Options {
     /// Most operations of a formula (--search only), 1 to 64
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub max_ops: Option<u32>,
+    /// GPUs on which formulas are to be cheap (--search only), by a model of the vendor's compiled
+    /// code: amd, intel, adreno, mali or nvidia; neutral counts operations
+    #[arg(long, value_name = "VENDOR", requires = "search", conflicts_with = "hypothesis", value_parser = gpus, default_value = NEUTRAL)]
+    pub cost: Gpus,
     /// Forms of each cost that are built upon (--search only): more take longer and may find better
     /// ones; without it, 24
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u16).range(1..=1024))]
@@ -160,6 +164,7 @@ impl Options {
         Ok(SearchJob {
             spec: self.spec()?,
             max_ops: self.max_ops.unwrap_or_default(),
+            cost: self.cost.0,
             width: self.width.map(usize::from),
             aids: self.aids()?,
             demands: self.demands(),
@@ -228,6 +233,7 @@ impl Options {
             push("--search", String::new());
         }
         self.max_ops.iter().for_each(|n| push("--max-ops ", n.to_string()));
+        self.cost.0.iter().for_each(|vendor| push("--cost ", vendor.word().into()));
         self.width.iter().for_each(|n| push("--width ", n.to_string()));
         if self.helpers != [Asked::Auto] {
             let names: Vec<&str> = once(&self.helpers).into_iter().map(Asked::name).collect();

@@ -46,7 +46,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     made.explored(context, &exploring)?;
     made.code(context, |language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
     for (job, lobe) in called.work.iter().zip(&lobes) {
-        made.fits_called(job, &lobe.fits);
+        made.fits_called(job, &lobe.fits, context.scene);
     }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
@@ -66,7 +66,7 @@ impl Lobe {
             max_ops: job.goals.max_ops,
             norms: job.goals.norms.clone(),
         };
-        let FitSet { fits, dropped, nearest } =
+        let FitSet { fits, dropped, nearest, .. } =
             fit_emitted(&spec, job.emission(context.scene, &role(spec.specular)), &context.counter)?;
         let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.counter)?;
         Ok(Lobe { spec, fits, dropped, nearest, anywhere })

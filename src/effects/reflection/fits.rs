@@ -41,7 +41,8 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     let mut published = set.fits.split_off(ours);
     for fit in &mut published {
         let seed = SEEDS.iter().any(|seed| seed.name() == fit.approximation.name);
-        fit.emitted = spec.emission.pick == Pick::All && seed && wanted.affords(&fit.hypothesis);
+        let affordable = wanted.too_dear(&fit.hypothesis)?.is_none();
+        fit.emitted = spec.emission.pick == Pick::All && seed && affordable;
     }
     if spec.average {
         set.join(&spec.averages(), counter)?;
@@ -58,9 +59,11 @@ impl FitSet {
     fn join(&mut self, wanted: &Wanted, counter: &Counter) -> Result<(), FitStageError> {
         for entry in wanted.own {
             let formula = Hypothesis::parse(entry.file, entry.source)?;
-            self.dropped.extend((!wanted.affords(&formula)).then(|| wanted.too_dear(&formula)));
+            self.dropped.extend(wanted.too_dear(&formula)?);
         }
         let more = approximate::fit_all(wanted, counter)?;
+        let role = &wanted.emission.role;
+        self.unserved.extend(more.nearest.map(|nearest| FitSet::unkept(role, &nearest)));
         self.fits.extend(more.fits);
         self.dropped.extend(more.dropped);
         Ok(())
@@ -97,7 +100,8 @@ impl FitSpec {
     /// What is emitted of fits for another use: the limit on the error is not theirs, and nothing
     /// is called beside them.
     fn emission_as(&self, role: &str) -> Emission {
-        Emission { role: role.into(), max_error: None, beside: 0, ..self.emission.clone() }
+        let max_error = self.emission.every_error;
+        Emission { role: role.into(), max_error, beside: 0, beside_price: 0.0, ..self.emission.clone() }
     }
 
     /// No formula for a column of a quantity in a use, over the region.

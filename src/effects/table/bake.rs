@@ -15,9 +15,6 @@ use crate::emit::lookup::TableNames;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
 
-/// Squares tried in turn where the scene leaves the size open.
-const SIZES: [usize; 4] = [16, 32, 64, 128];
-
 /// Points with their truths, shared by the tables that are measured there.
 #[derive(Debug)]
 pub struct Judge {
@@ -129,7 +126,8 @@ pub fn bake(
     Ok((baked, broken))
 }
 
-/// The tables of job `i`; where the size is open, the smallest that keep the limit.
+/// The tables of job `i`; where the size is open, the smallest that keep the limit, or without a limit
+/// the largest.
 fn bake_job(
     family: &dyn Family,
     (jobs, i): (&[TableJob], usize),
@@ -137,9 +135,10 @@ fn bake_job(
     context: &Context,
 ) -> Result<Vec<BakedTable>, BakeError> {
     let job = &jobs[i];
-    let sizes = job.size.clone().map_or_else(|| SIZES.map(|n| vec![n, n]).to_vec(), |size| vec![size]);
     let mut last = Vec::new();
-    for size in sizes {
+    let sizes = job.sizes();
+    let first = if job.max_error.is_some() { 0 } else { sizes.len() - 1 };
+    for size in sizes.into_iter().skip(first) {
         let text = job.sized(&size, jobs);
         let spec = job.spec(size, &text);
         let (tables, made) = family.build(&spec, &context.counter)?;
@@ -151,7 +150,7 @@ fn bake_job(
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
         });
         last = finished.collect::<Result<_, BakeError>>()?;
-        if last.iter().all(|table| job.max_error.is_none_or(|limit| table.errors.lookup.max <= limit)) {
+        if job.max_error.is_some_and(|limit| last.iter().all(|table| table.errors.lookup.max <= limit)) {
             break;
         }
     }

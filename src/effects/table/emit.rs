@@ -1,7 +1,8 @@
 //! The files, entries and functions of baked tables.
 
-use super::BakedTable;
-use crate::data::Table;
+use super::{BakedTable, LookupError};
+use crate::approximate::FitStageError;
+use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
@@ -29,7 +30,14 @@ impl Made {
             let file = entry.file.clone();
             part.entries.tables.push(entry);
             let (by, function) = (baked.wanted_by.clone(), &baked.names.lookup);
-            self.called_by(by, function, &baked.approximation, Some(&file));
+            let price = match context.scene.output.cost {
+                Some(vendor) => {
+                    let work = lookup_features(&table.axes, baked.decode).map_err(LookupError::Shader)?;
+                    Some(vendor.price(&work).map_err(FitStageError::from)?)
+                }
+                None => None,
+            };
+            self.called_by(by, function, (&baked.approximation, price), Some(&file));
         }
         self.code(context, |language| code(language, &tables, context))?;
         self.tables.extend(tables);

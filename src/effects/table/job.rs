@@ -9,7 +9,7 @@ use crate::effects::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, ran
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::emit::lookup::TableNames;
-use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
+use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR, SLICED_AXIS_MIN};
 use crate::scene::{Goals, Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 
@@ -17,7 +17,10 @@ use lobefit_truth::integrate::glass::Side;
 /// interpolate along.
 pub const SLICES_WIDTH_MIN: f64 = 0.01;
 
-/// Side of the largest square that is tried for an open size.
+/// Squares tried in turn where the scene leaves the size open.
+const SIZES: [usize; 4] = [16, 32, 64, AUTO_SIDE];
+
+/// Side of the largest of them.
 pub(super) const AUTO_SIDE: usize = 128;
 
 /// The tables to bake for all materials that want the same layout, size, format and use: one of a
@@ -40,6 +43,8 @@ pub struct TableJob {
     /// Texels along each axis; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares
     /// that meets `max_error`.
     pub size: Option<Vec<usize>>,
+    /// Most bytes of a table whose size is open.
+    pub max_bytes: Option<u64>,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// Roughness that the rows span: the hull of the materials' rough ranges, at least
@@ -170,6 +175,7 @@ impl TableJob {
             layout: want.layout,
             serves: want.serves,
             size: want.size.clone(),
+            max_bytes: want.max_bytes,
             format: want.format,
             roughness: job.range("roughness")?,
             mu: job.range("mu")?,
@@ -194,7 +200,7 @@ impl TableJob {
     pub(super) fn sized(&self, size: &[usize], jobs: &[TableJob]) -> String {
         let text = size_text(size);
         let named = |text: &str| self.names.iter().map(|name| name.replace("auto", text)).collect::<Vec<_>>();
-        let taken = self.size.is_none() && jobs.iter().any(|other| other.names == named(&text));
+        let taken = self.is_open() && jobs.iter().any(|other| other.names == named(&text));
         if taken { format!("{text}-auto") } else { text }
     }
 
@@ -221,8 +227,36 @@ impl TableJob {
 
     /// Bytes of the texels of one of its tables, all channels.
     fn bytes(&self) -> u64 {
+        self.bytes_of(self.texels())
+    }
+
+    fn bytes_of(&self, texels: usize) -> u64 {
         let channels = Decode::of(self.layout, self.serves).channels();
-        (self.texels() * channels) as u64 * self.format.bytes()
+        (texels * channels) as u64 * self.format.bytes()
+    }
+
+    /// Whether the bake chooses the size.
+    fn is_open(&self) -> bool {
+        self.size.is_none() || self.max_bytes.is_some()
+    }
+
+    /// The sizes that are tried in turn: the one that is asked for, or squares, or of three axes
+    /// halves of the largest; those within the bytes, and the smallest where none is.
+    pub(super) fn sizes(&self) -> Vec<Vec<usize>> {
+        let halves = |size: &Vec<usize>| -> Vec<Vec<usize>> {
+            let least = |n: usize| n.min(SLICED_AXIS_MIN);
+            let part = |by: usize| size.iter().map(|n| (n / by).max(least(*n))).collect();
+            [4, 2, 1].map(part).to_vec()
+        };
+        let mut sizes = match (&self.size, self.max_bytes) {
+            (None, _) => SIZES.map(|n| vec![n, n]).to_vec(),
+            (Some(size), Some(_)) => halves(size),
+            (Some(size), None) => vec![size.clone()],
+        };
+        let most = self.max_bytes.unwrap_or(u64::MAX);
+        let within = sizes.iter().filter(|size| self.bytes_of(size.iter().product()) <= most).count();
+        sizes.truncate(within.max(1));
+        sizes
     }
 }
 
@@ -261,7 +295,8 @@ fn shape(size: &str, format: TexelFormat, layout: Layout) -> String {
 /// Names of a family's tables: what tells them from others of the scene, and the defaults not at
 /// all.
 fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
-    let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
+    let stated = want.size.as_ref().filter(|_| want.max_bytes.is_none());
+    let size = stated.map_or_else(|| "auto".into(), |size| size_text(size));
     let mut shape = format!("{}-{}", smith.name(), shape(&size, want.format, want.layout));
     if want.serves != Serves::default() {
         shape = format!("{shape}-{}", want.serves.name());
@@ -345,8 +380,9 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
             approximation: summary(family, job, *side),
             ranges: ranges.clone(),
             bytes: job.bytes(),
-            bytes_at_most: job.size.is_none(),
+            bytes_at_most: job.is_open(),
             expected_error: job.max_error,
+            recommended: None,
             seconds,
             merging: None,
         })

@@ -85,6 +85,7 @@ impl ValueTable {
             layout: self.layout,
             serves: Serves::Albedo,
             size: Some(self.size.to_vec()),
+            max_bytes: None,
             format: self.format,
             roughness: job.range("roughness")?,
             mu: TABLE_MU,
@@ -108,6 +109,7 @@ impl ValueTable {
             bytes: (columns * rows) as u64 * self.format.bytes(),
             bytes_at_most: false,
             expected_error: job.goals.max_error,
+            recommended: None,
             seconds: self.seconds,
             merging: None,
         }

@@ -13,10 +13,10 @@ use super::catalogue::{self, CatalogueFit};
 use super::{Demand, FittingError};
 use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target, TargetSpec};
-use crate::data::Certificate;
+use crate::data::{Certificate, Model, Vendor, WeightsError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Found, Progress, search};
-use lobefit_shade::{Hypothesis, Precision, ShadeError, prove_regular};
+use lobefit_shade::{Features, Hypothesis, Precision, ShadeError, prove_regular};
 
 /// What to search.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct SearchJob {
     pub spec: TargetSpec,
     /// Most operations.
     pub max_ops: u32,
+    /// The vendor on whose GPUs the frontier is to be cheap; none: by operations.
+    pub cost: Option<Vendor>,
     /// Forms of each cost that are built upon; none: the search's own number.
     pub width: Option<usize>,
     /// What forms may have beside sums of powers.
@@ -37,6 +39,16 @@ pub struct SearchJob {
     pub command: String,
 }
 
+impl SearchJob {
+    /// What kinds of work cost on the vendor's GPUs; none: operations count.
+    ///
+    /// # Errors
+    /// No model of them, a defect of this program.
+    pub fn prices(&self) -> Result<Option<Features>, WeightsError> {
+        Ok(self.cost.map(Vendor::model).transpose()?.map(|model| model.features()))
+    }
+}
+
 /// A form of the frontier, measured.
 #[derive(Clone, Debug)]
 pub struct Point {
@@ -44,6 +56,8 @@ pub struct Point {
     pub hypothesis: Hypothesis,
     /// Operations.
     pub ops: u32,
+    /// Cost by the vendor's model, or the operations.
+    pub price: f64,
     /// Error in f32 at points that it was not searched on.
     pub certificate: Certificate,
     /// No coefficients of this form have a smaller largest error on the samples; 0 where nothing is
@@ -56,6 +70,8 @@ pub struct Point {
 pub struct Searched {
     /// What was searched for.
     pub target: Target,
+    /// The vendor's model by which the frontier is the cheapest; none: by operations.
+    pub model: Option<Model>,
     /// Where the forms are exact, in words; empty: nowhere.
     pub anchor: String,
     /// What was tried beforehand in narrow searches, and what it gained.
@@ -87,6 +103,7 @@ impl Searched {
 /// A target that cannot be searched; no form within the budget.
 pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, FittingError> {
     let target = space::target(&job.spec)?;
+    let model = job.cost.map(Vendor::model).transpose()?;
     let Frontier { found, anchor, tried } = match (&target.f0, target.over_f0) {
         (Some(f0), Some(over)) => pair::run(&target, (f0, over), job, progress)?,
         _ => alone(&target, job, progress)?,
@@ -106,7 +123,11 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         let certificate = certified(&form.hypothesis, &coefficients, &target, &measured)?;
         let beaten = points.iter().any(|p| p.certificate.max_abs <= certificate.max_abs);
         if !beaten {
-            points.push(Point { hypothesis: form.hypothesis, ops: form.ops, certificate, bound: form.bound });
+            let price = model
+                .as_ref()
+                .map_or_else(|| f64::from(form.ops), |model| model.cost(form.hypothesis.tape()));
+            let hypothesis = unused(form.hypothesis, &points)?;
+            points.push(Point { hypothesis, ops: form.ops, price, certificate, bound: form.bound });
         }
     }
     if points.is_empty() {
@@ -116,8 +137,8 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         );
         return Err(FitError::Solver { message }.into());
     }
-    let catalogue = catalogue::fits(&target, &measured, u32::MAX)?;
-    Ok(Searched { anchor, target, tried, points, catalogue })
+    let catalogue = catalogue::fits(&target, &measured, u32::MAX, model.as_ref())?;
+    Ok(Searched { anchor, target, model, tried, points, catalogue })
 }
 
 /// What a search has found, where it is exact, and what was tried beforehand.
@@ -138,6 +159,18 @@ fn alone(target: &Target, job: &SearchJob, progress: &dyn Fn(&Progress)) -> Resu
         anchor: space::words(target, anchor.as_ref()),
         tried,
     })
+}
+
+/// A formula by a name that no other has: on a vendor's GPUs formulas of as many operations may
+/// differ in cost.
+fn unused(formula: Hypothesis, points: &[Point]) -> Result<Hypothesis, ShadeError> {
+    let again = points.iter().filter(|point| point.ops == formula.tape().cost_ops()).count();
+    if again == 0 {
+        return Ok(formula);
+    }
+    let name = format!("{}_{}", formula.name(), again + 1);
+    let source = formula.source().replace(&format!("fn {}(", formula.name()), &format!("fn {name}("));
+    Hypothesis::parse(&format!("{name}.wgsl"), &source)
 }
 
 fn certified(

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::{Point, SearchJob, Searched, Tried};
-use crate::data::Approximation;
+use crate::data::{Approximation, Model};
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use crate::fitting::catalogue::{CatalogueFit, ways_out};
@@ -19,38 +19,42 @@ use lobefit_fit::Goal;
 /// A table of the frontier, then each formula.
 pub fn summary(searched: &Searched, written: bool) -> String {
     let target = &searched.target;
+    let exact = match searched.anchor.as_str() {
+        "" => String::new(),
+        anchor => format!(", each exactly {anchor}"),
+    };
     let mut out = format!(
-        "{} {} as {}{}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
+        "{} {} as {}{}, alpha = {}: {} forms on the frontier{exact}\n",
         target.quantity.name(),
         target.column,
         target.used_as.name,
         words::smith(target),
         target.alpha_map.name(),
         searched.points.len(),
-        if searched.anchor.is_empty() {
-            String::new()
-        } else {
-            format!(", each exactly {}", searched.anchor)
-        },
-        "ops",
-        "max",
-        "rms"
     );
+    // The vendor's cost stands before the errors.
+    let price = |price: f64| searched.model.as_ref().map_or_else(String::new, |_| format!("  {price:>7.1}"));
+    let family = searched.model.as_ref().map_or_else(String::new, |m| format!("  {:>7}", m.family));
+    // Writing to a string cannot fail.
+    let _ = writeln!(out, "  {:>5}{family}  {:>10}  {:>10}  worst at", "ops", "max", "rms");
+    let row = |ops: u32, cost: f64, [max, rms]: [f64; 2], what: &str| {
+        format!("  {ops:>5}{}  {max:>10}  {:>10}  {what}\n", price(cost), short(rms))
+    };
     for point in &searched.points {
         let c = &point.certificate;
-        // Writing to a string cannot fail.
-        let _ =
-            writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", point.ops, c.max_abs, short(c.rms), place(&c.at));
+        out += &row(point.ops, point.price, [c.max_abs, c.rms], &place(&c.at));
     }
     let published = searched.catalogue.iter().filter(|r| r.published);
     let mut published: Vec<_> = published.collect();
-    published.sort_by_key(|r| r.ops);
+    published.sort_by(|a, b| a.price.total_cmp(&b.price));
     if !published.is_empty() {
         out += "  published, for comparison\n";
     }
     for rival in published {
-        let _ =
-            writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", rival.ops, rival.max, short(rival.rms), rival.name);
+        out += &row(rival.ops, rival.price, [rival.max, rival.rms], &rival.name);
+    }
+    if let Some(model) = &searched.model {
+        let _ = writeln!(out, "  {}: {}, by a model of {}", model.family, model.unit, model.compiler);
     }
     out += &trials(searched);
     if !written {
@@ -111,6 +115,10 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         let mut entry = entry.map_or(Ok(serde_json::Map::new()), |entry| as_object(&entry))?;
         entry.remove("effect");
         entry.insert("bound".into(), json!(point.bound));
+        if let Some(model) = &searched.model {
+            let cost = json!({"family": model.family, "unit": model.unit, "price": point.price});
+            entry.insert("vendor_cost".into(), cost);
+        }
         entry.insert("file".into(), json!(format!("{}.wgsl", point.hypothesis.name())));
         Ok(Value::Object(entry))
     };
@@ -153,12 +161,16 @@ pub fn files(job: &SearchJob, searched: &Searched) -> Result<Files, FittingError
 
 fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
     let target = &searched.target;
-    let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.ops, p.certificate.max_abs, false));
-    let others = searched.catalogue.iter().filter(|r| r.published).map(|r| dot(&r.name, r.ops, r.max, true));
+    let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.price, p.certificate.max_abs, false));
+    let others =
+        searched.catalogue.iter().filter(|r| r.published).map(|r| dot(&r.name, r.price, r.max, true));
     let mut asked = of_target(target);
     asked.push(("Most operations".into(), job.max_ops.to_string()));
     if !searched.anchor.is_empty() {
         asked.push(("Exact".into(), searched.anchor.clone()));
+    }
+    if let Some(Model { family, unit, compiler, .. }) = &searched.model {
+        asked.push(("Cheap on".into(), format!("{family}, by a model of {compiler}: {unit}")));
     }
     let row = |point: &Point| SearchRow {
         name: point.hypothesis.name().into(),
@@ -178,6 +190,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
         },
         name: searched.name(),
         used_as: target.used_as,
+        unit: searched.model.as_ref().map_or_else(|| "operations".into(), |model| model.unit.clone()),
         tried: searched.tried.iter().map(|t| (subject(t), t.outcome())).collect(),
         asked,
         dots: ours.chain(others).collect(),
@@ -186,6 +199,6 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
     }
 }
 
-fn dot(name: &str, ops: u32, max: f64, published: bool) -> Dot {
-    Dot { name: name.into(), x: f64::from(ops), y: max, published, table: false }
+fn dot(name: &str, price: f64, max: f64, published: bool) -> Dot {
+    Dot { name: name.into(), x: price, y: max, published, table: false }
 }

@@ -155,7 +155,8 @@ impl Asked<'_> {
     fn space(&mut self, part: Part) -> Result<Space, FittingError> {
         let Asked { target, job, split, .. } = *self;
         let space = Space::new(part.name, space::axes(target), share(job.max_ops, part.tenths));
-        let space = Space { width: job.width.unwrap_or(space.width), anchor: part.anchor, ..space };
+        let (width, prices) = (job.width.unwrap_or(space.width), job.prices()?);
+        let space = Space { width, prices, anchor: part.anchor, ..space };
         let target_of = part.truth.iter().zip(&part.scale).map(|(x, scale)| x * scale).collect();
         let samples = SearchSamples { axes: split.axes.clone(), scale: part.scale, target: target_of };
         let (space, trials) = aids::aided(space, part.usual, false, (target, job), &samples, self.progress)?;

@@ -4,7 +4,6 @@ use super::SearchJob;
 use crate::approximate::target::{Target, TargetError, TargetSpec};
 use crate::data::Use;
 use crate::fitting::{Demand, FittingError};
-use lobefit_fit::FitError;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::glass::Side;
@@ -112,9 +111,10 @@ pub(super) fn words(target: &Target, anchor: Option<&Anchor>) -> String {
 }
 
 /// The space: powers of every input, alpha free where roughness is.
-pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) -> Result<Space, FitError> {
+pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) -> Result<Space, FittingError> {
     let mut space = Space::new(&format!("{}_", name(target)), axes(target), job.max_ops);
     space.title = title(target);
+    space.prices = job.prices()?;
     space.anchor = anchor;
     space.width = job.width.unwrap_or(space.width);
     space.domain = Some(target.domain()?);

@@ -158,7 +158,7 @@ const said = {
     return `${name ? `${name}; ` : ""}${place}: ${value}`;
   },
 };
-document.querySelectorAll("svg.plot").forEach((svg) => {
+const speak = (svg) => {
   svg.querySelectorAll("circle > title").forEach((title) => {
     title.parentElement.dataset.tip = title.textContent;
     title.remove();
@@ -180,4 +180,17 @@ document.querySelectorAll("svg.plot").forEach((svg) => {
     return show(event, within ? say(across, down) : "");
   });
   svg.addEventListener("pointerleave", (event) => show(event, ""));
-});
+};
+document.querySelectorAll("svg.plot").forEach(speak);
+// What is packed is unpacked when its part of a switch, or its fold, is first seen.
+const unpack = () => {
+  document.querySelectorAll("[data-packed]").forEach(async (box) => {
+    if (!box.offsetParent) return;
+    const bytes = Uint8Array.from(atob(box.dataset.packed), (c) => c.charCodeAt(0));
+    box.removeAttribute("data-packed");
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    box.innerHTML = await new Response(stream).text();
+    box.querySelectorAll("svg.plot").forEach(speak);
+  });
+};
+["change", "toggle"].forEach((event) => addEventListener(event, unpack, true));

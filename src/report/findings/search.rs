@@ -13,6 +13,8 @@ pub struct SearchPage {
     pub name: String,
     /// What the formulas are used as.
     pub used_as: Use,
+    /// What their cost is counted in, and the frontier is by.
+    pub unit: String,
     /// What was asked, as names and values.
     pub asked: Vec<(String, String)>,
     /// What was tried beforehand in narrow searches, and what came of it.

@@ -22,6 +22,8 @@ pub(crate) enum Key {
     Marked,
     /// A disc.
     Disc,
+    /// A ring.
+    Ring,
     /// A square.
     Square,
 }
@@ -69,6 +71,7 @@ impl Legend {
                     canvas.circle((x + 9.0, y), 3.0, *colour, None)?;
                 }
                 Key::Disc => canvas.circle((x + 9.0, y), 4.0, *colour, None)?,
+                Key::Ring => canvas.circle((x + 9.0, y), 3.4, *colour, Some(1.2))?,
                 Key::Square => canvas.square((x + 9.0, y), 4.0, *colour)?,
             }
             canvas.text(name, (x + 24.0, y), SMALL, Align::Left, INK)?;

@@ -16,7 +16,7 @@ pub struct Dot {
     pub x: f64,
     /// Error; must be positive on a logarithmic axis.
     pub y: f64,
-    /// Somebody else's: grey, and not part of the frontier.
+    /// Somebody else's: a grey ring, and not part of the frontier.
     pub published: bool,
     /// A table: a square instead of a disc.
     pub table: bool,
@@ -80,10 +80,12 @@ impl Figure for Scatter {
         };
         add(has(false, false), "ours: formula", LINES[1], Key::Disc);
         add(has(false, true), "ours: table", LINES[1], Key::Square);
-        add(has(true, false), "published: formula", GREY, Key::Disc);
+        add(has(true, false), "published: formula", GREY, Key::Ring);
         add(has(true, true), "published: table", GREY, Key::Square);
         add(has(false, false), "frontier of our formulas", LINES[0], Key::Line(1.6));
         let best = frontier(&self.dots);
+        let ours = self.dots.iter().filter(|dot| !dot.published && !dot.table).count();
+        add(best.len() < ours, "ours, beaten in both", GREY, Key::Disc);
         let all = self.dots.iter().enumerate();
         let named = all.filter(|(i, dot)| best.contains(i) || dot.table && !dot.published);
         let named: Vec<String> = named.map(|(_, dot)| dot.name.clone()).collect();
@@ -107,7 +109,7 @@ impl Figure for Frontiers {
             entries.push(("table".into(), INK, Key::Square));
         }
         if dots.any(|dot| dot.published) {
-            entries.push(("published".into(), GREY, Key::Disc));
+            entries.push(("published".into(), GREY, Key::Ring));
         }
         let groups = self.groups.iter().map(|(_, dots)| dots).zip(colours);
         let groups: Vec<Group> =
@@ -179,7 +181,7 @@ fn draw(
     groups: &[Group],
     pixel: &dyn Fn(&Dot) -> (f64, f64),
 ) -> Result<(), ReportError> {
-    let (mut pixels, mut names, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut pixels, mut names, mut lines, mut beaten) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for group in groups {
         let best = frontier(group.dots);
         let steps = stairs(&best.iter().map(|&i| pixel(&group.dots[i])).collect::<Vec<_>>(), frame);
@@ -187,15 +189,17 @@ fn draw(
             canvas.line(&steps, group.line, 1.6)?;
         }
         lines.extend(steps.windows(2).map(|w| thin(w[0], w[1])));
-        for dot in group.dots {
+        for (i, dot) in group.dots.iter().enumerate() {
+            beaten.push(!dot.table && !best.contains(&i));
             pixels.push(pixel(dot));
             names.push(if group.named.contains(&dot.name) { dot.name.clone() } else { String::new() });
         }
     }
     let labels = labels::place(&pixels, &names, frame, &lines)?;
     let of_groups = groups.iter().flat_map(|group| group.dots.iter().map(move |dot| (dot, group)));
-    for (((dot, group), &at), (label, name)) in of_groups.zip(&pixels).zip(labels.iter().zip(&names)) {
-        let colour = if dot.published { GREY } else { group.colour };
+    let placed = labels.iter().zip(&names).zip(beaten);
+    for (((dot, group), &at), ((label, name), beaten)) in of_groups.zip(&pixels).zip(placed) {
+        let colour = if dot.published || beaten { GREY } else { group.colour };
         let middle = (label.frame.left + label.frame.right) / 2.0;
         let height = (label.frame.top + label.frame.bottom) / 2.0;
         if label.leader {
@@ -204,7 +208,8 @@ fn draw(
         if dot.table {
             canvas.square(at, 4.0, colour)?;
         } else {
-            canvas.circle(at, 4.0, colour, None)?;
+            let (radius, ring) = if dot.published { (3.4, Some(1.2)) } else { (4.0, None) };
+            canvas.circle(at, radius, colour, ring)?;
         }
         if !name.is_empty() {
             canvas.text(name, (middle, height), SMALL, Align::Centre, INK)?;

@@ -92,7 +92,7 @@ fn card(
 fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Include>) -> Choice {
     let function = offer.function.as_deref();
     let (calls, code) = match function {
-        Some(function) => called(in_colour(offer, drawn.manifest).unwrap_or(function), drawn),
+        Some(function) => called(&forms(offer, function, drawn.manifest), drawn),
         None => {
             let mut code = offer.code.clone();
             code.sort_by_key(|(language, _)| language != FIRST.title());
@@ -117,24 +117,35 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
     }
 }
 
-/// The form of an offer for three channels, where a material calls that.
-fn in_colour<'a>(offer: &Offer, manifest: &'a Manifest) -> Option<&'a str> {
-    let emitted = |function: &String| offer.coloured.is_some() && Some(function) == offer.function.as_ref();
-    manifest.entries.fits.iter().find(|fit| emitted(&fit.function))?.rgb.as_deref()
+/// The functions of an offer that materials call: the form for three channels first.
+fn forms<'a>(offer: &Offer, function: &'a str, manifest: &'a Manifest) -> Vec<&'a str> {
+    let entries = &manifest.entries;
+    let of_offer = entries.fits.iter().find(|fit| offer.coloured.is_some() && fit.function == function);
+    let Some(coloured) = of_offer.and_then(|fit| fit.rgb.as_deref()) else { return vec![function] };
+    let plain = entries.calls.iter().any(|call| call.function == function);
+    std::iter::once(coloured).chain(plain.then_some(function)).collect()
 }
 
-/// The call as WGSL has it, or the first of the languages, and by language its lines: where it is
-/// declared, with which parameters, and of a table what to load.
-fn called(function: &str, drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
-    let table = drawn.manifest.entries.tables.iter().find(|table| table.function == function);
+/// The call of the first form as WGSL has it, or the first of the languages, and by language the
+/// lines of all forms: where they are declared, with which parameters, and of a table what to load.
+fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
     let mut found: Vec<(Language, Lines)> = Vec::new();
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
-        let text = drawn.files.get(&include.file).map(|bytes| String::from_utf8_lossy(bytes));
-        let Some(Called { call, parameters }) = text.and_then(|text| call(&text, function)) else { continue };
-        let mut lines = vec![format!("{}: {parameters}", include.file)];
-        lines.extend(table.map(|table| format!("texels: {}", table.file)));
-        found.push((language, (call.clone(), comment(language.comment(), &lines) + &call)));
+        let Some(text) = drawn.files.get(&include.file) else { continue };
+        let text = String::from_utf8_lossy(text);
+        let mut calls: Vec<Lines> = Vec::new();
+        for function in forms {
+            let Some(Called { call, parameters }) = call(&text, function) else { continue };
+            let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
+            let channel = if calls.is_empty() { "" } else { "or, for one channel, " };
+            let mut lines = vec![format!("{channel}{}: {parameters}", include.file)];
+            lines.extend(table.map(|table| format!("texels: {}", table.file)));
+            calls.push((call.clone(), comment(language.comment(), &lines) + &call));
+        }
+        let Some((call, _)) = calls.first().cloned() else { continue };
+        let code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
+        found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);
     let first = found.first().and_then(|(_, (call, _))| call.split_once(" = "));

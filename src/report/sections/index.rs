@@ -97,16 +97,26 @@ pub(super) fn conclusion(manifest: &Manifest) -> String {
 }
 
 /// What holds of the errors that the scene states: formulas that are emitted for who compares keep none.
-fn kept(manifest: &Manifest) -> &'static str {
+fn kept(manifest: &Manifest) -> String {
     let beside = |call: &Call| !call.recommended && call.file.is_none() && call.cost.fetches == 0;
+    let calls = &manifest.entries.calls;
     if !states_error(&manifest.made_from) {
-        return "the scene states no limit on an error.";
+        let worst = calls.iter().filter(|call| call.recommended);
+        let worst = worst.max_by(|a, b| a.max_error.total_cmp(&b.max_error));
+        let worst = worst.map_or_else(String::new, |Call { function, max_error, metric, .. }| {
+            format!(
+                ", and the largest of what is recommended is {} ({function}, {metric})",
+                words::max(*max_error)
+            )
+        });
+        return format!("the scene states no limit on an error{worst}.");
     }
-    match manifest.entries.calls.iter().any(beside) {
+    match calls.iter().any(beside) {
         true => {
             "what is recommended keeps every error that the scene states, and the other functions state their own."
+                .into()
         }
-        false => "every error that the scene states is kept.",
+        false => "every error that the scene states is kept.".into(),
     }
 }
 

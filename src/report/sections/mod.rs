@@ -4,6 +4,7 @@ pub(crate) mod answers;
 pub(crate) mod approximations;
 mod averages;
 pub(crate) mod called_for;
+mod cost;
 mod explore;
 pub(crate) mod fits;
 pub(crate) mod furnace;
@@ -19,7 +20,8 @@ mod timings;
 pub mod words;
 
 use super::{
-    Answer, Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings,
+    Answer, Block, Costs, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage,
+    Timings,
 };
 use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
@@ -94,6 +96,11 @@ pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
 /// The page of times on a graphics processor, whose record has this hash.
 pub(crate) fn of_gpu(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> {
     gpu::page(record, hash)
+}
+
+/// The page of what accuracy costs.
+pub(crate) fn of_costs(costs: &Costs) -> Result<Page, ReportError> {
+    cost::page(costs)
 }
 
 /// The page of a formula that the user fits.

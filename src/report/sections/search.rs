@@ -43,14 +43,15 @@ fn frontier(findings: &SearchPage) -> Result<Section, ReportError> {
     if words::worth_a_chart(&findings.dots) && findings.dots.iter().all(|d| d.y > 0.0) {
         let scatter = Scatter {
             title: "cost against error".into(),
-            x: ("operations (square-root scale)".into(), Spread::Root),
+            x: (format!("{} (square-root scale)", findings.unit), Spread::Root),
             y: (format!("largest {metric}"), Spread::Log),
             dots: findings.dots.clone(),
             size: (760.0, 460.0),
         };
         let caption = format!(
-            "Largest {metric} over the domain against operations per evaluation. The stairs join the forms found, each marked with its \
-             operations; published formulas are grey."
+            "Largest {metric} over the domain against {} of an evaluation. The stairs join the forms found, each marked with its \
+             operations; published formulas are rings.",
+            findings.unit
         );
         blocks.push(figures(&[scatter], &caption)?);
     }

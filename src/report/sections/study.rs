@@ -12,6 +12,9 @@ pub(super) const TRIANGLE: &str = " A triangle on the foot is an error of exactl
 /// Where those who measure put errors that are only rounding of f64.
 pub(super) const FLOOR: f64 = 1e-16;
 
+/// Errors below are rounding of f64, whatever the integrator.
+pub(super) const ROUNDED: f64 = 1e-14;
+
 /// What a point there means.
 pub(super) const ROUNDING: &str = " A point at 10⁻¹⁶ agrees with the truth but for the rounding of f64.";
 

@@ -31,17 +31,20 @@ pub(super) fn solved(
 
 /// The best of a cost, and the best of those without admitted helpers.
 fn finalists(space: &Space, level: Vec<Entry>) -> Vec<Entry> {
+    let count = space.finalists(FINALISTS);
     let bare = |e: &Entry| e.form.helpers.iter().all(|h| !space.admitted.contains(&h.kind));
-    let (mut first, rest): (Vec<Entry>, Vec<Entry>) =
-        (level.iter().take(FINALISTS).cloned().collect(), level);
-    let missing = FINALISTS.saturating_sub(first.iter().filter(|e| bare(e)).count());
-    first.extend(rest.into_iter().skip(FINALISTS).filter(bare).take(missing));
+    let (mut first, rest): (Vec<Entry>, Vec<Entry>) = (level.iter().take(count).cloned().collect(), level);
+    let missing = count.saturating_sub(first.iter().filter(|e| bare(e)).count());
+    first.extend(rest.into_iter().skip(count).filter(bare).take(missing));
     first
 }
 
 /// What no cheaper or equal one beats.
-pub(super) fn best(mut found: Vec<Found>, name: &str, max_ops: u32) -> Result<Vec<Found>, FitError> {
-    found.sort_by(|a, b| a.ops.cmp(&b.ops).then(a.max.total_cmp(&b.max)));
+pub(super) fn best(mut found: Vec<Found>, space: &Space, max_ops: u32) -> Result<Vec<Found>, FitError> {
+    found.sort_by(|a, b| {
+        let [first, second] = [a, b].map(|f| space.price(&f.hypothesis));
+        first.total_cmp(&second).then(a.max.total_cmp(&b.max))
+    });
     let mut best = f64::INFINITY;
     found.retain(|f| {
         let better = f.max < best;
@@ -49,6 +52,7 @@ pub(super) fn best(mut found: Vec<Found>, name: &str, max_ops: u32) -> Result<Ve
         better
     });
     if found.is_empty() {
+        let name = &space.name;
         let message = format!("{name}: no form of at most {max_ops} operations was found; allow more");
         return Err(FitError::Solver { message });
     }

@@ -92,7 +92,7 @@ pub fn search(
         let Some(space) = space.with(Aid::Link(*link)) else { continue };
         found.extend(solved(&space, samples, progress)?);
     }
-    finish::best(found, &space.name, space.max_ops)
+    finish::best(found, space, space.max_ops)
 }
 
 /// Operations beyond the budget that forms may have on their way, and the budget from which on they

@@ -103,7 +103,7 @@ pub fn search_pair(
         let way = Way { pair, samples, second, first: &weighted[0] };
         found.extend(way.solved(&firsts[known].1, &seconds)?);
     }
-    best(found, &pair.name, pair.max_ops)
+    best(found, &Space { name: pair.name.clone(), ..pair.first.clone() }, pair.max_ops)
 }
 
 impl PairSamples {
@@ -197,7 +197,7 @@ impl Way<'_> {
         for (cost, error, indices) in priced {
             count = if cost == ops { count + 1 } else { 0 };
             ops = cost;
-            if count < FINALISTS && error <= WORSE * least {
+            if count < self.pair.first.finalists(FINALISTS) && error <= WORSE * least {
                 kept.push(indices);
             }
             least = least.min(error);

@@ -5,7 +5,7 @@ use super::helper::Helper;
 use super::link::Link;
 use super::scout::Aid;
 use crate::FitError;
-use lobefit_shade::{Domain, ShadeError};
+use lobefit_shade::{Domain, Features, Hypothesis, ShadeError};
 
 /// An independent input with the arguments that are its powers.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +52,8 @@ pub struct Space {
     pub links: Vec<Link>,
     /// Most operations, by [`lobefit_shade::Tape::cost_ops`].
     pub max_ops: u32,
+    /// What the kinds of work cost, where the frontier is to be by their sum; none: by operations.
+    pub prices: Option<Features>,
     /// Forms of each cost that are built upon.
     pub width: usize,
     /// Times that all costs are gone through.
@@ -74,6 +76,9 @@ pub struct SearchSamples {
     pub target: Vec<f64>,
 }
 
+/// How many times as many forms are solved where they are priced: of 24 that are built upon, 16.
+const PRICED: usize = 4;
+
 /// Powers that a term may have of axes and helpers together.
 pub(super) const SLOTS: usize = 6;
 
@@ -92,11 +97,24 @@ impl Space {
             link: None,
             links: Vec::new(),
             max_ops,
+            prices: None,
             width: 24,
             sweeps: 3,
             coefficients: 14,
             domain: None,
         }
+    }
+
+    /// What a formula costs.
+    pub(super) fn price(&self, formula: &Hypothesis) -> f64 {
+        let tape = formula.tape();
+        self.prices.map_or_else(|| f64::from(tape.cost_ops()), |prices| prices.price(&tape.features()))
+    }
+
+    /// How many forms of a number of operations are solved on all samples, where `count` are when
+    /// only the most accurate of them matters: others may be cheaper.
+    pub(super) fn finalists(&self, count: usize) -> usize {
+        if self.prices.is_some() { PRICED * count } else { count }
     }
 
     /// The space with an aid in addition; none where the link does not take the anchor's value.

@@ -73,9 +73,13 @@ struct Instructions {
 impl Tape {
     /// The kinds of work in this formula.
     pub fn features(&self) -> Features {
+        self.features_of(&self.live())
+    }
+
+    /// The same of the operations that some result depends on.
+    fn features_of(&self, live: &[bool]) -> Features {
         let constant = self.constants();
         let fused = self.fused(&constant);
-        let live = self.live();
         let mut reciprocals = BTreeSet::new();
         let mut features = Features::default();
         let mut depth: Vec<f64> = Vec::with_capacity(self.ops.len());
@@ -108,8 +112,19 @@ impl Tape {
                 products + comparisons + u32::from(sum) + if reciprocal { 0 } else { transcendentals };
             depth.push(before + f64::from(steps));
         }
-        features.chain = depth.last().copied().unwrap_or_default();
+        features.chain = depth
+            .into_iter()
+            .zip(live)
+            .filter(|(_, live)| **live)
+            .map(|(steps, _)| steps)
+            .fold(0.0, f64::max);
         features
+    }
+
+    /// The kinds of work in functions of several results; the chain is the longest of any.
+    pub(crate) fn features_of_all(&self) -> Features {
+        let live = vec![true; self.ops.len()];
+        self.features_of(&live)
     }
 
     /// How long the chain before an operation is; a reciprocal is a part of the chain of every

@@ -57,7 +57,7 @@ fn rows_tell_reciprocity_and_energy_apart() {
     assert!((lost.worst + std::f64::consts::LN_2).abs() < 1e-6, "{lost:?}");
 }
 
-/// Figures of the study of published factors, which took a finer grid: the sources' mix of 1 - F
+/// Figures of the study of published factors, which took a finer grid: the path tracer's mix of 1 - F
 /// and 1 - f0 by roughness is off by 0.29, 0.285, 0.27 and 0.24 at f0 = 0.02, 0.04, 0.08 and 0.2,
 /// no factor at all by 0.95 to 0.96, 1 - F(n.v) by 0.89, 0.87, 0.84 and 0.74.
 #[test]

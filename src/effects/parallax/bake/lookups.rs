@@ -1,7 +1,7 @@
 //! The lookups of a kind of lobe: what is emitted, with what is said of it.
 
 use super::{Lobe, code};
-use crate::approximate::Fit;
+use crate::approximate::{Fit, FitStageError};
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
 use crate::effects::Effect;
@@ -20,6 +20,7 @@ pub(super) struct Lookup {
     chain: Option<MipChain>,
     inputs: Vec<String>,
     ops: u32,
+    price: Option<f64>,
     /// The fit of the width, and its error.
     fit: String,
     max_error: f64,
@@ -61,11 +62,15 @@ fn one(
         alpha_map: lobe.spec.alpha_map,
     };
     let ops = wanted.operations()?;
+    let price = match lobe.scene.output.cost {
+        Some(vendor) => Some(vendor.price(&wanted.features()?).map_err(FitStageError::from)?),
+        None => None,
+    };
     let inputs = wanted.inputs()?;
     wanted.header = wanted.lines(&inputs);
     wanted.header.extend(header(lobe, &wanted, flow, chain, ops));
     let (fit, max_error) = (flow.approximation.name.clone(), flow.approximation.certificate.max_abs);
-    Ok(Lookup { inputs, wanted, chain: chain.cloned(), ops, fit, max_error })
+    Ok(Lookup { inputs, wanted, chain: chain.cloned(), ops, price, fit, max_error })
 }
 
 /// The constant of the width of lookups.
@@ -145,6 +150,7 @@ impl Lookup {
             max_error: self.max_error,
             metric: PARALLAX.metric.into(),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+            price: self.price,
         });
         call.collect()
     }

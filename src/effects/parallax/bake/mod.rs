@@ -35,6 +35,8 @@ struct Lobe<'a> {
     spec: ParallaxSpec,
     fits: Vec<Fit>,
     dropped: Vec<Dropped>,
+    /// Where no width is within the limits: what is, in words.
+    nearest: Option<String>,
     grid: Grid,
     /// Of each of the fits.
     variations: Vec<Variation>,
@@ -67,6 +69,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     for lobe in &mut lobes {
         made.broken.extend(lobe.job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
         made.broken.extend(lobe.without_lookups());
+        let nearest = lobe.nearest.as_ref().filter(|_| lobe.wants.width);
+        made.broken.extend(nearest.map(|nearest| FitSet::unkept(WIDTH, nearest)));
         if !lobe.wants.width {
             let Lobe { fits, functions, lookups, .. } = lobe;
             fits.iter_mut().for_each(|fit| fit.emitted = false);
@@ -84,7 +88,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         let names: Vec<String> =
             lobe.job.demands.iter().filter(calling).map(|demand| demand.name.clone()).collect();
         for fit in lobe.fits.iter().filter(|fit| fit.emitted) {
-            made.called_by(names.clone(), fit.hypothesis.name(), &fit.approximation, None);
+            let price = context.scene.output.cost.map(|_| fit.price);
+            made.called_by(names.clone(), fit.hypothesis.name(), (&fit.approximation, price), None);
         }
         made.part.entries.calls.extend(lobe.lookups.iter().flat_map(|lookup| lookup.calls(lobe)));
     }
@@ -140,6 +145,7 @@ impl<'a> Lobe<'a> {
         identifiers: &[(MipChain, String)],
         context: &Context<'a>,
     ) -> Result<Lobe<'a>, BakeError> {
+        let own = job.emission(context.scene, WIDTH);
         let spec = ParallaxSpec {
             kernel: wants.kernel.clone(),
             alpha_map: context.scene.alpha,
@@ -151,12 +157,12 @@ impl<'a> Lobe<'a> {
                 arguments: Arguments::Alpha,
                 // Places in a room are beyond f16.
                 float: Float::F32,
-                max_error: None,
-                most_accurate: true,
-                ..job.emission(context.scene, WIDTH)
+                max_error: own.every_error,
+                most_accurate: own.every_error.is_none(),
+                ..own
             },
         };
-        let FitSet { fits, dropped, .. } = fit_all(&spec, &context.counter)?;
+        let FitSet { fits, dropped, nearest, .. } = fit_all(&spec, &context.counter)?;
         let grid = Grid::new(spec.kernel.clone(), spec.alpha_map, spec.roughness, spec.rho, GRID)?;
         context.counter.add(grid.cells.len());
         let variations = variations(&grid, &fits)?;
@@ -169,6 +175,7 @@ impl<'a> Lobe<'a> {
             spec,
             fits,
             dropped,
+            nearest,
             grid,
             variations,
             least,
@@ -239,9 +246,10 @@ impl<'a> Lobe<'a> {
         let wanting = self.job.demands.iter().filter(|demand| self.looks_up(demand));
         let names: Vec<String> =
             wanting.map(|demand| format!("{} ({}.lookups)", demand.name, demand.field)).collect();
-        let limit = match self.spec.max_ops {
-            Some(ops) => format!("raise max_ops, {ops} operations by now"),
-            None => "widen the ranges of roughness and rho".into(),
+        let limit = match (self.spec.max_ops, self.spec.emission.budget) {
+            (Some(ops), _) => format!("raise max_ops, {ops} operations by now"),
+            (None, Some(budget)) => format!("raise the budget, {budget} by now"),
+            (None, None) => "widen the ranges of roughness and rho".into(),
         };
         Some(format!(
             "parallax of {} chains: no fit of the width of lookups, and so no lookup, wanted by {}: {limit}",

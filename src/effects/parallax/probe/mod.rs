@@ -17,6 +17,7 @@ use crate::effects::parallax::TapRule;
 use crate::effects::parallax::room::proxies::Eased;
 use crate::effects::parallax::taps::horizon::FADE;
 use lobefit_math::ops;
+use lobefit_shade::Features;
 use lobefit_shade::code::{self, CodeError, Language};
 use lobefit_shade::{Hypothesis, ShadeError, Source};
 
@@ -223,6 +224,14 @@ impl Wanted {
     /// A source that does not parse, a defect.
     pub fn operations(&self) -> Result<u32, CodeError> {
         Ok(self.source()?.cost_ops(&[&self.name])?)
+    }
+
+    /// The kinds of work in the same.
+    ///
+    /// # Errors
+    /// As [`Wanted::operations`].
+    pub fn features(&self) -> Result<Features, CodeError> {
+        Ok(self.source()?.features(&[&self.name])?)
     }
 
     /// The lookup with everything that it calls.

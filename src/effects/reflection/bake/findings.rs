@@ -66,7 +66,7 @@ pub fn findings(
     found.tables =
         tables.iter().filter_map(|t| table(t, &made.part, context).transpose()).collect::<Result<_, _>>()?;
     found.approximations = approximations(tables, fits);
-    found.studies = studies(smith)?.iter().map(study).collect();
+    found.studies = reported(smith)?;
     Ok(found)
 }
 
@@ -161,6 +161,14 @@ pub fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static s
         (None, Some(fit)) => (Some(fit), "furnace error |E N − 1| of the best normalisation"),
         (None, None) => (None, "neither a table nor a normalisation was made"),
     }
+}
+
+/// The studies of accuracy as pages show them.
+///
+/// # Errors
+/// A truth that cannot be integrated.
+pub fn reported(smith: Smith) -> Result<Vec<report::Study>, BakeError> {
+    Ok(studies(smith)?.iter().map(study).collect())
 }
 
 fn study(study: &Study) -> report::Study {

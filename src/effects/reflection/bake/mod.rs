@@ -1,13 +1,13 @@
 //! Jobs to fits of the normalisation and tables of E, A and B.
 
 mod explore;
-mod findings;
+pub mod findings;
 mod pictures;
 
 use super::demand::parted;
 use super::{Dfg, FitJob, FitSpec, NORMALISATION, fit_all};
-use crate::approximate::{Emission, Fit, FitSet};
-use crate::data::Use;
+use crate::approximate::{Emission, Fit, FitSet, FitStageError};
+use crate::data::{Use, Vendor};
 use crate::effects::code::{functions, rgb};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
@@ -29,12 +29,13 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     if !made.broken.is_empty() {
         return Ok(made);
     }
-    let FitSet { fits, dropped, nearest } = match fit {
+    let FitSet { fits, dropped, nearest, unserved } = match fit {
         Some(job) => bake_fits(job, context)?,
-        None => FitSet { fits: Vec::new(), dropped: Vec::new(), nearest: None },
+        None => FitSet::default(),
     };
     if let Some(job) = fit {
         made.promised(&job.promises, (&fits, &nearest), "fit", Use::NORMALISATION);
+        made.broken.extend(unserved);
         if !made.broken.is_empty() {
             return Ok(made);
         }
@@ -70,9 +71,12 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
                 continue;
             }
             let (mut a, name) = (fit.approximation.clone(), fit.hypothesis.name());
+            let vendor = context.scene.output.cost;
+            let mut price = vendor.map(|_| fit.price);
             let function = match a.used_as {
                 Use::NORMALISATION if material.kind == Kind::Metal => {
                     a.cost.ops += compensation::coloured_ops().map_err(CodeError::from)?;
+                    price = vendor.map(|v| Ok::<_, BakeError>(fit.price + coloured_price(v)?)).transpose()?;
                     format!("{name}_rgb")
                 }
                 Use::NORMALISATION => name.into(),
@@ -80,10 +84,16 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
                 Use::VALUE if want.is_some_and(|want| want.average) => name.into(),
                 _ => continue,
             };
-            made.called_by(vec![demand.name.clone()], &function, &a, None);
+            made.called_by(vec![demand.name.clone()], &function, (&a, price), None);
         }
     }
     Ok(())
+}
+
+/// What a call for three channels costs beside N on a vendor's GPUs.
+fn coloured_price(vendor: Vendor) -> Result<f64, BakeError> {
+    let work = compensation::coloured_features().map_err(CodeError::from)?;
+    Ok(vendor.price(&work).map_err(FitStageError::from)?)
 }
 
 /// Fits all that the job asks for.
@@ -91,6 +101,8 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
     context.progress.stage("fits");
     let wants = FitJob::of(context.scene, job);
     let (max_ops, beside) = FitJob::budget(context.scene, job).map_err(CodeError::from)?;
+    let vendor = context.scene.output.cost.filter(|_| beside > 0);
+    let beside_price = vendor.map(coloured_price).transpose()?.unwrap_or_default();
     let spec = FitSpec {
         smith: context.scene.smith,
         region: job.region(context.scene.alpha)?,
@@ -99,7 +111,7 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
         average: wants.average,
         blend: wants.blend,
         hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
-        emission: Emission { beside, ..job.emission(context.scene, NORMALISATION) },
+        emission: Emission { beside, beside_price, ..job.emission(context.scene, NORMALISATION) },
     };
     Ok(fit_all(&spec, &context.counter)?)
 }

@@ -80,16 +80,17 @@ pub(super) fn found(
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
     let (ranked, few) = (samples.ranked(), samples.some(FEWER));
+    let finalists = space.finalists(FINALISTS);
     let mut levels: Vec<Vec<(Steps, Sum)>> = vec![Vec::new(); 1 + space.max_ops as usize];
     for steps in space.helpers.iter().filter_map(|helper| Steps::of(space, *helper)).flat_map(products) {
         let mut beam = Beam { space, steps: &steps, samples: &ranked, few: &few, tried: 0 };
         for (level, found) in levels.iter_mut().zip(beam.run(progress)) {
-            level.extend(found.into_iter().take(FINALISTS).map(|sum| (steps.clone(), sum)));
+            level.extend(found.into_iter().take(finalists).map(|sum| (steps.clone(), sum)));
         }
     }
     let best = |mut level: Vec<(Steps, Sum)>| {
         level.sort_by(|a, b| better(&a.1, &b.1));
-        level.truncate(FINALISTS);
+        level.truncate(finalists);
         level
     };
     let finalists: Vec<(Steps, Sum)> = levels.into_iter().flat_map(best).collect();

@@ -1,0 +1,182 @@
+//! `lobefit cost --budget`, `--max-error`, `--max-bytes`: what to ship of a scene within limits.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::super::CliError;
+use super::super::bake::table;
+use super::super::input;
+use super::super::output::{Outcome, print, print_json, say_broken};
+use super::super::progress::Bar;
+use super::{NOTHING, Options};
+use crate::approximate::FitStageError;
+use crate::bake::{BakeError, Baked, Selection};
+use crate::data::Vendor;
+use crate::effects::Called;
+use crate::emit::call::Call;
+use crate::emit::header::short;
+use crate::emit::include;
+use crate::plan::{self, Plan};
+use crate::scene::Limits;
+use crate::scene::escape::visible;
+use crate::store::Cache;
+
+/// What is to be shipped within the limits.
+#[derive(Serialize)]
+struct Shipped {
+    /// Version of the form: 1.
+    schema_version: u32,
+    /// Name of the scene.
+    scene: String,
+    /// What the price of a call counts; none of neutral operations.
+    unit: Option<String>,
+    /// The functions that keep the limits.
+    ship: Vec<Snippet>,
+    /// What nothing keeps, in sentences that name the nearest.
+    unkept: Vec<String>,
+}
+
+/// A function to ship.
+#[derive(Serialize)]
+struct Snippet {
+    #[serde(flatten)]
+    call: Call,
+    /// The line that calls it.
+    snippet: String,
+    /// What it is called with, as the code declares it.
+    parameters: String,
+    /// The code, with all that the job's other functions need.
+    code: String,
+}
+
+/// Bakes each job by itself, in memory, under the limits, and says what keeps them.
+pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
+    let limits = Limits {
+        budget: options.budget,
+        vendor: options.vendor.as_deref().and_then(Vendor::of),
+        max_error: options.max_error,
+        max_bytes: options.max_bytes,
+        language: options.language,
+    };
+    let input = input::load(&options.scene)?.limited(&limits);
+    let plan = plan::plan(&input.scene);
+    let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
+    let (progress, cache) = (Bar::new(options.quiet || options.json, &plan, 0), Cache::of_user());
+    let selection = || Selection { cache: cache.as_ref(), ..Selection::default() };
+    let bake = |job: &Plan| input.bake(job, selection(), &progress);
+    let baked = options.threads.install(|| {
+        let all: Vec<Result<Baked, CliError>> = jobs.par_iter().map(bake).collect();
+        // Of several errors the first in the order of the plan.
+        all.into_iter().collect::<Result<Vec<Baked>, CliError>>()
+    })?;
+    drop(progress);
+    let model = limits.vendor.map(Vendor::model).transpose().map_err(FitStageError::from);
+    let unit = model.map_err(BakeError::from)?.map(|model| model.unit);
+    let mut shipped = Shipped {
+        schema_version: 1,
+        scene: input.scene.name.clone(),
+        unit,
+        ship: Vec::new(),
+        unkept: Vec::new(),
+    };
+    for baked in &baked {
+        shipped.add(baked, &limits)?;
+    }
+    if options.json {
+        print_json(&shipped)?;
+    } else {
+        match plan.is_empty() {
+            true => print(NOTHING)?,
+            false if !options.quiet => print(shipped.text(&limits).as_bytes())?,
+            false => {}
+        }
+        say_broken(&shipped.unkept);
+    }
+    Ok(if shipped.unkept.is_empty() { Outcome::Done } else { Outcome::Failed })
+}
+
+/// A plan of each job of an effect alone: what one job does not keep is no other's loss.
+fn jobs<'a>(plan: &'a Plan, called: &'a Called) -> impl Iterator<Item = Plan> + 'a {
+    called.work.iter().map(|job| Plan {
+        effects: vec![Called { work: vec![job.clone()], ..called.clone() }],
+        left_out: Vec::new(),
+        ..plan.clone()
+    })
+}
+
+impl Shipped {
+    /// Adds what a job made: of the calls of a material for one purpose the recommended, or where
+    /// that is beyond the limits the most accurate within them.
+    fn add(&mut self, baked: &Baked, limits: &Limits) -> Result<(), BakeError> {
+        self.unkept.extend(baked.broken.iter().cloned());
+        let file = format!("fits/lobefit.{}", limits.language.extension());
+        let code = baked.files.get(&file).map(|text| String::from_utf8_lossy(text)).unwrap_or_default();
+        let mut purposes: Vec<Vec<&Call>> = Vec::new();
+        for call in &baked.calls {
+            let same = |other: &&Call| !call.purpose.is_empty() && other.purpose == call.purpose;
+            match purposes.iter_mut().find(|calls| calls[0].of == call.of && same(&calls[0])) {
+                Some(calls) => calls.push(call),
+                None => purposes.push(vec![call]),
+            }
+        }
+        for calls in purposes {
+            let within = calls.iter().filter(|call| beyond(call, limits).is_empty());
+            let best = within
+                .min_by(|a, b| b.recommended.cmp(&a.recommended).then(a.max_error.total_cmp(&b.max_error)));
+            let Some(&call) = best else {
+                let nearest = calls.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
+                self.unkept.extend(nearest.map(|call| {
+                    let beyond = beyond(call, limits).join(", ");
+                    format!("{} ({}) is the nearest to the limits: {beyond}", call.function, call.of)
+                }));
+                continue;
+            };
+            let lacks = || BakeError::Internal(format!("{file} does not declare {}", call.function));
+            let include::Called { call: snippet, parameters } =
+                include::call(&code, &call.function).ok_or_else(lacks)?;
+            self.ship.push(Snippet { call: call.clone(), snippet, parameters, code: code.to_string() });
+        }
+        Ok(())
+    }
+
+    /// A table, and under it the calls.
+    fn text(&self, limits: &Limits) -> String {
+        let calls: Vec<Call> = self.ship.iter().map(|of| of.call.clone()).collect();
+        let mut lines = table(&calls, limits.vendor);
+        if let (Some(unit), Some(vendor), false) = (&self.unit, limits.vendor, lines.is_empty()) {
+            lines.push(format!(
+                "cost: {unit}, by the model of {}'s compiled code, fetches not counted",
+                vendor.title()
+            ));
+        }
+        let mut snippets: Vec<&str> = Vec::new();
+        for of in &self.ship {
+            if !snippets.contains(&of.snippet.as_str()) {
+                snippets.push(&of.snippet);
+            }
+        }
+        lines.extend(snippets.into_iter().map(String::from));
+        lines.iter().map(|line| visible(line) + "\n").collect()
+    }
+}
+
+/// What a call costs: operations, or by the vendor's model.
+fn cost(call: &Call) -> f64 {
+    call.price.unwrap_or(f64::from(call.cost.ops))
+}
+
+/// How a call is beyond the limits.
+fn beyond(call: &Call, limits: &Limits) -> Vec<String> {
+    let cost = cost(call);
+    let mut beyond = Vec::new();
+    if let Some(most) = limits.budget.filter(|most| cost > *most) {
+        beyond.push(format!("a cost of {} where the budget is {most}", short(cost)));
+    }
+    if let Some(most) = limits.max_error.filter(|most| call.max_error > *most) {
+        beyond.push(format!("an error of {} where max_error is {most}", short(call.max_error)));
+    }
+    if let Some(most) = limits.max_bytes.filter(|most| call.cost.bytes > *most) {
+        beyond.push(format!("{} bytes where max_bytes is {most}", call.cost.bytes));
+    }
+    beyond
+}

@@ -1,0 +1,214 @@
+//! The page of what accuracy costs: charts of formulas, what the next digit costs, and integrators.
+
+use super::{figures, study, words};
+use crate::emit::manifest::TableEntry;
+use crate::report::numbers::{brief, grouped, significant};
+use crate::report::{
+    Block, CostJob, CostPoint, CostUnit, Costs, Dot, GpuRecord, GpuRow, Page, ReportError, Scatter, Section,
+    Spread, Study, TextTable, folded,
+};
+use lobefit_math::ops;
+
+/// Errors that a reader may ask for, falling.
+const LIMITS: [f64; 10] = [0.1, 0.03, 0.01, 0.003, 0.001, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6];
+
+/// The limits of the conclusion.
+const FROM: f64 = 0.1;
+const TO: f64 = 0.01;
+
+/// Points of which more make a chart wide.
+const MANY: usize = 30;
+
+pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
+    let mut sections = vec![frontiers(costs)?, digits(costs)];
+    if let Some(mut offline) = study::section(&costs.studies)? {
+        let curves = Block::Packed(std::mem::take(&mut offline.blocks));
+        offline.blocks = vec![Block::Table(orders(&costs.studies)), folded("Curves", vec![curves])];
+        sections.push(offline);
+    }
+    Ok(Page {
+        title: "What accuracy costs".into(),
+        origin: costs.origin.clone(),
+        lead: conclusion(costs) + LEAD,
+        sections,
+    })
+}
+
+const LEAD: &str = "Every formula of the catalogue beside published ones: its largest error over the whole domain, in f32, against what its \
+    compiled code costs on the GPUs of a vendor. Records of reports/isa and reports/gpu hold the counts and times; docs/cost.md says how they \
+    are made.";
+
+/// What a factor of ten costs, of the job with the most formulas.
+fn conclusion(costs: &Costs) -> String {
+    let Some(job) = costs.jobs.iter().max_by_key(|job| job.points.len()) else { return String::new() };
+    let ends = |of: usize| Some((cheapest(job, of, FROM)?.0, cheapest(job, of, TO)?.0));
+    let Some((from, to)) = ends(0) else { return String::new() };
+    let each = costs.units.iter().enumerate().skip(1).filter_map(|(of, unit)| {
+        let (from, to) = ends(of)?;
+        Some(format!("{} on {}", significant(to / from, 2), unit.name))
+    });
+    format!(
+        "An error of {TO} in place of {FROM} takes {} operations in place of {}, {} times as many; compiled, times {} ({}).\n",
+        brief(to, 3),
+        brief(from, 3),
+        significant(to / from, 2),
+        each.collect::<Vec<_>>().join(", "),
+        job.title
+    )
+}
+
+/// The least cost of a formula within an error, and its name.
+fn cheapest(job: &CostJob, of: usize, limit: f64) -> Option<(f64, &str)> {
+    let within = job.points.iter().filter(|point| point.error <= limit);
+    let costs = within.filter_map(|point| Some((point.costs[of]?, point.name.as_str())));
+    costs.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// A chart of each job, for each unit.
+fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
+    let mut of = Vec::new();
+    for (i, unit) in costs.units.iter().enumerate() {
+        let charts: Vec<Scatter> = costs.jobs.iter().filter_map(|job| chart(job, i, unit)).collect();
+        let by = if i == 0 { "" } else { ", published ones by the model of that compiler" };
+        let caption = format!(
+            "Largest error against cost: {}{by}. Lower is more accurate, further left is cheaper. Stairs join the formulas of ours that \
+             no other beats in both.",
+            unit.unit
+        );
+        let charts = figures(&charts, &caption)?;
+        of.push((unit.name.clone(), if i == 0 { charts } else { Block::Packed(vec![charts]) }));
+    }
+    of.extend(costs.times.iter().map(|times| (times.device.adapter.clone(), measured(times))));
+    if !costs.tables.is_empty() {
+        of.push(("bytes of tables".into(), tables(costs)));
+    }
+    Ok(Section {
+        id: "frontiers".into(),
+        title: "Error against cost".into(),
+        lead: "One frontier for each thing that formulas stand for. The pointer names every point.".into(),
+        blocks: vec![Block::Switch { name: "unit".into(), of }],
+    })
+}
+
+fn chart(job: &CostJob, of: usize, unit: &CostUnit) -> Option<Scatter> {
+    let dot = |point: &CostPoint| {
+        let x = point.costs[of]?;
+        let CostPoint { name, error, published, .. } = point;
+        (*error > 0.0).then(|| Dot { name: name.clone(), x, y: *error, published: *published, table: false })
+    };
+    let dots: Vec<Dot> = job.points.iter().filter_map(dot).collect();
+    let x = if of == 0 { unit.unit.clone() } else { format!("cost on {}", unit.name) };
+    words::worth_a_chart(&dots).then(|| Scatter {
+        title: job.title.clone(),
+        x: (format!("{x} (square-root scale)"), Spread::Root),
+        y: (job.metric.clone(), Spread::Log),
+        size: if dots.len() > MANY { (1040.0, 420.0) } else { (480.0, 260.0) },
+        dots,
+    })
+}
+
+/// Times of the functions of the built-in scene.
+fn measured(record: &GpuRecord) -> Block {
+    let timed = record.rows.iter().filter(|row| row.resolved());
+    let row = |row: &GpuRow| {
+        let error = row.error.as_ref()?;
+        let name = row.function.as_ref().unwrap_or(&row.name);
+        let picoseconds = significant(1e3 * row.nanoseconds.median, 3);
+        Some(vec![name.clone(), picoseconds, words::max(error.max), error.used_as.metric.into()])
+    };
+    let columns =
+        [("function", false), ("ps per call", true), ("largest error", true), ("which error", false)];
+    let caption = format!(
+        "Measured on {}, throughput of the full device; the functions that the built-in scene emits.",
+        record.device.adapter
+    );
+    Block::Table(words::table(&columns, timed.filter_map(row).collect(), &caption))
+}
+
+/// Tables of the built-in scene.
+fn tables(costs: &Costs) -> Block {
+    let row = |table: &TableEntry| {
+        let size: Vec<String> = table.axes.iter().map(|axis| axis.size.to_string()).collect();
+        let error = words::max(table.error.lookup.max);
+        vec![table.name.clone(), size.join(" × "), grouped(table.bytes), table.cost.ops.to_string(), error]
+    };
+    let columns = [
+        ("table", false),
+        ("size", false),
+        ("bytes", true),
+        ("operations beside a fetch", true),
+        ("largest lookup error", true),
+    ];
+    let rows = costs.tables.iter().map(row).collect();
+    Block::Table(words::table(&columns, rows, "The tables that the built-in scene emits."))
+}
+
+/// What the next digit costs: for each limit the cheapest formula, and the ratio to the row before.
+fn digits(costs: &Costs) -> Section {
+    let columns: Vec<(&str, bool)> = std::iter::once(("error within", true))
+        .chain(std::iter::once(("formula of fewest operations", false)))
+        .chain(costs.units.iter().map(|unit| (unit.name.as_str(), true)))
+        .collect();
+    let blocks = costs.jobs.iter().flat_map(|job| {
+        let rows = rows(job, costs.units.len());
+        [Block::Heading { text: job.title.clone() }, Block::Table(words::table(&columns, rows, ""))]
+    });
+    Section {
+        id: "digits".into(),
+        title: "What the next digit costs".into(),
+        lead: "The least cost of a formula within an error, in each unit, and how many times the row above it is.".into(),
+        blocks: blocks.collect(),
+    }
+}
+
+/// A row for each limit whose formulas the next limit does not keep.
+fn rows(job: &CostJob, units: usize) -> Vec<Vec<String>> {
+    let at =
+        |limit: f64| -> Vec<Option<f64>> { (0..units).map(|of| Some(cheapest(job, of, limit)?.0)).collect() };
+    let next = LIMITS.into_iter().skip(1).map(Some).chain([None]);
+    let told =
+        LIMITS.into_iter().zip(next).filter(|(limit, next)| next.is_none_or(|next| at(*limit) != at(next)));
+    let mut before: Vec<Option<f64>> = vec![None; units];
+    let row = |(limit, _): (f64, Option<f64>)| {
+        let (_, name) = cheapest(job, 0, limit)?;
+        let found = at(limit);
+        let cell = |(now, before): (&Option<f64>, &Option<f64>)| match (now, before) {
+            (None, _) => "–".into(),
+            (Some(now), Some(before)) if before > &0.0 => {
+                format!("{} (×{})", brief(*now, 3), significant(now / before, 2))
+            }
+            (Some(now), _) => brief(*now, 3),
+        };
+        let cells: Vec<String> = found.iter().zip(&before).map(cell).collect();
+        before = found;
+        Some([vec![limit.to_string(), name.to_string()], cells].concat())
+    };
+    told.map_while(row).collect()
+}
+
+/// The order of convergence of each integrator: how the error falls from the first measured point
+/// to the last above rounding.
+fn orders(studies: &[Study]) -> TextTable {
+    let mut rows = Vec::new();
+    for study in studies {
+        for series in &study.series {
+            let above = series.error.iter().take_while(|error| **error > study::ROUNDED).count();
+            let of = |i: usize| Some((*series.evaluations.get(i)? as f64, *series.error.get(i)?));
+            let order = above.checked_sub(1).filter(|last| *last > 0).and_then(|last| {
+                let ((n, e), (m, f)) = (of(0)?, of(last)?);
+                Some(significant(-ops::log(f / e) / ops::log(m / n), 2))
+            });
+            let least = series.error.iter().copied().fold(f64::INFINITY, f64::min);
+            rows.push(vec![
+                study.name.clone(),
+                series.name.clone(),
+                order.unwrap_or_else(|| "–".into()),
+                significant(least, 2),
+            ]);
+        }
+    }
+    let columns = [("point", false), ("integrator", false), ("order", true), ("least error", true)];
+    let caption = "Order p: over the measured range the error falls like 1/nᵖ in n evaluations. A dash: rounding from the first \
+                   or second point on.";
+    words::table(&columns, rows, caption)
+}
