@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde::Serialize;
 
+use super::cost::PAGE;
 use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json, say_broken};
 use super::progress::Bar;
@@ -267,8 +268,8 @@ struct Verdict<'a> {
 }
 
 /// What lies in the folders of a bake and is none of its files, links in their places among it.
-/// Hypotheses are a person's, timings are measured, the name of the build says who baked and
-/// studies have a recipe of their own: they may be there.
+/// Hypotheses are a person's, timings are measured, the page of costs follows from records, the name
+/// of the build says who baked and studies have a recipe of their own: they may be there.
 fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     let mut strays = Vec::new();
     for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {
@@ -282,7 +283,7 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
             || entry.kind == Kind::File && counts::placed(name)
-            || entry.kind == Kind::File && name == BUILD_FILE
+            || entry.kind == Kind::File && [BUILD_FILE, PAGE].contains(&name)
             || entry.kind == Kind::File && studies::placed(name);
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);
         !allowed && !baked

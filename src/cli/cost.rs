@@ -7,6 +7,7 @@ mod record;
 mod weights;
 
 pub use from::{bake_in, times_in};
+pub(super) use page::PAGE;
 pub use record::{RECORD_BYTES, RecordPlace};
 
 use std::ffi::OsString;

@@ -1,15 +1,13 @@
-//! The committed files are the built-in scene's bake.
+//! Committed files: short, and what others take from them. That they follow from their recipe is what the
+//! closing `lobefit check` of `.ci/run` shows.
 
 use std::path::Path;
 
-use lobefit::bake::{BUILD_FILE, Selection, Silent, bake};
 use lobefit::effects::parallax::Width;
-use lobefit::plan::plan;
-use lobefit::scene::Scene;
 use lobefit_shade::code::Language;
 use serde_json::Value;
 
-use crate::emit_support::{baked, say};
+use crate::emit_support::baked;
 
 /// What the study takes for the width of emitted lookups is the fit that the committed ones call.
 #[test]
@@ -34,35 +32,6 @@ fn the_built_in_include_files_are_short() {
         let lines = std::fs::read_to_string(path).expect("a committed file").lines().count();
         assert!(lines < 600, "{name}: {lines} lines");
     }
-}
-
-/// The page that `lobefit cost --page` writes; `tests/house/docs.rs` makes it again.
-const COSTS: &str = "reports/cost.html";
-
-/// What `bake` writes; folders below hold what other commands and people write.
-const FOLDERS: [&str; 3] = ["tables", "fits", "reports"];
-
-#[test]
-fn the_committed_files_are_the_bake_of_the_built_in_scene() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let scene = Scene::built_in().expect("the built-in scene");
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
-    let files = &baked.files;
-    assert!(files.len() > 10);
-    for (name, bytes) in files {
-        let committed = std::fs::read(root.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
-        assert!(&committed == bytes, "{name} is not what `lobefit bake` writes");
-    }
-    for folder in FOLDERS {
-        for entry in std::fs::read_dir(root.join(folder)).expect("committed files") {
-            let entry = entry.expect("an entry");
-            let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
-            let beside = name.starts_with("reports/timings.") || [BUILD_FILE, COSTS].contains(&name.as_str());
-            let known = entry.path().is_dir() || files.contains_key(&name) || beside;
-            assert!(known, "{name} is not in the bake");
-        }
-    }
-    say(&format!("committed: {} files, every byte the same", files.len()));
 }
 
 /// Bytes of all reports together.

@@ -85,14 +85,24 @@ fn the_table_of_formulas_is_what_the_example_bakes() {
 /// The committed page of costs is what the command on it writes, of the committed records.
 #[test]
 fn the_page_of_costs_follows_from_the_records() {
+    const SCENE: &str = "examples/every-formula.json";
+    const PAGE: &str = "reports/cost.html";
     let folder = tempfile::tempdir().expect("a folder");
-    let [scene, records] =
-        ["examples/every-formula.json", ""].map(|path| root().join(path).display().to_string());
-    let words = ["cost", &scene, "--records", &records, "--page", "cost.html", "--quiet"];
-    let output = lobefit(folder.path(), &words, b"");
+    let put = |name: &str| {
+        let to = folder.path().join(name);
+        std::fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
+        std::fs::copy(root().join(name), to).expect("a copy");
+    };
+    ["manifest.json", "fits/lobefit.wgsl", SCENE].into_iter().for_each(put);
+    for records in ["reports/isa", "reports/gpu"] {
+        for entry in std::fs::read_dir(root().join(records)).expect("records") {
+            put(&format!("{records}/{}", entry.expect("an entry").file_name().display()));
+        }
+    }
+    let output = lobefit(folder.path(), &["cost", SCENE, "--page", PAGE, "--quiet"], b"");
     assert!(output.status.success(), "{}", stderr(&output));
-    let page = std::fs::read_to_string(folder.path().join("cost.html")).expect("a page");
-    assert!(page == read("reports/cost.html"), "not what `lobefit cost --page` writes");
+    let page = std::fs::read_to_string(folder.path().join(PAGE)).expect("a page");
+    assert!(page == read(PAGE), "not what `lobefit cost --page` writes");
 }
 
 /// The committed prices are those of a bake of every formula, where the records of all vendors are

@@ -16,17 +16,17 @@ const FILE_BYTES: u64 = 64 << 20;
 /// The emitted code.
 const CODE: &str = "fits/lobefit.wgsl";
 
-/// Code and manifest of the bake in the folder of `--from`, and the name of its scene.
+/// Code and manifest of the bake in a folder, and the name of its scene.
 ///
 /// # Errors
 /// A folder without a manifest of this version.
 pub fn bake_in(folder: &Path) -> Result<(Files, String), CliError> {
     let files = store::read_set(folder, [CODE, MANIFEST], FILE_BYTES)?;
     let bytes = files.get(MANIFEST).ok_or_else(|| {
-        CliError::Usage(format!("--from {}: holds no {MANIFEST}; bake into it first", folder.display()))
+        CliError::Usage(format!("{}: holds no {MANIFEST}; bake into it first", folder.display()))
     })?;
     let manifest: Manifest = serde_json::from_slice(bytes)
-        .map_err(|e| CliError::Usage(format!("--from {}: {MANIFEST}: {e}", folder.display())))?;
+        .map_err(|e| CliError::Usage(format!("{}: {MANIFEST}: {e}", folder.display())))?;
     let scene = manifest.made_from["name"].as_str().unwrap_or_default().to_owned();
     Ok((files, scene))
 }

@@ -12,12 +12,12 @@ use crate::bake::{BakeError, Selection};
 use crate::effects::reflection::bake::findings::reported;
 use crate::emit::manifest::Manifest;
 use crate::plan;
-use crate::report::{Costs, Origin, bar_from, cost_page};
+use crate::report::{Costs, bar_from, cost_page};
 use crate::store::{Files, Folder, MANIFEST};
 use crate::timing::costs::costs;
 
-/// The command that makes the committed page.
-const COMMAND: &str = "lobefit cost examples/every-formula.json --page reports/cost.html";
+/// Where the page lies beside those of a bake.
+pub const PAGE: &str = "reports/cost.html";
 
 /// Bakes the scene in memory, and writes the page of its formulas by the records.
 pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> {
@@ -31,8 +31,10 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
     let page = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let (units, jobs) = costs(&baked, &input.scene.name, &counts)?;
-        let origin =
-            Origin { pages: bar_from("").map_err(BakeError::from)?, ..origin(&input, &plan, COMMAND)? };
+        let mut origin = origin(&input, &plan, &command(options, path))?;
+        if path == Path::new(PAGE) {
+            origin.pages = bar_from("").map_err(BakeError::from)?;
+        }
         let studies = reported(input.scene.smith)?;
         let costs = Costs { origin, units, jobs, tables: manifest.entries.tables, times, studies };
         Ok(cost_page(&costs).map_err(BakeError::from)?)
@@ -44,4 +46,14 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
         print(format!("{} written\n", path.display()).as_bytes())?;
     }
     Ok(Outcome::Done)
+}
+
+/// What was typed, as the page tells it.
+fn command(options: &Options, path: &Path) -> String {
+    let scene = options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
+    let records = match options.records.as_path() {
+        folder if folder == Path::new(".") => String::new(),
+        folder => format!(" --records {}", folder.display()),
+    };
+    format!("lobefit cost{scene} --page {}{records}", path.display())
 }
