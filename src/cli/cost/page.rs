@@ -50,7 +50,8 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
 
 /// What was typed, as the page tells it.
 fn command(options: &Options, path: &Path) -> String {
-    let scene = options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
+    let scene =
+        options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
     let records = match options.records.as_path() {
         folder if folder == Path::new(".") => String::new(),
         folder => format!(" --records {}", folder.display()),
