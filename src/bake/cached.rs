@@ -62,7 +62,7 @@ fn key(called: &Called, context: &Context) -> Result<String, serde_json::Error> 
 }
 
 /// A line of JSON, then the contents of the files.
-fn encoded(made: &Made, recipe: &str) -> Result<Vec<u8>, serde_json::Error> {
+pub(super) fn encoded(made: &Made, recipe: &str) -> Result<Vec<u8>, serde_json::Error> {
     let Part { finding, entries, code, files, explored, answer, .. } = &made.part;
     let head = Head {
         recipe: recipe.into(),
@@ -80,7 +80,7 @@ fn encoded(made: &Made, recipe: &str) -> Result<Vec<u8>, serde_json::Error> {
 }
 
 /// The part of an entry, signed with this recipe; none of an entry of another form.
-fn decoded(mut bytes: Vec<u8>, by: &'static dyn Effect, recipe: &str) -> Option<Made> {
+pub(super) fn decoded(mut bytes: Vec<u8>, by: &'static dyn Effect, recipe: &str) -> Option<Made> {
     let end = bytes.iter().position(|byte| *byte == b'\n')?;
     let old = serde_json::from_slice::<Head>(&bytes[..end]).ok()?.recipe;
     // Another effect's formula makes another recipe, which changes no value of this one. Both are

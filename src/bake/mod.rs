@@ -10,15 +10,15 @@ mod names;
 mod opening;
 mod previous;
 mod recipe;
+mod shard;
 
 use rayon::prelude::*;
 
 use crate::approximate::{Counter, Fit};
 pub use crate::effects::BakeError;
-use crate::effects::context::Context;
-pub use crate::effects::context::{Progress, Silent, UserHypothesis};
+pub use crate::effects::context::{Context, Progress, Silent, UserHypothesis};
 pub use crate::effects::table::BakedTable;
-use crate::effects::{Made, Part};
+use crate::effects::{Called, Made, Part};
 use crate::emit::call::Call;
 use crate::emit::manifest::FitLeftOut;
 use crate::plan::Plan;
@@ -28,6 +28,7 @@ pub use build::{BUILD, BUILD_FILE, sign};
 pub use compare::{Difference, Kind, changed, compare};
 pub use previous::{PreviousError, previous};
 pub use recipe::{TOOL, recipe};
+pub use shard::{ENDING as SHARD_ENDING, Shard, ShardError, merge, shard};
 
 /// What a bake made.
 #[derive(Debug)]
@@ -84,6 +85,24 @@ pub fn bake(
     selection: Selection,
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
+    let context = context(scene, plan, hypotheses, progress)?;
+    let Selection { only, kept, cache } = selection;
+    let wanted = |called: &&Called| only.is_empty() || only.iter().any(|o| o == called.effect);
+    let made = made(&plan.effects.iter().filter(wanted).collect::<Vec<_>>(), cache, &context)?;
+    finished(plan, kept, made, &context)
+}
+
+/// What the effects of a plan share.
+///
+/// # Errors
+/// A name of a hypothesis that emitted code has already.
+pub fn context<'a>(
+    scene: &'a Scene,
+    plan: &Plan,
+    hypotheses: &'a [UserHypothesis],
+    progress: &'a dyn Progress,
+) -> Result<Context<'a>, BakeError> {
+    names::check(plan, hypotheses)?;
     let recipe = recipe(scene, plan, hypotheses)?;
     let effects = plan.effects.iter().map(|called| called.effect);
     let explore = plan.effects.iter().any(|called| called.by.is_explored()).then_some("explore");
@@ -92,9 +111,23 @@ pub fn bake(
         .chain(effects)
         .map(|page| (page.into(), format!("{page}.html")));
     let pages = pages.collect();
-    let context = Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress };
-    names::check(plan, hypotheses)?;
-    let Selection { only, kept: mut parts, cache } = selection;
+    Ok(Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress })
+}
+
+/// The work of effects. The end of each effect's work, where its own parts have run dry, overlaps
+/// with the next effect's.
+fn made(effects: &[&Called], cache: Option<&Cache>, context: &Context) -> Result<Vec<Made>, BakeError> {
+    let made = effects.par_iter().with_max_len(1).map(|called| cached::made(called, context, cache));
+    made.collect::<Vec<_>>().into_iter().collect()
+}
+
+/// The files of parts that were kept and of others that were made.
+fn finished(
+    plan: &Plan,
+    mut parts: Vec<Part>,
+    made: Vec<Made>,
+    context: &Context,
+) -> Result<Baked, BakeError> {
     let mut baked = Baked {
         files: Files::new(),
         broken: Vec::new(),
@@ -104,17 +137,9 @@ pub fn bake(
         dropped: Vec::new(),
         calls: Vec::new(),
     };
-    let wanted: Vec<_> =
-        plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();
-    // The end of each effect's work, where its own parts have run dry, overlaps with the next
-    // effect's.
-    let made: Vec<_> =
-        wanted.par_iter().with_max_len(1).map(|called| cached::made(called, &context, cache)).collect();
-    for made in made {
-        parts.push(baked.take(made?));
-    }
+    parts.extend(made.into_iter().map(|made| baked.take(made)));
     parts.sort_by_key(|part| plan.catalogue.iter().position(|effect| *effect == part.by));
-    baked.files = assemble::assemble(plan, parts, &context)?;
+    baked.files = assemble::assemble(plan, parts, context)?;
     baked.truths = context.counter.total();
     Ok(baked)
 }

@@ -1,16 +1,16 @@
 //! `lobefit bake`: the main job.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::check::{FILE_BYTES, for_shaders};
 use super::columns::{self, Side::Left, Side::Right};
-use super::options::{PagesOption, SceneOption, ThreadsOption, effect};
+use super::options::{PagesOption, SceneOption, ThreadsOption, effect, shard};
 use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
-use crate::bake::{Baked, Selection, changed, previous, recipe, sign};
+use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
 use crate::data::Vendor;
 use crate::effects::rule;
 use crate::emit::call::Call;
@@ -19,13 +19,15 @@ use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
-use crate::store::{self, Cache, Folder, MANIFEST, Written};
+use crate::store::{self, Cache, Files, Folder, MANIFEST, Written};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit bake                          the built-in scene, into the current folder
   lobefit bake scene.json --out assets  a scene of your own, into assets/
   lobefit bake --only anisotropy,glass  these effects again; the others stay as they are
+  lobefit bake scene.json --shard 2/3 --out shards
+                                        the second of three pieces, for `lobefit merge`
 
 Writes tables/ fits/ reports/ and manifest.json in the output folder and nothing else. Files that an older bake left
 there and this one does not have are removed.";
@@ -43,19 +45,30 @@ pub(super) struct Options {
     pub scene: SceneOption,
     #[command(flatten)]
     pub pages: PagesOption,
-    /// Output folder, created if missing
-    #[arg(long, value_name = "DIR", default_value = ".")]
-    pub out: PathBuf,
+    #[command(flatten)]
+    pub output: OutputOptions,
     /// Bake these effects only and keep what an older bake of the same recipe, by the same build of
     /// lobefit, left in the output folder of the others. An effect that the scene does not call for
     /// is refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub only: Vec<String>,
+    /// Make piece K of N, the file shard-K-of-N.lobefit in the output folder and nothing else; `lobefit
+    /// merge` puts the pieces together. An effect is in one piece
+    #[arg(long, value_name = "K/N", value_parser = shard, conflicts_with_all = ["only", "json"])]
+    pub shard: Option<Shard>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Compute everything, and keep nothing for other bakes (see `lobefit cache`)
     #[arg(long)]
     pub no_cache: bool,
+}
+
+/// Where a bake goes, and what it says at its end.
+#[derive(Args)]
+pub(super) struct OutputOptions {
+    /// Output folder, created if missing
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub out: PathBuf,
     /// Print the manifest as JSON on standard output
     #[arg(long)]
     pub json: bool,
@@ -69,27 +82,75 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let plan = plan::plan(&input.scene);
     refuse_uncalled(&options.only, &plan)?;
     // Before the work: an output that cannot be written is known now, not after it.
-    let mut folder = Folder::open(&options.out)?;
-    let progress = Bar::new(options.quiet || options.json, &plan, 0);
+    let (out, quiet) = (&options.output.out, options.output.quiet || options.output.json);
+    let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
+    let progress = Bar::new(quiet, &plan, 0);
     let cache = if options.no_cache { None } else { Cache::of_user() };
+    if let Some(shard) = options.shard {
+        let made = options.threads.install(|| input.shard(&plan, shard, cache.as_ref(), &progress))?;
+        drop(progress);
+        say_failed(cache.as_ref());
+        return write_shard(shard, made, folder, options);
+    }
     let selection = Selection { cache: cache.as_ref(), ..selection(options, &input, &plan)? };
-    let mut baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
+    let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
-    if let Some(error) = cache.as_ref().and_then(Cache::failed) {
+    say_failed(cache.as_ref());
+    finish(baked, &plan, folder, &options.output)
+}
+
+/// Says why a cache could not be written.
+fn say_failed(cache: Option<&Cache>) {
+    if let Some(error) = cache.and_then(Cache::failed) {
         say(&format!("note: nothing is kept for other bakes: {}", visible(&error.to_string())));
     }
-    say_broken(&baked.broken);
-    if !baked.broken.is_empty() {
+}
+
+/// Whether promises of the scene are not kept, which is said: nothing is written then.
+fn is_broken(broken: &[String]) -> bool {
+    say_broken(broken);
+    if !broken.is_empty() {
         say("nothing written");
+    }
+    !broken.is_empty()
+}
+
+/// Writes the file of a shard, which keeps its promises.
+fn write_shard(
+    shard: Shard,
+    (bytes, broken): (Vec<u8>, Vec<String>),
+    mut folder: Folder,
+    options: &Options,
+) -> Result<Outcome, CliError> {
+    if is_broken(&broken) {
         return Ok(Outcome::Failed);
     }
-    let changed = changed_since(options, &baked)?;
+    let name = shard.file();
+    folder.write(&Files::from([(name.clone(), bytes)]))?;
+    if !options.output.quiet {
+        print(format!("{} written\n", options.output.out.join(name).display()).as_bytes())?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// Writes a bake that keeps its promises, and says what it gives.
+pub(super) fn finish(
+    mut baked: Baked,
+    plan: &Plan,
+    mut folder: Folder,
+    output: &OutputOptions,
+) -> Result<Outcome, CliError> {
+    if is_broken(&baked.broken) {
+        return Ok(Outcome::Failed);
+    }
+    let changed = changed_since(&output.out, &baked)?;
     sign(&mut baked.files);
     let written = folder.write(&baked.files)?;
-    if options.json {
+    if output.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
-    } else if !options.quiet {
-        let lines = [summary(&plan, &baked, options), written_files(&baked, &written, changed, options)];
+    } else if !output.quiet {
+        let lines =
+            [summary(plan, &baked, &output.out), written_files(&baked, &written, changed, &output.out)];
         // Reasons quote the scene's names.
         print(lines.concat().iter().map(|line| visible(line) + "\n").collect::<String>().as_bytes())?;
     }
@@ -111,13 +172,13 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
         return Ok(Selection::default());
     }
     let recipe = recipe(&input.scene, plan, &input.hypotheses)?;
-    let kept = previous(&options.out, &recipe, plan, &options.only)?;
+    let kept = previous(&options.output.out, &recipe, plan, &options.only)?;
     Ok(Selection { only: options.only.clone(), kept, cache: None })
 }
 
 /// What was made: what each material and probe calls, or everything where more than one function of
 /// a job is emitted; then what was left out.
-fn summary(plan: &Plan, baked: &Baked, options: &Options) -> Vec<String> {
+fn summary(plan: &Plan, baked: &Baked, out: &Path) -> Vec<String> {
     let mut lines = table(&baked.calls, None);
     lines.extend(recommended(&baked.calls));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
@@ -132,28 +193,23 @@ fn summary(plan: &Plan, baked: &Baked, options: &Options) -> Vec<String> {
         lines.push("the scene calls for no effect:".into());
         lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect, l.reason)));
     }
-    lines.extend(read_by_engines(baked, options));
+    lines.extend(read_by_engines(baked, out));
     lines
 }
 
 /// What of an older bake in the output folder a shader reads otherwise now; none where there is no older
 /// bake.
-fn changed_since(options: &Options, baked: &Baked) -> Result<Option<Vec<String>>, CliError> {
+fn changed_since(out: &Path, baked: &Baked) -> Result<Option<Vec<String>>, CliError> {
     let files = baked.files.keys().map(String::as_str);
-    let found = store::read_set(&options.out, files, FILE_BYTES)?;
+    let found = store::read_set(out, files, FILE_BYTES)?;
     Ok(found.contains_key(MANIFEST).then(|| changed(&baked.files, &found)))
 }
 
 /// How many files were written, and what that changes for shaders.
-fn written_files(
-    baked: &Baked,
-    written: &Written,
-    changed: Option<Vec<String>>,
-    options: &Options,
-) -> Vec<String> {
+fn written_files(baked: &Baked, written: &Written, changed: Option<Vec<String>>, out: &Path) -> Vec<String> {
     let mut lines: Vec<String> = changed.iter().map(|changed| for_shaders(changed)).collect();
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
-    let index = options.out.join("reports/index.html");
+    let index = out.join("reports/index.html");
     let page = if baked.files.contains_key("reports/index.html") {
         format!("; {}", index.display())
     } else {
@@ -173,11 +229,11 @@ fn recommended(calls: &[Call]) -> Option<String> {
 
 /// The files that an engine reads, without what describes tables: include files and tables, as a
 /// shell would write them.
-fn read_by_engines(baked: &Baked, options: &Options) -> Option<String> {
+fn read_by_engines(baked: &Baked, out: &Path) -> Option<String> {
     let of = |verb: &str, start: &str| {
         let read = baked.files.keys().filter(|file| !file.ends_with(SIDECAR));
         let ends: Vec<&str> = read.filter_map(|file| file.strip_prefix(start)).collect();
-        let at = options.out.join(start).display().to_string();
+        let at = out.join(start).display().to_string();
         match ends[..] {
             [] => None,
             [end] => Some(format!("{verb} {at}{end}")),

@@ -3,7 +3,7 @@
 use std::io;
 
 use super::points::PointsError;
-use crate::bake::{BakeError, PreviousError};
+use crate::bake::{BakeError, PreviousError, ShardError};
 use crate::fitting::FittingError;
 use crate::report::ReportError;
 use crate::scene::SceneError;
@@ -100,6 +100,9 @@ pub enum CliError {
     /// An older bake whose other effects cannot be kept.
     #[error("--only: {0}")]
     Previous(#[from] PreviousError),
+    /// Files that are not the shards of a bake.
+    #[error(transparent)]
+    Shard(#[from] ShardError),
     /// A formula that was not fitted.
     #[error("{0}")]
     Fitting(#[from] Box<FittingError>),

@@ -8,10 +8,12 @@ use super::CliError;
 use super::options::{PagesOption, SceneOption};
 use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
-use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
+use crate::bake::{
+    BakeError, Baked, Progress, Selection, Shard, Silent, UserHypothesis, bake, context, merge, shard,
+};
 use crate::plan::Plan;
 use crate::scene::{self, Limits, Scene, SceneError, limits};
-use crate::store;
+use crate::store::{self, Cache};
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
 use lobefit_truth::optics::kernel::Kernel;
@@ -54,16 +56,50 @@ impl Input {
         selection: Selection,
         progress: &dyn Progress,
     ) -> Result<Baked, CliError> {
-        let mut baked = bake(&self.scene, plan, &self.hypotheses, selection, progress);
-        if let Err(BakeError::Scene { field, message }) = baked {
+        self.named(bake(&self.scene, plan, &self.hypotheses, selection, progress))
+    }
+
+    /// A piece of the scene's bake: the bytes of its file, and promises that are not kept.
+    ///
+    /// # Errors
+    /// As [`Input::bake`].
+    pub(super) fn shard(
+        &self,
+        plan: &Plan,
+        piece: Shard,
+        cache: Option<&Cache>,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<u8>, Vec<String>), CliError> {
+        let context = context(&self.scene, plan, &self.hypotheses, progress);
+        self.named(context.and_then(|context| shard(plan, piece, cache, &context)))
+    }
+
+    /// The scene's bake of its pieces, the files of a folder.
+    ///
+    /// # Errors
+    /// Files that are not its pieces, each once.
+    pub(super) fn merge(
+        &self,
+        plan: &Plan,
+        folder: &Path,
+        files: &[(String, Vec<u8>)],
+    ) -> Result<Baked, CliError> {
+        let context = self.named(context(&self.scene, plan, &self.hypotheses, &Silent))?;
+        Ok(merge(plan, &folder.display().to_string(), files, &context)?)
+    }
+
+    /// A result whose error names the scene and its hypothesis files by the paths at which they were
+    /// read.
+    fn named<T>(&self, mut result: Result<T, BakeError>) -> Result<T, CliError> {
+        if let Err(BakeError::Scene { field, message }) = result {
             return Err(SceneError::Whole { file: self.name.clone(), path: field, message }.into());
         }
-        if let Some(file) = baked.as_mut().err().and_then(hypothesis_file)
+        if let Some(file) = result.as_mut().err().and_then(hypothesis_file)
             && let Some(path) = self.paths.get(file.as_str())
         {
             path.clone_into(file);
         }
-        Ok(baked?)
+        Ok(result?)
     }
 }
 

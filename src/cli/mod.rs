@@ -13,6 +13,7 @@ mod external;
 mod fit;
 pub mod input;
 mod manual;
+mod merge;
 pub mod options;
 pub mod output;
 mod plan;
@@ -53,6 +54,9 @@ enum Verb {
     /// Integrate, fit, emit and report what a scene calls for
     #[command(after_help = bake::EXAMPLES)]
     Bake(bake::Options),
+    /// Put the pieces together that `bake --shard` has made
+    #[command(after_help = merge::EXAMPLES)]
+    Merge(merge::Options),
     /// Bake again and compare with the files that are there
     #[command(after_help = check::EXAMPLES)]
     Check(check::Options),
@@ -95,6 +99,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match cli.verb {
         Verb::Plan(options) => plan::run(&options),
         Verb::Bake(options) => bake::run(&options),
+        Verb::Merge(options) => merge::run(&options),
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
         Verb::Fit(options) => fit::run(&options),

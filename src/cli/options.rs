@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
+use crate::bake::Shard;
 use crate::data::{Smith, Vendor};
 use crate::effects::catalogue;
 use crate::scene::limits;
@@ -58,6 +59,11 @@ pub fn effect(text: &str) -> Result<String, String> {
         true => Ok(text.into()),
         false => Err(format!("no such effect; the effects are {}", names.join(", "))),
     }
+}
+
+/// One of the pieces of a bake.
+pub fn shard(text: &str) -> Result<Shard, String> {
+    Shard::parse(text).ok_or_else(|| "K/N with whole numbers, K from 1 to N, is called for".into())
 }
 
 /// The quantity of a name.

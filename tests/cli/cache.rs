@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{lobefit_with, names};
+use crate::common::{bytes, lobefit_with, names};
 
 const SCENE: &str = r#"{"schema_version": 1, "languages": ["wgsl"], "materials": [
     {"name": "steel", "kind": "metal", "f0": 0.6, "roughness": [0.2, 1], "wants": {"fit": {"max_ops": 8}}}
@@ -17,20 +17,6 @@ fn bake(cache: &Path, folder: &Path, out: &str, more: &[&str]) -> String {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{said}");
     said
-}
-
-/// Every file below a folder with its bytes.
-fn bytes(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let mut files = Vec::new();
-    for name in names(folder) {
-        let path = folder.join(&name);
-        match path.is_dir() {
-            true => files
-                .extend(bytes(&path).into_iter().map(|(below, bytes)| (format!("{name}/{below}"), bytes))),
-            false => files.push((name, fs::read(path).unwrap())),
-        }
-    }
-    files
 }
 
 #[test]

@@ -16,4 +16,5 @@ mod kernels;
 mod manual;
 mod records;
 mod search;
+mod shards;
 mod usage;

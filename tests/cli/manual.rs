@@ -35,6 +35,7 @@ fn every_verb_has_a_manual_page() {
         "eval",
         "fit",
         "man",
+        "merge",
         "plan",
         "report",
         "schema",

@@ -53,6 +53,21 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
+/// Every file below a folder with its bytes.
+#[allow(dead_code, reason = "not every test compares folders")]
+pub fn bytes(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut files = Vec::new();
+    for name in names(folder) {
+        let path = folder.join(&name);
+        match path.is_dir() {
+            true => files
+                .extend(bytes(&path).into_iter().map(|(below, bytes)| (format!("{name}/{below}"), bytes))),
+            false => files.push((name, std::fs::read(path).expect("a file"))),
+        }
+    }
+    files
+}
+
 /// Standard error as text, without the lines that name stages: `[3/14] fits of sheen`.
 pub fn stderr(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
