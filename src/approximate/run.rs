@@ -173,6 +173,7 @@ impl<'a> Stage<'a> {
         let prices = dear.iter().map(|h| emission.price(h)).collect::<Result<Vec<f64>, _>>()?;
         let mut dear: Vec<(f64, Hypothesis)> = prices.into_iter().zip(dear).collect();
         dear.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut closest: Option<(f64, &str, u32)> = None;
         for (price, h) in &dear {
             let own = match self.of(h) {
                 Ok(_) => None,
@@ -186,8 +187,11 @@ impl<'a> Stage<'a> {
                 Err(error) => return Err(error),
             };
             let error = fit.approximation.certificate.max_abs;
+            let ops = h.tape().cost_ops() + emission.beside;
+            if closest.is_none_or(|(least, ..)| error < least) {
+                closest = Some((error, h.name(), ops));
+            }
             if error <= limit {
-                let ops = h.tape().cost_ops() + emission.beside;
                 let keeps = if limit.is_finite() { "keeps it" } else { "is the cheapest" };
                 let cost = match emission.cost.filter(|_| emission.budget.is_some()) {
                     Some(vendor) => format!(
@@ -200,7 +204,11 @@ impl<'a> Stage<'a> {
                 return Ok(format!("{} {keeps}: error {error} {cost}", h.name()));
             }
         }
-        Ok("no formula of the catalogue keeps it in this region: widen max_error, or take a table".into())
+        let closest = closest.map(|(error, name, ops)| format!("; {name} has {error} with {ops} operations"));
+        Ok(format!(
+            "no formula of the catalogue keeps it in this region: raise max_error, or narrow the roughness{}",
+            closest.unwrap_or_default()
+        ))
     }
 
     /// Marks the emitted fit to take.

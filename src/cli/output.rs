@@ -42,9 +42,14 @@ pub fn say(text: &str) {
 /// Says which promises of a scene are not kept. Each is a line, and lines on what would keep it: no name of
 /// a scene holds the end of a line.
 pub fn say_broken(promises: &[String]) {
-    for promise in promises {
-        let mut lines = promise.lines().map(visible);
-        say(&format!("promise not kept: {}", lines.next().unwrap_or_default()));
+    say_each("promise not kept", promises);
+}
+
+/// Says texts of the same kind; further lines of each are indented.
+pub fn say_each(kind: &str, texts: &[String]) {
+    for text in texts {
+        let mut lines = text.lines().map(visible);
+        say(&format!("{kind}: {}", lines.next().unwrap_or_default()));
         lines.for_each(|line| say(&format!("  {line}")));
     }
 }

@@ -6,7 +6,7 @@ use std::cmp::Reverse;
 use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::{Emission, Fit};
-use crate::data::{Approximation, Cost, Form, Layout, Source, Use};
+use crate::data::{Approximation, Axis, Cost, Form, Layout, Source, Table, Use, Warp};
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::manifest::Entries;
 use crate::report::numbers::{grouped, significant};
@@ -14,8 +14,8 @@ use crate::report::sections::words::{self, operations};
 use crate::report::{Answer, Furnace, FurnaceRow, Measured, Offer, Purpose, Role};
 use lobefit_shade::code::{self, Language};
 
-/// The edges of a lookup whose width jumps, as the manifest has them.
-const SHARP: &str = "sharp";
+/// What happens where planes of a proxy meet, as the manifest has it, the most accurate first.
+const EDGES: [&str; 3] = ["smooth", "none", "sharp"];
 
 /// Spheres of a strip, and every how many of their cosines it is drawn from.
 const SPHERES: usize = 6;
@@ -134,8 +134,16 @@ pub(super) fn metric(a: &Approximation) -> String {
     match a.form {
         Form::Formula(_) => a.used_as.metric.into(),
         Form::Table(_) if a.used_as == Use::F0_BLEND => "lookup error of f0 A + B, for the worst f0".into(),
-        Form::Table(_) => format!("lookup error of {}", a.column),
+        Form::Table(ref table) => format!("lookup error of {}{}", a.column, mean(table)),
     }
+}
+
+/// What a table is a mean of, where its truth depends on more than its axes.
+fn mean(table: &Table) -> &'static str {
+    let has = |axis: &Axis| axis.name == "anisotropy";
+    let is_resolved = |axis: &Axis| axis.warp == Warp::HomogeneousAzimuth;
+    let is_mean = table.axes.iter().any(has) && !table.axes.iter().any(is_resolved);
+    if is_mean { " in the mean over the azimuth" } else { "" }
 }
 
 /// Adds tables: to the fits of the same column the most accurate, the others as purposes of their
@@ -168,6 +176,8 @@ fn add_tables(purposes: &mut Vec<Purpose>, fits: &[Fit], tables: &[BakedTable]) 
             None => groups.push(vec![table]),
         }
     }
+    // What is resolved goes before its mean.
+    groups.sort_by_key(|group| group.iter().all(|table| table.layout != Layout::Azimuth));
     let mut last = None;
     for group in groups {
         let ours = group.iter().copied().filter(|t| t.layout != Layout::PathTracer);
@@ -204,9 +214,10 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     }
 }
 
-/// The order in which lookups of probes are taken: by fetches, smooth edges before sharp, then by operations.
-fn preference(lookup: &LookupFunction) -> (Reverse<u32>, bool, u32) {
-    (Reverse(lookup.cost.fetches), lookup.edges == SHARP, lookup.cost.ops)
+/// The order in which lookups of probes are taken: by fetches, then by edges, then by operations.
+fn preference(lookup: &LookupFunction) -> (Reverse<u32>, Option<usize>, u32) {
+    let edges = EDGES.iter().position(|edges| lookup.edges == *edges);
+    (Reverse(lookup.cost.fetches), edges, lookup.cost.ops)
 }
 
 /// Lookups of probes: the fewest operations, the preferred, and the most operations. The error of a
@@ -367,9 +378,8 @@ pub(crate) fn rule(call: &Call) -> String {
     match (&call.file, call.cost.fetches) {
         (Some(_), _) => "the most accurate table".into(),
         (None, 0) => Emission::rule(),
-        _ => format!(
-            "the lookup with the most fetches, smooth edges before {SHARP}, and the fewest operations"
-        ),
+        _ => "the lookup with the most fetches, smooth edges before a traced hit, sharp edges last, and the fewest operations"
+            .into(),
     }
 }
 

@@ -107,6 +107,10 @@ impl Called {
         if scene.output.pick == Pick::Best {
             work.iter_mut().for_each(Job::promise_once);
         }
+        if scene.output.every_error.is_some() {
+            let set = work.iter_mut().flat_map(|job| &mut job.promises).flat_map(|promise| &mut promise.by);
+            set.for_each(|(_, field)| *field = "--max-error".into());
+        }
         if work.is_empty() {
             return None;
         }

@@ -292,7 +292,14 @@ fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<Str
         [] => value.clone(),
     };
     let each: Vec<String> = values.iter().map(of).collect();
-    (each.len() > 1).then(|| format!("{name} {} became {}", each.join(" and "), goal(&job.goals)))
+    let each = match each.as_slice() {
+        [] | [_] => return None,
+        [first, second, rest @ ..] if rest.len() > 1 => {
+            format!("{first}, {second} and {} others", rest.len())
+        }
+        all => all.join(" and "),
+    };
+    Some(format!("{name} {each} became {}", goal(&job.goals)))
 }
 
 /// The jobs of an effect's demands.

@@ -14,3 +14,4 @@ mod taps;
 mod target;
 mod target_coupling;
 mod texel_plan;
+mod worst;

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::super::CliError;
 use super::super::bake::table;
 use super::super::input;
-use super::super::output::{Outcome, print, print_json, say_broken};
+use super::super::output::{Outcome, print, print_json, say_each};
 use super::super::progress::Bar;
 use super::{NOTHING, Options};
 use crate::approximate::FitStageError;
@@ -90,7 +90,7 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
             false if !options.quiet => print(shipped.text(&limits).as_bytes())?,
             false => {}
         }
-        say_broken(&shipped.unkept);
+        say_each("nothing within the limits", &shipped.unkept);
     }
     Ok(if shipped.unkept.is_empty() { Outcome::Done } else { Outcome::Failed })
 }

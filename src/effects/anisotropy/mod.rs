@@ -18,8 +18,7 @@ mod ways;
 use super::demand::Job;
 use super::effect::Note;
 use super::table::{
-    BakedTable, BuildError, Family, Judge, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob,
-    WaysFinding,
+    BakedTable, BuildError, Family, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, WaysFinding,
 };
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
@@ -106,17 +105,20 @@ impl Family for Anisotropy {
         job.layout == Layout::Azimuth
     }
 
-    fn judge(
+    fn points(&self, region: &Region, azimuth: bool) -> Result<LookupPoints, BuildError> {
+        judged(region, azimuth)
+    }
+
+    fn truths(
         &self,
         smith: Smith,
-        region: &Region,
-        azimuth: bool,
+        points: &LookupPoints,
+        _: bool,
         counter: &Counter,
-    ) -> Result<Judge, BuildError> {
-        let points = judged(region, azimuth)?;
-        let (e, made) = truths(smith, &points)?;
+    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
+        let (e, made) = truths(smith, points)?;
         counter.add(e.len());
-        Ok(Judge { points, truths: vec![Albedo { e, b: Vec::new() }], made })
+        Ok((vec![Albedo { e, b: Vec::new() }], made))
     }
 }
 
@@ -169,10 +171,6 @@ impl Sliced for Anisotropy {
 
     fn shown(&self) -> &'static [f64] {
         &[0.0, 0.5, 1.0]
-    }
-
-    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError> {
-        Ok(vec![truths(smith, points)?.0])
     }
 
     fn title(&self, slice: f64, _: Option<Side>) -> String {

@@ -7,7 +7,7 @@ use crate::approximate::Counter;
 use crate::data::{Layout, Smith};
 use crate::effects::BakeError;
 use crate::effects::grid::grazing;
-use crate::effects::table::{BakedTable, Family, Lookup, Region, Way, WaysFinding, measure};
+use crate::effects::table::{BakedTable, Judge, Lookup, Region, Way, WaysFinding, measure};
 use crate::report::{ErrorFigure, Field, Ruler};
 
 /// Where the maps are drawn: roughness, and the number of azimuths and cosines.
@@ -33,7 +33,7 @@ pub fn findings(tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
 fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFinding, BakeError> {
     let judge = match own.iter().find(|table| table.layout == Layout::Azimuth) {
         Some(table) => table.judge.clone(),
-        None => Arc::new(Anisotropy.judge(smith, &region, true, &Counter::default())?),
+        None => Arc::new(Judge::new(&Anisotropy, smith, region, true, &Counter::default())?),
     };
     let span = region.slices()?.range;
     let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);

@@ -9,7 +9,7 @@ mod path_tracer;
 mod table;
 
 use super::effect::Note;
-use super::table::{BuildError, Family, Judge, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob};
+use super::table::{BuildError, Family, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob};
 use super::who::stay_smooth;
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Counter;
@@ -75,12 +75,21 @@ impl Family for Glass {
         table::build(spec)
     }
 
-    fn judge(&self, smith: Smith, region: &Region, _: bool, counter: &Counter) -> Result<Judge, BuildError> {
-        let points = LookupPoints::certification(region, LOG2_GROUPS);
-        let (truths, evaluations) = truths(smith, &points)?;
+    fn points(&self, region: &Region, _: bool) -> Result<LookupPoints, BuildError> {
+        Ok(LookupPoints::certification(region, LOG2_GROUPS))
+    }
+
+    fn truths(
+        &self,
+        smith: Smith,
+        points: &LookupPoints,
+        _: bool,
+        counter: &Counter,
+    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
+        let (truths, evaluations) = truths(smith, points)?;
         counter.add(truths.len() * points.len());
         let truths = truths.map(|e| Albedo { e, b: Vec::new() }).to_vec();
-        Ok(Judge { points, truths, made: Made { evaluations, integration: JUDGED } })
+        Ok((truths, Made { evaluations, integration: JUDGED }))
     }
 }
 
@@ -123,10 +132,6 @@ impl Sliced for Glass {
 
     fn shown(&self) -> &'static [f64] {
         &[1.1, 1.5, 2.0]
-    }
-
-    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError> {
-        Ok(truths(smith, points)?.0.to_vec())
     }
 
     fn title(&self, slice: f64, side: Option<Side>) -> String {

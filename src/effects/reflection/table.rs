@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use super::demand::table_seconds;
-use crate::approximate::{Counter, certification};
+use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
-use crate::effects::table::{BuildError, Family, Judge, LookupPoints, Made, Region, Spec, TableJob, flat};
+use crate::effects::table::{BuildError, Family, LookupPoints, Made, Region, Spec, TableJob, flat};
+use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{Effort, albedo, split};
 use lobefit_truth::quantity::{GGX_REFLECTION, TRUTH_ERROR};
@@ -51,17 +52,19 @@ impl Family for Dfg {
         jobs.iter().filter(same).any(|other| other.serves == Serves::SplitSum)
     }
 
-    fn judge(
+    fn points(&self, region: &Region, _: bool) -> Result<LookupPoints, BuildError> {
+        Ok(LookupPoints::certification(region, LOG2_POINTS))
+    }
+
+    fn truths(
         &self,
         smith: Smith,
-        region: &Region,
+        points: &LookupPoints,
         split: bool,
         counter: &Counter,
-    ) -> Result<Judge, BuildError> {
-        let points = certification(&region.flat(), LOG2_POINTS);
-        let truths = vec![Albedo::new(smith, &points, split, counter)?];
-        let made = Made { evaluations: 0, integration: TRUTH_ERROR };
-        Ok(Judge { points: LookupPoints::isotropic(&points), truths, made })
+    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
+        let truths = vec![Albedo::new(smith, &points.inputs(), split, counter)?];
+        Ok((truths, Made { evaluations: 0, integration: TRUTH_ERROR }))
     }
 }
 

@@ -3,36 +3,16 @@
 use std::sync::Arc;
 
 use super::instead::instead;
-use super::{Errors, Family, LookupError, LookupPoints, Made, Region, Spec, TableJob, Truth, measure};
+use super::{Errors, Family, Judge, LookupError, Made, Region, Spec, TableJob, measure};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
 };
-use crate::effects::Albedo;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::emit::header;
 use crate::emit::lookup::TableNames;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
-
-/// Points with their truths, shared by the tables that are measured there.
-#[derive(Debug)]
-pub struct Judge {
-    /// The points.
-    pub points: LookupPoints,
-    /// E, and B where a table needs it, of each side.
-    pub truths: Vec<Albedo>,
-    /// What they took.
-    pub made: Made,
-}
-
-impl Judge {
-    /// The truth of side `i`.
-    pub fn truth(&self, i: usize) -> Truth<'_> {
-        let Albedo { e, b } = &self.truths[i];
-        Truth { e, b: (!b.is_empty()).then_some(b) }
-    }
-}
 
 /// A baked table: the approximation holds its quantised texels.
 #[derive(Clone, Debug)]
@@ -106,7 +86,7 @@ pub fn bake(
         let judge = match judges.iter().find(|(known, _)| *known == key) {
             Some((_, judge)) => judge.clone(),
             None => {
-                let judge = Arc::new(family.judge(key.0, &key.1, key.2, &context.counter)?);
+                let judge = Arc::new(Judge::new(family, key.0, key.1, key.2, &context.counter)?);
                 judges.push((key, judge.clone()));
                 judge
             }
@@ -131,7 +111,7 @@ pub fn bake(
 fn bake_job(
     family: &dyn Family,
     (jobs, i): (&[TableJob], usize),
-    judge: &Arc<Judge>,
+    judge: &Judge,
     context: &Context,
 ) -> Result<Vec<BakedTable>, BakeError> {
     let job = &jobs[i];
@@ -145,6 +125,7 @@ fn bake_job(
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
+            let judge = judge.closer(family, (&table, spec.decode()), i, &context.counter)?;
             let baked = finish(&spec, &table, made, (judge, i))?;
             let wanted_by = job.wanted_by.clone();
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
@@ -199,9 +180,9 @@ pub(super) fn finish(
     spec: &Spec,
     table: &Table,
     made: Made,
-    (judge, truth): (&Arc<Judge>, usize),
+    (judge, truth): (Judge, usize),
 ) -> Result<BakedTable, BakeError> {
-    let decode = Decode::of(spec.layout, spec.serves);
+    let decode = spec.decode();
     let integration = round_up(made.integration.max(judge.made.integration), 2);
     let mut errors = measure(table, decode, &judge.points, judge.truth(truth), integration)?;
     let lookups = [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e];
@@ -234,7 +215,7 @@ pub(super) fn finish(
         form: Form::Table(table.quantised()),
         certificate,
     };
-    let (layout, region, judge) = (spec.layout, spec.region, judge.clone());
+    let (layout, region, judge) = (spec.layout, spec.region, Arc::new(judge));
     let (side, note) = (None, None);
     let wanted_by = Vec::new();
     let names = TableNames::from(table.name.replace('-', "_").as_str());

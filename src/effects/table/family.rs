@@ -1,13 +1,13 @@
 //! What an effect declares of its tables. Plan, bake, files, code and page are made from it, once
 //! for all effects.
 
-use super::{Judge, Region, Spec, TableJob};
+use super::{Region, Spec, TableJob};
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::effect::Note;
 use crate::effects::table::results::WaysFinding;
 use crate::effects::table::{BakedTable, BuildError, LookupPoints, Made};
-use crate::effects::{BakeError, demand::Job};
+use crate::effects::{Albedo, BakeError, demand::Job};
 use crate::scene::{Lobe, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
@@ -56,17 +56,23 @@ pub trait Family: Sync {
         false
     }
 
-    /// Points of a region with the truth of each side.
+    /// Points at which lookups in a region are judged.
+    ///
+    /// # Errors
+    /// A region without the slices that the tables have.
+    fn points(&self, region: &Region, finer: bool) -> Result<LookupPoints, BuildError>;
+
+    /// The truth of each side at points: E, and B where it must be `finer` and tables hold it.
     ///
     /// # Errors
     /// A truth that cannot be integrated.
-    fn judge(
+    fn truths(
         &self,
         smith: Smith,
-        region: &Region,
+        points: &LookupPoints,
         finer: bool,
         counter: &Counter,
-    ) -> Result<Judge, BuildError>;
+    ) -> Result<(Vec<Albedo>, Made), IntegrateError>;
 }
 
 /// An effect that is a family of tables with slices, and nothing else. It is an
@@ -97,12 +103,6 @@ pub trait Sliced: Family {
 
     /// Slices that pictures are drawn at, as far as they lie in the range.
     fn shown(&self) -> &'static [f64];
-
-    /// Truths of each side at a grid of one slice.
-    ///
-    /// # Errors
-    /// A truth that cannot be integrated.
-    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError>;
 
     /// Title of a furnace test at a slice: `Glass, index of refraction 1.5, from inside`.
     fn title(&self, slice: f64, side: Option<Side>) -> String;

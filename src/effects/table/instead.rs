@@ -1,8 +1,6 @@
 //! What keeps a limit that a table does not: larger sizes, other layouts and wider texels,
 //! measured.
 
-use std::sync::Arc;
-
 use super::bake::finish;
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
@@ -23,48 +21,47 @@ struct Choice {
 }
 
 /// Lines that say what keeps the limit of a job whose tables of this size do not, each with its
-/// bytes and its error. Measured are sizes doubled until one keeps it, the other layouts of its kind
-/// at the job's size, and in place of f16 the smallest size with f32 texels that keeps it where f16
-/// does not. `judge` has the truth of the job.
+/// bytes and its error. Measured are sizes doubled until one keeps it: in the job's own layout, and up
+/// to the size that keeps it there in the other layouts of its kind, and with f32 texels in place of
+/// f16. `judge` has the truth of the job.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
 pub(super) fn instead(
     family: &dyn Family,
-    (job, size): (&TableJob, &[usize]),
-    judge: &Arc<Judge>,
+    (job, own): (&TableJob, &[usize]),
+    judge: &Judge,
     limit: f64,
     context: &Context,
 ) -> Result<Vec<String>, BakeError> {
-    let of = |job: TableJob, size: &[usize], but: String| measured(family, (&job, size), but, judge, context);
-    let (own, mut size, mut kept) = (size, size.to_vec(), false);
     let mut choices = Vec::new();
-    while !kept && is_measured(&doubled(&size)) {
-        size = doubled(&size);
-        let choice = of(job.clone(), &size, String::new())?;
-        kept = choice.error <= limit;
-        choices.push(choice);
-    }
+    let mut smallest = |job: TableJob, from: Option<Vec<usize>>, most: &[usize], but: &str| {
+        let mut size = from;
+        while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
+            let choice = measured(family, (&job, &of), but.into(), judge, context)?;
+            let kept = choice.error <= limit;
+            choices.push(choice);
+            if kept {
+                return Ok(Some(of));
+            }
+            size = Some(doubled(&of));
+        }
+        Ok::<_, BakeError>(None)
+    };
+    let largest = vec![usize::MAX; own.len()];
+    let kept = smallest(job.clone(), Some(doubled(own)), &largest, "")?;
+    let most = kept.as_deref().unwrap_or(&largest);
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
         let but = format!(", layout `{}`", layout.name());
-        choices.push(of(TableJob { layout, ..job.clone() }, own, but)?);
+        smallest(TableJob { layout, ..job.clone() }, Some(own.to_vec()), most, &but)?;
     }
-    let mut wider = match job.format {
-        TexelFormat::F16 if kept => vec![own],
-        TexelFormat::F16 => vec![own, &size],
-        TexelFormat::F32 => Vec::new(),
-    };
-    wider.dedup();
-    for size in wider {
+    if job.format == TexelFormat::F16 {
         let format = TexelFormat::F32;
-        let choice = of(TableJob { format, ..job.clone() }, size, format!(", format `{}`", format.name()))?;
-        let keeps = choice.error <= limit;
-        choices.push(choice);
-        if keeps {
-            break;
-        }
+        let but = format!(", format `{}`", format.name());
+        smallest(TableJob { format, ..job.clone() }, Some(own.to_vec()), most, &but)?;
     }
-    let chosen = job.size.is_some() && size.len() == 2 && kept && size.iter().all(|n| *n <= AUTO_SIDE);
+    let square = |size: Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
+    let chosen = job.size.is_some() && kept.is_some_and(square);
     Ok(said(&choices, limit, chosen))
 }
 
@@ -113,7 +110,7 @@ fn measured(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),
     but: String,
-    judge: &Arc<Judge>,
+    judge: &Judge,
     context: &Context,
 ) -> Result<Choice, BakeError> {
     let spec = job.spec(size.to_vec(), &size_text(size));
@@ -121,7 +118,8 @@ fn measured(
     let (mut error, mut bytes) = (0.0_f64, 0);
     for (i, table) in tables.iter().enumerate() {
         bytes = table.bytes();
-        error = error.max(finish(&spec, table, made, (judge, i))?.errors.lookup.max);
+        let closer = judge.closer(family, (table, spec.decode()), i, &context.counter)?;
+        error = error.max(finish(&spec, table, made, (closer, i))?.errors.lookup.max);
     }
     Ok(Choice { words: format!("{}{but}", size_text(size)), bytes, error })
 }

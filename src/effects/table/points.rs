@@ -129,6 +129,17 @@ impl LookupPoints {
         LookupPoints { all: (0..set.len()).map(point).collect(), uniform, slice: None, azimuth: false }
     }
 
+    /// Other points of the same inputs; none counts for RMS and mean.
+    pub(super) fn more(&self, all: Vec<Point>) -> LookupPoints {
+        LookupPoints { uniform: vec![false; all.len()], all, ..*self }
+    }
+
+    /// The columns alpha and mu.
+    pub fn inputs(&self) -> points::Points {
+        let column = |of: fn(&Point) -> f32| self.all.iter().map(|p| f64::from(of(p))).collect::<Vec<f64>>();
+        points::Points::new([("alpha", column(|p| p.alpha)), ("mu", column(|p| p.mu))])
+    }
+
     /// Number of points.
     pub fn len(&self) -> usize {
         self.all.len()

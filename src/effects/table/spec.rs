@@ -1,7 +1,7 @@
 //! What to bake, and what came of it.
 
 use super::Region;
-use crate::data::{Axis, Channel, Layout, Serves, Smith, Table, TableError, TexelFormat};
+use crate::data::{Axis, Channel, Decode, Layout, Serves, Smith, Table, TableError, TexelFormat};
 
 /// Tables to bake that share their integrals: one for each side.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +23,11 @@ pub struct Spec {
 }
 
 impl Spec {
+    /// How a texel becomes E.
+    pub fn decode(&self) -> Decode {
+        Decode::of(self.layout, self.serves)
+    }
+
     /// The size, of as many axes as the family's tables have.
     ///
     /// # Errors

@@ -2,9 +2,7 @@
 
 use std::cell::Cell;
 
-use super::{
-    BakedTable, BuildError, Family, Judge, LookupPoints, Made, Point, Region, Spec, TableJob, bake, flat,
-};
+use super::{BakedTable, BuildError, Family, LookupPoints, Made, Point, Region, Spec, TableJob, bake, flat};
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table, TexelFormat};
 use crate::effects::context::Context;
@@ -176,12 +174,20 @@ impl Family for ValueTable {
         Ok((tables, Made { evaluations: 0, integration: integration.get() }))
     }
 
-    fn judge(&self, smith: Smith, region: &Region, _: bool, counter: &Counter) -> Result<Judge, BuildError> {
-        let points = LookupPoints::certification(region, LOG2_POINTS);
+    fn points(&self, region: &Region, _: bool) -> Result<LookupPoints, BuildError> {
+        Ok(LookupPoints::certification(region, LOG2_POINTS))
+    }
+
+    fn truths(
+        &self,
+        smith: Smith,
+        points: &LookupPoints,
+        _: bool,
+        counter: &Counter,
+    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
         let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
             .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
         let (e, integration) = self.truth(smith, [alpha, mu], counter)?;
-        let truths = vec![Albedo { e, b: Vec::new() }];
-        Ok(Judge { points, truths, made: Made { evaluations: 0, integration } })
+        Ok((vec![Albedo { e, b: Vec::new() }], Made { evaluations: 0, integration }))
     }
 }

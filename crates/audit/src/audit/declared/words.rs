@@ -1,7 +1,7 @@
 //! What came of a file's own statement, in words.
 
-use super::Declared;
 use super::statement::Axis;
+use super::{Declared, SLACK};
 use crate::audit::verdict::{long, number, place};
 
 /// Letter, input, registration, formula.
@@ -54,7 +54,12 @@ pub(super) fn paragraph(found: &Declared) -> String {
         held.collect::<Vec<_>>().join("; ")
     ));
     if found.holds() {
-        out.push(format!("It claims {}.", number(found.claimed)));
+        let above = found.held.iter().any(|held| held.figures.max > held.share() * found.claimed);
+        let more = format!(
+            ", where it was measured; here it is off by more, within the factor {SLACK} that other places may make"
+        );
+        let places = if above { more } else { String::new() };
+        out.push(format!("It claims {}{places}.", number(found.claimed)));
     }
     if !found.cut.is_empty() {
         out.push(format!(
