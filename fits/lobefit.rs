@@ -152,7 +152,7 @@ pub fn ggx_albedo_decode(texel: f32) -> f32 {
 /// Panics if `texels` has fewer than 32 x 32 entries.
 /// Table ggx-dfg-correlated-32x32 of ggx-reflection, F = 1: 32 x 32 texels in f16.
 /// smith: correlated; alpha = roughness^2.
-/// Error: max 0.0006909, rms 0.0002011 over n_dot_v [0.001, 1], roughness [0.02, 1].
+/// Error: max 0.0006916, rms 0.0002011 over n_dot_v [0.001, 1], roughness [0.02, 1].
 pub fn ggx_albedo(texels: &[f32], roughness: f32, n_dot_v: f32) -> f32 {
     let uv = ggx_albedo_uv(roughness, n_dot_v);
     let texel = bilinear([32, 32], uv, |i| texels[i]);
@@ -180,7 +180,7 @@ pub fn ggx_dfg_decode(texel: [f32; 2], n_dot_v: f32) -> [f32; 3] {
 /// Panics if `texels` has fewer than 64 x 64 entries.
 /// Table ggx-dfg-correlated-64x64-split-sum of ggx-reflection, F = 1: 64 x 64 texels in f16.
 /// smith: correlated; alpha = roughness^2.
-/// Error: max 0.0003735, rms 0.0001121 over n_dot_v [0.001, 1], roughness [0.02, 1].
+/// Error: max 0.000374, rms 0.0001121 over n_dot_v [0.001, 1], roughness [0.02, 1].
 pub fn ggx_dfg(texels: &[[f32; 2]], roughness: f32, n_dot_v: f32) -> [f32; 3] {
     let uv = ggx_dfg_uv(roughness, n_dot_v);
     let texel = [0, 1].map(|c: usize| bilinear([64, 64], uv, |i| texels[i][c]));
@@ -208,7 +208,7 @@ pub fn ggx_aniso_albedo_decode(texel: f32) -> f32 {
 /// Panics if `texels` has fewer than 64 x 64 x 32 entries.
 /// Table ggx-aniso-correlated-64x64x32 of ggx-reflection-aniso, F = 1: 64 x 64 x 32 texels in f16.
 /// smith: correlated; alpha = roughness^2.
-/// Error: max 0.0004863, rms 0.00007143 over anisotropy [0, 1], n_dot_v [0.001, 1], roughness [0.1414, 1].
+/// Error: max 0.0005211, rms 0.00007143 over anisotropy [0, 1], n_dot_v [0.001, 1], roughness [0.1414, 1].
 pub fn ggx_aniso_albedo(texels: &[f32], roughness: f32, n_dot_v: f32, anisotropy: f32) -> f32 {
     let uvw = ggx_aniso_albedo_uvw(roughness, n_dot_v, anisotropy);
     let texel = trilinear([64, 64, 32], uvw, |i| texels[i]);
@@ -239,7 +239,7 @@ pub fn ggx_aniso_azimuth_albedo_decode(texel: [f32; 4], anisotropy: f32, cos2_ph
 /// Panics if `texels` has fewer than 64 x 16 x 16 entries.
 /// Table ggx-aniso-azimuth-correlated-64x16x16 of ggx-reflection-aniso, F = 1: 64 x 16 x 16 texels in f16.
 /// smith: correlated; alpha = roughness^2.
-/// Error: max 0.003657, rms 0.0007006 over anisotropy [0, 1], n_dot_v [0.001, 1], roughness [0.1414, 1].
+/// Error: max 0.004814, rms 0.0007006 over anisotropy [0, 1], n_dot_v [0.001, 1], roughness [0.1414, 1].
 pub fn ggx_aniso_azimuth_albedo(
     texels: &[[f32; 4]],
     roughness: f32,
@@ -275,7 +275,7 @@ pub fn ggx_glass_albedo_decode(texel: f32) -> f32 {
 /// Panics if `texels` has fewer than 128 x 128 x 32 entries.
 /// Table ggx-glass-outside-correlated-128x128x32 of ggx-glass, exact dielectric Fresnel: 128 x 128 x 32 texels in f16.
 /// smith: correlated, G2 = 1/(1 + Lambda_v + Lambda_l) in both lobes; alpha = roughness^2.
-/// Error: max 0.0007209, rms 0.0001149 over ior [1, 2], n_dot_v [0.001, 1], roughness [0.1414, 1].
+/// Error: max 0.0007237, rms 0.0001149 over ior [1, 2], n_dot_v [0.001, 1], roughness [0.1414, 1].
 pub fn ggx_glass_albedo_outside(texels: &[f32], roughness: f32, n_dot_v: f32, ior: f32) -> f32 {
     let uvw = ggx_glass_albedo_uvw(roughness, n_dot_v, ior);
     let texel = trilinear([128, 128, 32], uvw, |i| texels[i]);
@@ -286,7 +286,7 @@ pub fn ggx_glass_albedo_outside(texels: &[f32], roughness: f32, n_dot_v: f32, io
 /// Panics if `texels` has fewer than 128 x 128 x 32 entries.
 /// Table ggx-glass-inside-correlated-128x128x32 of ggx-glass, exact dielectric Fresnel: 128 x 128 x 32 texels in f16.
 /// smith: correlated, G2 = 1/(1 + Lambda_v + Lambda_l) in both lobes; alpha = roughness^2.
-/// Error: max 0.001828, rms 0.0003317 over ior [1, 2], n_dot_v [0.001, 1], roughness [0.1414, 1].
+/// Error: max 0.001857, rms 0.0003317 over ior [1, 2], n_dot_v [0.001, 1], roughness [0.1414, 1].
 pub fn ggx_glass_albedo_inside(texels: &[f32], roughness: f32, n_dot_v: f32, ior: f32) -> f32 {
     let uvw = ggx_glass_albedo_uvw(roughness, n_dot_v, ior);
     let texel = trilinear([128, 128, 32], uvw, |i| texels[i]);

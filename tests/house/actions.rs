@@ -109,18 +109,27 @@ fn the_release_workflow_is_well_formed() {
     }
 }
 
-/// The documented workflows, each of eight lines at most.
+/// The documented workflows: to check, of eight lines at most, and of a bake in pieces.
 #[test]
 fn the_documented_workflows_are_well_formed() {
     let page = text("docs/ci.md");
     let blocks: Vec<&str> =
         page.split("```yaml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert_eq!(blocks.len(), 2);
-    assert!(blocks.iter().all(|block| block.lines().count() <= 8), "eight lines");
+    assert_eq!(blocks.len(), 3);
+    assert!(blocks[..2].iter().all(|block| block.lines().count() <= 8), "eight lines");
     let (github, gitlab) = (yaml("GitHub", blocks[0]), yaml("GitLab", blocks[1]));
     let steps = github["jobs"]["lobefit"]["steps"].as_vec().expect("steps");
     for step_of in steps {
         step("docs/ci.md", step_of, false);
+    }
+    let pieces = yaml("pieces", blocks[2]);
+    assert_eq!(keys(&pieces["jobs"]), set(["bake", "merge"]));
+    assert_eq!(pieces["jobs"]["merge"]["needs"].as_str(), Some("bake"));
+    assert_eq!(keys(&pieces["jobs"]["bake"]["strategy"]["matrix"]), named(blocks[2], "matrix."));
+    for job in ["bake", "merge"] {
+        for step_of in pieces["jobs"][job]["steps"].as_vec().expect("steps") {
+            step("docs/ci.md", step_of, false);
+        }
     }
     let inputs = yaml("action.yml", &text("action.yml"))["inputs"].clone();
     assert!(keys(&steps[1]["with"]).is_subset(&keys(&inputs)));
