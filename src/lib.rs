@@ -8,9 +8,10 @@
 //! of its own so that neither `shade` nor `fit` can reach optics through it.
 //!
 //! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's
-//! tables and shader functions against the truth), `lobefit-gpu` (machine code and times of the emitted
-//! functions on GPUs) and `lobefit-studies` (rendered rooms and spheres, random walks: the long
-//! experiments, outside `bake`).
+//! tables and shader functions against the truth), `lobefit-formula` (a formula of the user's, fitted
+//! or searched for), `lobefit-gpu` (machine code and times of the emitted functions on GPUs) and
+//! `lobefit-studies` (rendered rooms and spheres, random walks: the long experiments, outside
+//! `bake`).
 //!
 //! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and
 //! fails on an edge that runs upward).
@@ -26,7 +27,6 @@
 //! | 5 | [`effects`] | the catalogue: each effect declares its callers, fits, tables, code and page |
 //! | 6 | [`plan`] | scene and catalogue to jobs, and to effects left out with the reason |
 //! | 7 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
-//! | 7 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
 //! | 8 | [`timing`] | what accuracy costs in seconds; records of times and of machine code |
 //! | 9 | [`cli`] | one file per verb |
 
@@ -36,7 +36,6 @@ pub mod cli;
 pub mod data;
 pub mod effects;
 pub mod emit;
-pub mod fitting;
 pub mod plan;
 pub mod report;
 pub mod scene;

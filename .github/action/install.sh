@@ -24,7 +24,7 @@ if [ -n "$target" ] && [[ "${ACTION_REF:-}" == v* ]] && command -v gh >/dev/null
 fi
 cd "$(dirname "$0")/../.."
 cargo build --release --locked --target-dir "$folder/target"
-for name in lobefit lobefit-audit lobefit-studies; do
+for name in lobefit lobefit-audit lobefit-formula lobefit-studies; do
   for suffix in "" .exe; do
     if [ -f "$folder/target/release/$name$suffix" ]; then cp "$folder/target/release/$name$suffix" "$folder/bin/"; fi
   done

@@ -12,7 +12,8 @@ if [ -f "$built/lobefit.exe" ]; then suffix=.exe; fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/$name/man" "$work/$name/completions"
-cp "$built/lobefit$suffix" "$built/lobefit-audit$suffix" "$built/lobefit-studies$suffix" "$work/$name/"
+cp "$built/lobefit$suffix" "$built/lobefit-audit$suffix" "$built/lobefit-formula$suffix" "$built/lobefit-studies$suffix" \
+  "$work/$name/"
 cp "$(dirname "$0")/../../LICENSE" "$(dirname "$0")/../../README.md" "$work/$name/"
 "$built/lobefit$suffix" man "$work/$name/man"
 for shell in bash elvish fish powershell zsh; do

@@ -26,5 +26,5 @@ pub use prepared::Counter;
 pub use region::Region;
 pub use run::{Wanted, fit_all};
 pub use safe::{Safe, SafeProof, SafeRange};
-pub use search::runaways;
-pub(crate) use search::{named_for, searched};
+pub(crate) use search::searched;
+pub use search::{named_for, runaways};

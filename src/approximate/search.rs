@@ -60,7 +60,7 @@ pub fn runaways(hypothesis: &Hypothesis, coefficients: &[f64]) -> impl Iterator<
 
 /// The minimax fit bears its hypothesis' name; a fit in another norm has its norm appended, so that
 /// all can be emitted.
-pub(crate) fn named_for(hypothesis: &Hypothesis, goal: Goal) -> Hypothesis {
+pub fn named_for(hypothesis: &Hypothesis, goal: Goal) -> Hypothesis {
     let name = hypothesis.name();
     match goal {
         Goal::Max => hypothesis.clone(),

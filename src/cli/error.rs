@@ -4,7 +4,6 @@ use std::io;
 
 use super::points::PointsError;
 use crate::bake::{BakeError, PreviousError, ShardError};
-use crate::fitting::FittingError;
 use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
@@ -103,9 +102,6 @@ pub enum CliError {
     /// Files that are not the shards of a bake.
     #[error(transparent)]
     Shard(#[from] ShardError),
-    /// A formula that was not fitted.
-    #[error("{0}")]
-    Fitting(#[from] Box<FittingError>),
     /// A record of times on a graphics processor that cannot be used.
     #[error("{}: {source}", visible(file))]
     Record {
@@ -131,20 +127,8 @@ impl CliError {
         match self {
             CliError::Output(_) => 3,
             CliError::Store(error) if error.is_write() => 3,
-            CliError::Fitting(error) if matches!(**error, FittingError::Uncertified { .. }) => 1,
             CliError::Package(error) => error.exit_code(),
             _ => 2,
-        }
-    }
-}
-
-impl From<FittingError> for CliError {
-    fn from(error: FittingError) -> CliError {
-        match &error {
-            // The settings have the names of the options.
-            FittingError::Target(target) if target.names_a_setting() => CliError::Usage(format!("--{error}")),
-            FittingError::Weight { .. } => CliError::Usage(format!("--{error}")),
-            _ => CliError::Fitting(Box::new(error)),
         }
     }
 }

@@ -169,7 +169,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
 }
 
 /// The kernel of a word of a command line: one of those with a formula, or the path of a table.
-pub(super) fn kernel(word: &str) -> Result<Kernel, CliError> {
+pub fn kernel(word: &str) -> Result<Kernel, CliError> {
     if let Some(kernel) = Kernel::ALL.into_iter().find(|kernel| kernel.word() == word) {
         return Ok(kernel);
     }

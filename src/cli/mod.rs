@@ -10,7 +10,6 @@ pub mod cost;
 mod error;
 mod eval;
 mod external;
-mod fit;
 pub mod input;
 mod manual;
 mod merge;
@@ -64,8 +63,8 @@ enum Verb {
     #[command(after_help = eval::after_help())]
     Eval(eval::Options),
     /// Fit a formula of your own to a quantity, or search for formulas (--search)
-    #[command(after_help = fit::after_help())]
-    Fit(Box<fit::Options>),
+    #[command(disable_help_flag = true)]
+    Fit(external::Words),
     /// Measure a table or shader function that somebody ships against the truth
     #[command(disable_help_flag = true)]
     Audit(external::Words),
@@ -102,7 +101,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Merge(options) => merge::run(&options),
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
-        Verb::Fit(options) => fit::run(&options),
+        Verb::Fit(external) => external::run("lobefit-formula", &external.words),
         Verb::Audit(external) => external::run("lobefit-audit", &external.words),
         Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),

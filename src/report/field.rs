@@ -84,7 +84,10 @@ impl Field {
     }
 
     /// Rulers increase, the values are as many as the grid has nodes, and finite.
-    pub(crate) fn check(&self, section: &str) -> Result<(), ReportError> {
+    ///
+    /// # Errors
+    /// The field that is not so, with the section that would show it.
+    pub fn check(&self, section: &str) -> Result<(), ReportError> {
         check::increasing(section, &format!("{}: {}", self.name, self.x.name), &self.x.values)?;
         check::increasing(section, &format!("{}: {}", self.name, self.y.name), &self.y.values)?;
         let values = format!("{}: values", self.name);

@@ -35,9 +35,8 @@ pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
-    Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, LeftOut, Marked,
-    Measured, Offer, Origin, Purpose, Role, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study,
-    StudySeries, TableFinding,
+    Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Marked, Measured, Offer, Origin, Purpose,
+    Role, SCHEMA_VERSION, Study, StudySeries, TableFinding,
 };
 pub use fold::{folded, folded_after};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
@@ -46,8 +45,8 @@ pub use image::{Image, displayed, luminance};
 pub use json::document;
 pub use page::{Block, Card, Choice, Page, Section, TextTable};
 pub use plot::{
-    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Scatter, Series, Shade,
-    SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
+    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Scale, Scatter, Series,
+    Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
 pub use sections::{figures, words};
 pub use timings::{
@@ -188,22 +187,6 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
 /// As [`draft`].
 pub fn cost_page(costs: &Costs) -> Result<String, ReportError> {
     Ok(html(&sections::of_costs(costs)?))
-}
-
-/// The page of a formula that the user fits, as HTML.
-///
-/// # Errors
-/// As [`draft`].
-pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
-    Ok(html(&sections::of_fit(findings)?))
-}
-
-/// The page of a search over forms, as HTML.
-///
-/// # Errors
-/// As [`draft`].
-pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
-    Ok(html(&sections::of_search(findings)?))
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

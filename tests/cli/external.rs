@@ -9,8 +9,9 @@ use crate::common::stderr;
 
 /// Verb, package, and words that follow the verb. What follows `cost` is read by `lobefit` itself
 /// first.
-const VERBS: [(&str, &str, &[&str]); 3] = [
+const VERBS: [(&str, &str, &[&str]); 4] = [
     ("audit", "lobefit-audit", &["-x", "two words", "--out=report"]),
+    ("fit", "lobefit-formula", &["-x", "two words", "--out=report"]),
     ("report", "lobefit-studies", &["-x", "two words", "--out=report"]),
     ("cost", "lobefit-gpu", &["--gpu", "--reduced", "two words"]),
 ];

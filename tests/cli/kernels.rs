@@ -1,32 +1,15 @@
-//! Probes whose kernel is a table in a file: from the scene to emitted code, in `eval` and `fit`,
-//! and files that are refused.
+//! Probes whose kernel is a table in a file: from the scene to emitted code, in `eval`, and files
+//! that are refused.
 
 use std::fs;
 use std::path::Path;
 
 use crate::common;
+use crate::kernel_support;
 
 use common::{lobefit, names, stderr};
+use kernel_support::{WIDTHS, phong, write};
 use serde_json::{Value, json};
-
-/// cos^n(theta), n = 1/(2 A) - 1/2, of some widths.
-fn phong(widths: &[f64]) -> Value {
-    let lobe = |&alpha: &f64| {
-        let power = 0.5 / (alpha * alpha) - 0.5;
-        let theta: Vec<f64> =
-            (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
-        let cosine = |theta: &f64| lobefit_math::ops::cos(*theta).max(0.0);
-        let density: Vec<f64> = theta.iter().map(|t| lobefit_math::ops::pow(cosine(t), power)).collect();
-        json!({"alpha": alpha, "theta": theta, "density": density})
-    };
-    json!({"schema_version": 1, "name": "phong", "lobes": widths.iter().map(lobe).collect::<Vec<_>>()})
-}
-
-const WIDTHS: [f64; 6] = [0.04, 0.1, 0.2, 0.4, 0.65, 1.0];
-
-fn write(folder: &Path, name: &str, text: &Value) {
-    fs::write(folder.join(name), text.to_string()).expect("a file");
-}
 
 fn scene(kernel: &str) -> Value {
     json!({"schema_version": 1, "pick": "all", "materials": [], "probes": [
@@ -102,7 +85,7 @@ fn a_table_is_baked_under_its_name_and_hash() {
 }
 
 #[test]
-fn eval_and_fit_take_a_table() {
+fn eval_takes_a_table() {
     let folder = tempfile::tempdir().expect("a folder");
     write(folder.path(), "mine.json", &phong(&WIDTHS));
     let points = "alpha,rho\n0.2,1\n0.2,0.5\n0.5,4\n";
@@ -131,31 +114,6 @@ fn eval_and_fit_take_a_table() {
         option.lines().nth(1).map(|row| row.replacen("0.5,", "0.5,ndf,", 1)).as_deref(),
         column.lines().nth(1)
     );
-
-    fs::write(
-        folder.path().join("f.wgsl"),
-        "override k: f32 = 1.0;\nfn f(alpha: f32, rho: f32) -> f32 { return min(1.0, k * rho * alpha); }",
-    )
-    .expect("a file");
-    let fit =
-        ["fit", "f.wgsl", "--to", "parallax-alpha", "--fix", "kernel=mine.json", "--json", "--norm", "rms"];
-    let output = lobefit(folder.path(), &fit, b"");
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    let json = String::from_utf8(output.stdout).expect("text");
-    assert!(json.contains("phong@") && json.contains("kernel=mine.json"), "{json}");
-}
-
-/// Functions that a search finds for a table are named by its name.
-#[test]
-fn a_search_takes_a_table() {
-    let folder = tempfile::tempdir().expect("a folder");
-    write(folder.path(), "mine.json", &phong(&WIDTHS));
-    let fix = ["--fix", "kernel=mine.json", "--max-ops", "3", "--width", "1", "--helpers", "none"];
-    let output =
-        lobefit(folder.path(), &[&["fit", "--search", "--to", "parallax-alpha"], &fix[..]].concat(), b"");
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    let told = String::from_utf8(output.stdout).expect("text");
-    assert!(told.contains("parallax_alpha_alpha_adjusted_parallax_phong_"), "{told}");
 }
 
 #[test]

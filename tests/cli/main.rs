@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../kernel_support/mod.rs"]
+mod kernel_support;
 
 mod bad_points;
 mod bad_scenes;
@@ -9,12 +11,9 @@ mod cache;
 mod cost;
 mod eval;
 mod external;
-mod fit;
-mod fit_ends;
 mod hypotheses;
 mod kernels;
 mod manual;
 mod records;
-mod search;
 mod shards;
 mod usage;

@@ -9,6 +9,7 @@ use std::process::{Command, Output, Stdio};
 fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
     let verb = [
         option_env!("CARGO_BIN_EXE_lobefit-audit"),
+        option_env!("CARGO_BIN_EXE_lobefit-formula"),
         option_env!("CARGO_BIN_EXE_lobefit-gpu"),
         option_env!("CARGO_BIN_EXE_lobefit-studies"),
     ];

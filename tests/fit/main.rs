@@ -2,8 +2,6 @@
 
 #[path = "../code_support/mod.rs"]
 mod code_support;
-#[path = "../common/mod.rs"]
-mod common;
 #[path = "../fit_support/mod.rs"]
 mod fit_support;
 
@@ -13,7 +11,6 @@ mod dialect;
 mod global;
 mod hypotheses;
 mod nist;
-mod perceptual;
 mod planted;
 mod poles;
 mod precision;

@@ -103,7 +103,9 @@ fn the_release_workflow_is_well_formed() {
         let target = system["target"].as_str().expect("a target");
         assert!(self::text(".github/action/install.sh").contains(target), "{target}");
     }
-    for manifest in ["Cargo.toml", "crates/audit/Cargo.toml", "crates/studies/Cargo.toml"] {
+    for manifest in
+        ["Cargo.toml", "crates/audit/Cargo.toml", "crates/formula/Cargo.toml", "crates/studies/Cargo.toml"]
+    {
         let named = "/releases/download/v{ version }/lobefit-{ target }.tgz";
         assert!(self::text(manifest).contains(named), "{manifest}");
     }

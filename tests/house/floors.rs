@@ -151,7 +151,7 @@ fn planted_edges_are_caught() {
         ["f.rs imports approximate"],
         "the floor above"
     );
-    assert_eq!(edges("bake", "use crate::fitting::Job;", 2), ["f.rs imports fitting"], "same floor");
+    assert_eq!(edges("store", "use crate::scene::Scene;", 2), ["f.rs imports scene"], "same floor");
     assert_eq!(edges("plan", "use crate::{\n  data::{Axis, Warp},\n  cli,\n};", 2), ["f.rs imports cli"]);
     assert_eq!(edges("effects", "fn f() -> crate::plan::Plan {}", 2), ["f.rs imports plan"]);
     assert_eq!(edges("plan", "use super::super::bake::Baked;", 2), ["f.rs imports bake"]);

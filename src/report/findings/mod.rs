@@ -4,8 +4,6 @@
 mod answer;
 mod approximation;
 mod furnace;
-mod own;
-mod search;
 mod table;
 
 use serde::{Deserialize, Serialize};
@@ -17,8 +15,6 @@ pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use answer::{Answer, Measured, Offer, Purpose, Role};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
-pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
-pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
 /// Version of the shape of the reports' JSON files.

@@ -25,10 +25,13 @@ pub(super) fn name(spread: Spread) -> &'static str {
 
 /// An axis: a spread over an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Scale {
-    pub(crate) spread: Spread,
-    pub(crate) min: f64,
-    pub(crate) max: f64,
+pub struct Scale {
+    /// How values are spread between the ends.
+    pub spread: Spread,
+    /// Value at the low end.
+    pub min: f64,
+    /// Value at the high end, above the low one.
+    pub max: f64,
 }
 
 /// A tick: its value, its label (minor ticks have none).
@@ -40,8 +43,8 @@ pub(crate) struct Tick {
 
 impl Scale {
     /// The scale that holds all values, rounded outward to ticks (linear) or to decades, 2 and 5
-    /// (log).
-    pub(crate) fn around(spread: Spread, values: impl Iterator<Item = f64> + Clone) -> Scale {
+    /// (log). Values are finite, one or more; for `Log` positive, for `Root` not negative.
+    pub fn around(spread: Spread, values: impl Iterator<Item = f64> + Clone) -> Scale {
         let min = values.clone().fold(f64::INFINITY, f64::min);
         let max = values.fold(f64::NEG_INFINITY, f64::max);
         match spread {

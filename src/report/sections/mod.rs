@@ -10,8 +10,6 @@ pub(crate) mod fits;
 pub(crate) mod furnace;
 mod gpu;
 mod index;
-mod own;
-mod search;
 mod selection;
 mod study;
 pub(crate) mod tables;
@@ -19,10 +17,7 @@ mod timed_tables;
 mod timings;
 pub mod words;
 
-use super::{
-    Answer, Block, Costs, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage,
-    Timings,
-};
+use super::{Answer, Block, Costs, Figure, Findings, GpuRecord, Origin, Page, ReportError, Timings};
 use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
 use lobefit_shade::code::Language;
@@ -101,16 +96,6 @@ pub(crate) fn of_gpu(record: &GpuRecord, hash: &str) -> Result<Page, ReportError
 /// The page of what accuracy costs.
 pub(crate) fn of_costs(costs: &Costs) -> Result<Page, ReportError> {
     cost::page(costs)
-}
-
-/// The page of a formula that the user fits.
-pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
-    own::page(findings)
-}
-
-/// The page of a search over forms.
-pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
-    search::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

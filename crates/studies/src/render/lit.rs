@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::sphere::{Pixel, Place, pixel};
 use super::{Environment, Materials};
-use lobefit::fitting::Aimed;
 use lobefit::report::Image;
+use lobefit_formula::perceptual::Aimed;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, normalise, plus, scaled};

@@ -11,7 +11,7 @@ mod lit;
 mod sphere;
 
 pub use lit::{Halves, Settings, inside, spheres};
-pub use lobefit::fitting::{Environment, Lamp, diffuse_light};
+pub use lobefit_formula::perceptual::{Environment, Lamp, diffuse_light};
 
 use lobefit_truth::optics::ggx::Vec3;
 

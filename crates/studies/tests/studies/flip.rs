@@ -3,8 +3,8 @@
 use crate::flip_support;
 
 use flip_support::{NAMES, SIZE, pair};
-use lobefit::fitting::sensitivity;
 use lobefit::report::Image;
+use lobefit_formula::perceptual::sensitivity;
 use lobefit_math::ops;
 use lobefit_studies::flip::{ErrorMap, Exposures, FlipError, PIXELS_PER_DEGREE, Reference, ldr};
 use serde_json::Value;

@@ -9,8 +9,8 @@ use lobefit::approximate::target::TargetSpec;
 use lobefit::approximate::{Counter, Entry, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith};
 use lobefit::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
-use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
+use lobefit_formula::fitting::{Job, fit};
 use lobefit_shade::{Hypothesis, Precision};
 use lobefit_truth::quantity::{COUPLING, DiffuseCoupling, Specular, Variant};
 

@@ -10,7 +10,7 @@ use crate::study::coupling::findings::{FurnaceStrip, LitRow, LitStrip, Ranked, R
 use crate::study::coupling::surface::measure::{self, Pair};
 use crate::study::coupling::surface::{Albedos, Lobe, Material, Surface, cost};
 use lobefit::data::{AlphaMap, Smith};
-use lobefit::fitting::Perceptual;
+use lobefit_formula::perceptual::Perceptual;
 use lobefit_math::sum::mean;
 
 /// One ranking for each lobe, over the reflectances of dielectrics, for which the fits are made.

@@ -1,0 +1,131 @@
+//! `lobefit fit`: a formula of the user's, fitted and certified.
+
+mod options;
+mod search;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::fitting::{self, Fitting, Job};
+use lobefit::cli::CliError;
+use lobefit::cli::output::{self, Outcome, print, say};
+use lobefit::cli::progress::Spinner;
+use lobefit::data::Use;
+use lobefit::scene::escape::visible;
+use lobefit::store::{Folder, Written};
+
+use options::Options;
+
+const EXAMPLES: &str = "\
+Examples:
+  lobefit fit mine.wgsl --to ggx-reflection:E --use normalisation
+  lobefit fit mine.wgsl --to ggx-reflection:E --norm rms --weight mu --domain roughness=0.1..1
+  lobefit fit blend.wgsl --to ggx-reflection --use f0-blend --out fitted
+  lobefit fit mine.wgsl --to ggx-reflection:E --exact alpha=0 --range 0..1 --precision f32 --precision f16
+  lobefit fit --search --to ggx-reflection:E --use normalisation --max-ops 13 --out found
+  lobefit fit --search --to ggx-reflection --use f0-blend --max-ops 16 --out found
+  lobefit fit --search --to diffuse-coupling --fix specular=normalised --max-ops 12
+  lobefit fit --search --to ggx-reflection:E --max-ops 14 --helpers exp2,complement
+  lobefit fit thin.wgsl --to ggx-glass:R --fix side=outside --domain ior=1.5..1.5 --limit 0.01
+
+The formula is the last function of a WGSL file; its free parameters are `override` declarations, whose values are where the
+search starts; its arguments are inputs by name:
+  override c: f32 = 2.0;
+  fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * alpha * alpha * mu; }
+
+Inputs: roughness and the alpha that follows from it, mu, ior, alpha_x, alpha_y, phi, f0, as the quantity has them.
+Parameters that coincide or do not matter are an error (exit code 2, with the rank), or told of with --allow-undetermined.
+Where the formula has a divisor, the fit is proven to keep its sign over the whole domain; without the proof the exit code is 1.
+
+With --search no formula is given: forms of the inputs (quotients of sums of powers) are searched for the most accurate one of every
+cost up to --max-ops, by the operation model of the reports (add, mul, fma 1; rcp, sqrt, exp2 4; a division is rcp + mul).
+Square roots and exponentials, as factors of terms and of whole forms, are first tried in narrow searches; those that take away 3 %
+of the error or more are used (of the factors the best two), and what each gained is printed. --helpers says otherwise.
+Formulas of f0 are made of two forms, which share what they can.
+Where the truth has one value at alpha = 0, as a mirror's albedo, the forms have it exactly; --exact INPUT=0 says otherwise.
+
+With --out, writes NAME.html (page), NAME.json and NAME.{wgsl,rs,hlsl,glsl,metal,h} into the folder, NAME being the function's
+name. A search that does not converge, a missing proof or an error above --limit: exit code 1, nothing written.";
+
+/// What the help says after the options.
+fn after_help() -> String {
+    let use_of = |used_as: Use| format!("  {:<14} {}\n", used_as.name, used_as.meaning);
+    let uses: String = Use::all().into_iter().map(use_of).collect();
+    format!("{EXAMPLES}\n\nUses:\n{uses}")
+}
+
+/// Runs the verb on its arguments (the first is the program's name).
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match Options::try_parse_from(arguments) {
+        Ok(options) => output::finish(verb(&options)),
+        Err(usage) => output::usage(&usage),
+    }
+}
+
+fn verb(options: &Options) -> Result<Outcome, CliError> {
+    if options.search {
+        return search::run(options, &options.search_job()?);
+    }
+    let job = options.job()?;
+    // Before the work: an output that cannot be written is known now, not after it.
+    let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let spinner = Spinner::new(options.quiet || options.json);
+    spinner.stage("integrating and fitting");
+    let (fitting, files) = options.threads.install(|| {
+        let fitting = fitting::fit(&job)?;
+        let files = if folder.is_some() && reliable(&fitting) {
+            fitting::files(&job, &fitting)?
+        } else {
+            Default::default()
+        };
+        Ok((fitting, files))
+    })?;
+    drop(spinner);
+    show(options, &job, &fitting)?;
+    for fit in &fitting.fits {
+        for problem in &fit.problems {
+            say(&visible(&format!("{}: {problem}", fit.approximation.name)));
+        }
+    }
+    if !reliable(&fitting) {
+        if folder.is_some() {
+            say("nothing written");
+        }
+        return Ok(Outcome::Failed);
+    }
+    if let Some(folder) = &mut folder {
+        let written = folder.write(&files)?;
+        if !options.quiet && !options.json {
+            print(written_files(options, &written).as_bytes())?;
+        }
+    }
+    Ok(Outcome::Done)
+}
+
+/// What lies in the output folder now.
+fn written_files(options: &Options, written: &Written) -> String {
+    let folder = options.out.iter().map(|out| visible(&out.display().to_string())).collect::<String>();
+    let mut files: Vec<&str> = written.written.iter().chain(&written.unchanged).map(String::as_str).collect();
+    files.sort_unstable();
+    let (new, same) = (written.written.len(), written.unchanged.len());
+    format!("\nin {folder}: {}\n{new} files written, {same} unchanged\n", visible(&files.join(", ")))
+}
+
+/// Whether every fit can be relied on.
+fn reliable(fitting: &Fitting) -> bool {
+    fitting.fits.iter().all(|fit| fit.problems.is_empty())
+}
+
+fn show(options: &Options, job: &Job, fitting: &Fitting) -> Result<(), CliError> {
+    if options.json {
+        return print(&fitting::document(job, fitting)?);
+    }
+    if options.quiet {
+        return Ok(());
+    }
+    let text = fitting::summary(job, fitting, options.out.is_some())?;
+    let shown: String = text.lines().map(|line| visible(line) + "\n").collect();
+    print(shown.as_bytes())
+}

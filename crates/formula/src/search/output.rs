@@ -1,0 +1,205 @@
+//! What is printed and written of a search.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::{Point, SearchJob, Searched, Tried};
+use crate::fitting::catalogue::{CatalogueFit, ways_out};
+use crate::fitting::document::{TOOL, as_object, hash, of_target};
+use crate::fitting::one::approximation;
+use crate::fitting::{FittingError, words};
+use crate::report::{self, SearchPage, SearchRow};
+use lobefit::data::{Approximation, Model};
+use lobefit::emit::header::{place, short};
+use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
+use lobefit::report::{Dot, Origin};
+use lobefit::store::Files;
+use lobefit_fit::Goal;
+
+/// A table of the frontier, then each formula.
+pub fn summary(searched: &Searched, written: bool) -> String {
+    let target = &searched.target;
+    let exact = match searched.anchor.as_str() {
+        "" => String::new(),
+        anchor => format!(", each exactly {anchor}"),
+    };
+    let mut out = format!(
+        "{} {} as {}{}, alpha = {}: {} forms on the frontier{exact}\n",
+        target.quantity.name(),
+        target.column,
+        target.used_as.name,
+        words::smith(target),
+        target.alpha_map.name(),
+        searched.points.len(),
+    );
+    // The vendor's cost stands before the errors.
+    let price = |price: f64| searched.model.as_ref().map_or_else(String::new, |_| format!("  {price:>7.1}"));
+    let family = searched.model.as_ref().map_or_else(String::new, |m| format!("  {:>7}", m.family));
+    // Writing to a string cannot fail.
+    let _ = writeln!(out, "  {:>5}{family}  {:>10}  {:>10}  worst at", "ops", "max", "rms");
+    let row = |ops: u32, cost: f64, [max, rms]: [f64; 2], what: &str| {
+        format!("  {ops:>5}{}  {max:>10}  {:>10}  {what}\n", price(cost), short(rms))
+    };
+    for point in &searched.points {
+        let c = &point.certificate;
+        out += &row(point.ops, point.price, [c.max_abs, c.rms], &place(&c.at));
+    }
+    let published = searched.catalogue.iter().filter(|r| r.published);
+    let mut published: Vec<_> = published.collect();
+    published.sort_by(|a, b| a.price.total_cmp(&b.price));
+    if !published.is_empty() {
+        out += "  published, for comparison\n";
+    }
+    for rival in published {
+        out += &row(rival.ops, rival.price, [rival.max, rival.rms], &rival.name);
+    }
+    if let Some(model) = &searched.model {
+        let _ = writeln!(out, "  {}: {}, by a model of {}", model.family, model.unit, model.compiler);
+    }
+    out += &trials(searched);
+    if !written {
+        let _ = writeln!(out, "  emit one: {}", ways_out(target));
+    }
+    for point in &searched.points {
+        let _ = write!(out, "\n{}", file(point));
+    }
+    out
+}
+
+/// What was tried beforehand.
+fn trials(searched: &Searched) -> String {
+    if searched.tried.is_empty() {
+        return String::new();
+    }
+    let mut out = "  tried beforehand, in narrow searches\n".to_string();
+    for tried in &searched.tried {
+        let _ = writeln!(out, "    {}: {}", subject(tried), tried.outcome());
+    }
+    out
+}
+
+/// What was tried, and in which function.
+fn subject(tried: &Tried) -> String {
+    match tried.part {
+        Some(part) => format!("{} in {part}", tried.words),
+        None => tried.words.clone(),
+    }
+}
+
+/// A formula as it is kept: a hypothesis file.
+fn file(point: &Point) -> String {
+    let c = &point.certificate;
+    format!(
+        "// {}: max {}, rms {}, in f32 at {} points.\n{}\n",
+        point.hypothesis.name(),
+        c.max_abs,
+        short(c.rms),
+        c.points,
+        point.hypothesis.source().trim_end()
+    )
+}
+
+fn of(point: &Point, searched: &Searched) -> Approximation {
+    let constants: Vec<f32> = point.hypothesis.parameters().iter().map(|p| p.start).collect();
+    approximation(&point.hypothesis, &constants, Goal::Max, &searched.target, point.certificate.clone())
+}
+
+/// The document for machines: `fits[]` as in a bake's manifest, by rising cost.
+///
+/// # Errors
+/// Values that JSON does not have.
+pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, FittingError> {
+    let entry = |point: &Point| {
+        let approximation = of(point, searched);
+        let entry = FitEntry::new("", searched.target.alpha_map.name(), &approximation);
+        let mut entry = entry.map_or(Ok(serde_json::Map::new()), |entry| as_object(&entry))?;
+        entry.remove("effect");
+        entry.insert("bound".into(), json!(point.bound));
+        if let Some(model) = &searched.model {
+            let cost = json!({"family": model.family, "unit": model.unit, "price": point.price});
+            entry.insert("vendor_cost".into(), cost);
+        }
+        entry.insert("file".into(), json!(format!("{}.wgsl", point.hypothesis.name())));
+        Ok(Value::Object(entry))
+    };
+    let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
+    let tried = |t: &Tried| {
+        let (gain, ops, used) = (t.trial.gain, t.trial.ops, t.trial.admitted);
+        json!({"what": t.words, "part": t.part, "gain": gain, "ops": ops, "used": used})
+    };
+    let name = searched.name();
+    let document = json!({
+        "schema_version": SCHEMA_VERSION,
+        "tool": TOOL,
+        "command": job.command,
+        "recipe": hash(&[&job.command]),
+        "anchor": searched.anchor,
+        "tried": searched.tried.iter().map(tried).collect::<Vec<_>>(),
+        "fits": fits,
+        "others": searched.catalogue.iter().map(CatalogueFit::entry).collect::<Vec<_>>(),
+        "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
+    });
+    let mut bytes = serde_json::to_vec_pretty(&document)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+/// Every file: the page, the document, a hypothesis for each point of the frontier.
+///
+/// # Errors
+/// Data that the page refuses.
+pub fn files(job: &SearchJob, searched: &Searched) -> Result<Files, FittingError> {
+    let name = searched.name();
+    let mut files = Files::new();
+    files.insert(format!("{name}.html"), report::search_page(&page(job, searched))?.into_bytes());
+    files.insert(format!("{name}.json"), document(job, searched)?);
+    for point in &searched.points {
+        files.insert(format!("{}.wgsl", point.hypothesis.name()), file(point).into_bytes());
+    }
+    Ok(files)
+}
+
+fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
+    let target = &searched.target;
+    let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.price, p.certificate.max_abs, false));
+    let others =
+        searched.catalogue.iter().filter(|r| r.published).map(|r| dot(&r.name, r.price, r.max, true));
+    let mut asked = of_target(target);
+    asked.push(("Most operations".into(), job.max_ops.to_string()));
+    if !searched.anchor.is_empty() {
+        asked.push(("Exact".into(), searched.anchor.clone()));
+    }
+    if let Some(Model { family, unit, compiler, .. }) = &searched.model {
+        asked.push(("Cheap on".into(), format!("{family}, by a model of {compiler}: {unit}")));
+    }
+    let row = |point: &Point| SearchRow {
+        name: point.hypothesis.name().into(),
+        ops: point.ops,
+        bound: point.bound,
+        certificate: point.certificate.clone(),
+        source: point.hypothesis.source().into(),
+    };
+    let other = |r: &CatalogueFit| (r.name.clone(), r.ops, r.max, r.rms, r.published);
+    SearchPage {
+        origin: Origin {
+            scene: String::new(),
+            recipe: hash(&[&job.command]),
+            tool: env!("CARGO_PKG_VERSION").into(),
+            command: job.command.clone(),
+            pages: Vec::new(),
+        },
+        name: searched.name(),
+        used_as: target.used_as,
+        unit: searched.model.as_ref().map_or_else(|| "operations".into(), |model| model.unit.clone()),
+        tried: searched.tried.iter().map(|t| (subject(t), t.outcome())).collect(),
+        asked,
+        dots: ours.chain(others).collect(),
+        rows: searched.points.iter().map(row).collect(),
+        others: searched.catalogue.iter().map(other).collect(),
+    }
+}
+
+fn dot(name: &str, price: f64, max: f64, published: bool) -> Dot {
+    Dot { name: name.into(), x: price, y: max, published, table: false }
+}
