@@ -1,4 +1,5 @@
 //! The largest error that a certificate states is the largest that can be found.
+#![allow(clippy::disallowed_methods)]
 
 use lobefit::approximate::Counter;
 use lobefit::bake::{Selection, Silent, bake};
