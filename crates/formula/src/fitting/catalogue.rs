@@ -92,7 +92,7 @@ pub(crate) fn ways_out(target: &Target) -> String {
 }
 
 /// How a scene takes a formula for the target.
-pub(super) fn by_scene(target: &Target) -> &'static str {
+pub(crate) fn by_scene(target: &Target) -> &'static str {
     if catalogue().iter().any(|effect| effect.takes_formulas_for(target)) {
         "a scene takes the formula by its file's name in wants.fit.hypotheses"
     } else {

@@ -68,7 +68,9 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
     ));
     lines.extend(target.words().iter().map(|(input, word)| format!("{input}: {word}")));
     let weight = job.weight.as_ref().map_or(String::new(), |weight| format!(", weighted by {weight}"));
-    lines.push(format!("constants fitted for {}{weight}", words::minimised(fit.goal)));
+    if !fit.hypothesis.parameters().is_empty() {
+        lines.push(format!("constants found by minimising {}{weight}", words::minimised(fit.goal)));
+    }
     let demands: Vec<String> = job.demands.iter().map(super::Demand::words).collect();
     if !demands.is_empty() {
         lines.push(format!("constraints: {}", demands.join("; ")));

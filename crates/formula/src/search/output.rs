@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use super::{Point, SearchJob, Searched, Tried};
-use crate::fitting::catalogue::{CatalogueFit, ways_out};
+use crate::fitting::catalogue::{CatalogueFit, by_scene, ways_out};
 use crate::fitting::document::{TOOL, as_object, hash, of_target};
 use crate::fitting::one::approximation;
 use crate::fitting::{FittingError, words};
@@ -45,22 +45,25 @@ pub fn summary(searched: &Searched, written: bool) -> String {
         let c = &point.certificate;
         out += &row(point.ops, point.price, [c.max_abs, c.rms], &place(&c.at));
     }
-    let published = searched.catalogue.iter().filter(|r| r.published);
-    let mut published: Vec<_> = published.collect();
-    published.sort_by(|a, b| a.price.total_cmp(&b.price));
-    if !published.is_empty() {
-        out += "  published, for comparison\n";
-    }
-    for rival in published {
-        out += &row(rival.ops, rival.price, [rival.max, rival.rms], &rival.name);
+    // What costs more than the whole frontier is on the page.
+    let most = searched.points.iter().map(|point| point.ops).max().unwrap_or(0);
+    for (is_published, head) in [(false, "in the catalogue"), (true, "published")] {
+        let of_kind = searched.catalogue.iter().filter(|r| r.published == is_published && r.ops <= most);
+        let mut of_kind: Vec<_> = of_kind.collect();
+        of_kind.sort_by(|a, b| a.price.total_cmp(&b.price));
+        if !of_kind.is_empty() {
+            let _ = writeln!(out, "  {head}, for comparison");
+        }
+        for other in of_kind {
+            out += &row(other.ops, other.price, [other.max, other.rms], &other.name);
+        }
     }
     if let Some(model) = &searched.model {
         let _ = writeln!(out, "  {}: {}, by a model of {}", model.family, model.unit, model.compiler);
     }
     out += &trials(searched);
-    if !written {
-        let _ = writeln!(out, "  emit one: {}", ways_out(target));
-    }
+    let how = if written { by_scene(target).into() } else { ways_out(target) };
+    let _ = writeln!(out, "  emit one: {how}");
     for point in &searched.points {
         let _ = write!(out, "\n{}", file(point));
     }
