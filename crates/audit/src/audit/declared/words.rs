@@ -80,7 +80,7 @@ pub(super) fn paragraph(found: &Declared) -> String {
 fn domain(found: &Declared) -> String {
     let one = |(name, list): &(&str, Vec<f64>)| {
         let ends = list.first().zip(list.last());
-        ends.map(|(from, to)| format!("{name} {} to {}", number(*from), number(*to)))
+        ends.map(|(from, to)| format!("{name} {} to {}", long(*from), long(*to)))
     };
     found.places.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
