@@ -4,20 +4,18 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::calls::{MARK, table};
 use super::check::{FILE_BYTES, for_shaders};
-use super::columns::{self, Side::Left, Side::Right};
 use super::options::{PagesOption, SceneOption, ThreadsOption, effect, shard};
 use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
-use crate::data::Vendor;
 use crate::effects::rule;
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
-use crate::emit::header::short;
-use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
+use crate::scene::Scene;
 use crate::scene::escape::visible;
 use crate::store::{self, Cache, Files, Folder, MANIFEST, Written};
 
@@ -31,12 +29,6 @@ Examples:
 
 Writes tables/ fits/ reports/ and manifest.json in the output folder and nothing else. Files that an older bake left
 there and this one does not have are removed.";
-
-/// Stands before the recommended function where a material or probe has a choice.
-const MARK: &str = "*";
-
-/// Most names that stand in a row; more are a group with a number.
-const NAMED: usize = 3;
 
 /// Options of `bake`.
 #[derive(Args)]
@@ -96,7 +88,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
     say_failed(cache.as_ref());
-    finish(baked, &plan, folder, &options.output)
+    finish(baked, (&input.scene, &plan), folder, &options.output)
 }
 
 /// Says why a cache could not be written.
@@ -136,7 +128,7 @@ fn write_shard(
 /// Writes a bake that keeps its promises, and says what it gives.
 pub(super) fn finish(
     mut baked: Baked,
-    plan: &Plan,
+    (scene, plan): (&Scene, &Plan),
     mut folder: Folder,
     output: &OutputOptions,
 ) -> Result<Outcome, CliError> {
@@ -149,8 +141,10 @@ pub(super) fn finish(
     if output.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
     } else if !output.quiet {
-        let lines =
-            [summary(plan, &baked, &output.out), written_files(&baked, &written, changed, &output.out)];
+        let lines = [
+            summary((scene, plan), &baked, &output.out),
+            written_files(&baked, &written, changed, &output.out),
+        ];
         // Reasons quote the scene's names.
         print(lines.concat().iter().map(|line| visible(line) + "\n").collect::<String>().as_bytes())?;
     }
@@ -178,8 +172,8 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
 
 /// What was made: what each material and probe calls, or everything where more than one function of
 /// a job is emitted; then what was left out.
-fn summary(plan: &Plan, baked: &Baked, out: &Path) -> Vec<String> {
-    let mut lines = table(&baked.calls, None);
+fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<String> {
+    let mut lines = table(&baked.calls, None, scene);
     lines.extend(recommended(&baked.calls));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
@@ -243,64 +237,4 @@ fn read_by_engines(baked: &Baked, out: &Path) -> Option<String> {
     let parts: Vec<String> =
         [of("include", "fits/lobefit."), of("load", "tables/")].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join("; "))
-}
-
-/// What is called, a row for each function, with who calls it, and what it costs: operations, or by
-/// the model of a vendor's GPUs. What is recommended to a material or probe that has a choice is
-/// marked.
-pub(super) fn table(calls: &[Call], vendor: Option<Vendor>) -> Vec<String> {
-    let mut rows: Vec<(&Call, Vec<&str>)> = Vec::new();
-    let preferred: Vec<&str> =
-        calls.iter().filter(|call| call.is_preferred(calls)).map(|call| call.function.as_str()).collect();
-    for call in calls {
-        match rows
-            .iter_mut()
-            .find(|(known, _)| (&known.function, &known.cost) == (&call.function, &call.cost))
-        {
-            Some((_, names)) => names.push(&call.of),
-            None => rows.push((call, vec![&call.of])),
-        }
-    }
-    if rows.is_empty() {
-        return Vec::new();
-    }
-    let mut groups: Vec<&[&str]> = Vec::new();
-    for (_, names) in &rows {
-        if names.len() > NAMED && !groups.contains(&names.as_slice()) {
-            groups.push(names);
-        }
-    }
-    let row = |(call, names): &(&Call, Vec<&str>)| {
-        let CostEntry { ops, fetches, bytes } = call.cost;
-        let cost = call.price.filter(|_| vendor.is_some());
-        let cost = cost.map_or_else(|| ops.to_string(), |price| format!("{price:.1}"));
-        let figures = [cost, fetches.to_string(), bytes.to_string(), short(call.max_error)];
-        let [cost, fetches, bytes, error] = figures;
-        let mark = match preferred[..] {
-            [] => String::new(),
-            _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
-        };
-        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), listed(names, &groups)]
-    };
-    let header = [
-        ("call", Left),
-        (if vendor.is_some() { "cost" } else { "operations" }, Right),
-        ("fetches", Right),
-        ("bytes", Right),
-        ("max error", Right),
-        ("which error", Left),
-        ("for", Left),
-    ];
-    let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
-    let group = |(i, names): (usize, &&[&str])| format!("group {}: {}", i + 1, names.join(", "));
-    lines.extend(groups.iter().enumerate().map(group));
-    lines
-}
-
-/// `steel, gold`, or from four names on `group 1 (18)`.
-fn listed(names: &[&str], groups: &[&[&str]]) -> String {
-    match groups.iter().position(|group| *group == names) {
-        Some(i) => format!("group {} ({})", i + 1, names.len()),
-        None => names.join(", "),
-    }
 }

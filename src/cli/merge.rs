@@ -53,5 +53,5 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         files.push((path.display().to_string(), store::read(&path, FILE_BYTES)?));
     }
     let baked = input.merge(&plan, &options.shards, &files)?;
-    finish(baked, &plan, Folder::open(&options.output.out)?, &options.output)
+    finish(baked, (&input.scene, &plan), Folder::open(&options.output.out)?, &options.output)
 }

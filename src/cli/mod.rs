@@ -4,6 +4,7 @@
 
 mod bake;
 mod cache;
+mod calls;
 mod check;
 mod columns;
 pub mod cost;

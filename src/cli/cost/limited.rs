@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::super::CliError;
-use super::super::bake::table;
+use super::super::calls::table;
 use super::super::input;
 use super::super::output::{Outcome, print, print_json, say_each};
 use super::super::progress::Bar;
@@ -17,8 +17,8 @@ use crate::emit::call::Call;
 use crate::emit::header::short;
 use crate::emit::include;
 use crate::plan::{self, Plan};
-use crate::scene::Limits;
 use crate::scene::escape::visible;
+use crate::scene::{Limits, Scene};
 use crate::store::Cache;
 
 /// What is to be shipped within the limits.
@@ -87,7 +87,7 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     } else {
         match plan.is_empty() {
             true => print(NOTHING)?,
-            false if !options.quiet => print(shipped.text(&limits).as_bytes())?,
+            false if !options.quiet => print(shipped.text(&limits, &input.scene).as_bytes())?,
             false => {}
         }
         say_each("nothing within the limits", &shipped.unkept);
@@ -140,9 +140,9 @@ impl Shipped {
     }
 
     /// A table, and under it the calls.
-    fn text(&self, limits: &Limits) -> String {
+    fn text(&self, limits: &Limits, scene: &Scene) -> String {
         let calls: Vec<Call> = self.ship.iter().map(|of| of.call.clone()).collect();
-        let mut lines = table(&calls, limits.vendor);
+        let mut lines = table(&calls, limits.vendor, scene);
         if let (Some(unit), Some(vendor), false) = (&self.unit, limits.vendor, lines.is_empty()) {
             lines.push(format!(
                 "cost: {unit}, by the model of {}'s compiled code, fetches not counted",
