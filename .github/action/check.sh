@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs `lobefit check` and shows what it finds where GitHub shows results: an annotation for each file, and a summary with the errors
-# that the manifest states. Its exit code is that of `lobefit check`.
+# Runs `lobefit check` and shows what it finds where GitHub shows results: an annotation for each file, or one for a scene that
+# changed, and a summary with the errors that the manifest states. Its exit code is that of `lobefit check`.
 #
 # Usage: check.sh PROGRAM, with SCENE, AGAINST, ONLY and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
 set -uo pipefail
@@ -27,10 +27,23 @@ if [ "$code" -gt 1 ]; then
   exit "$code"
 fi
 
+# Of another scene every file is another: the change is what there is to say, and what else is at fault lies beside the bake.
+facts='def changed: .scene_changes // [];
+  def is_changed: changed | length > 0;
+  def faults: is_changed as $is | .differences[] | select(($is | not) or (.file | test("^reports/(studies|gpu|isa)/")));
+  def for_shaders: if (.changed_for_shaders // []) == [] then "no number and no code that a shader reads changed"
+    else "numbers or code that a shader reads changed in " + (.changed_for_shaders | join(", ")) end;'
+bake="lobefit bake${SCENE:+ $(printf %q "$SCENE")}"
+if [ "$against" != . ]; then bake+=" --out $(printf %q "$against")"; fi
+
 folder=${against%/}/
 folder=${folder#./}
-jq -r --arg folder "$folder" "$escape"' .differences[]
-  | "::error file=" + ($folder + .file | property) + ",title=lobefit check::" + (.detail | text)' <<<"$verdict"
+scene=${SCENE:-}
+scene=${scene#./}
+jq -r --arg folder "$folder" --arg scene "${scene:-${folder}manifest.json}" --arg bake "$bake" "$escape$facts"'
+  def error(file; says): "::error file=" + (file | property) + ",title=lobefit check::" + (says | text);
+  (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
+  (faults | error($folder + .file; .detail))' <<<"$verdict"
 
 summary=${GITHUB_STEP_SUMMARY:-/dev/stdout}
 # A cell of a table: no line ends, no bars.
@@ -39,8 +52,11 @@ cell='def cell: tostring | gsub("[\r\n|]"; " "); def row: "| " + (map(cell) | jo
 {
   echo "## lobefit check: $against"
   echo
-  jq -r "$cell"' if .same then "Every file follows from its recipe." else
-    "| file | what differs |", "|---|---|", (.differences[] | ["`" + .file + "`", .detail] | row) end' <<<"$verdict"
+  jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from its recipe." else
+    (select(is_changed) | "The scene changed:", "", (changed[] | "- " + cell), "",
+      (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
+    ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row))
+    end' <<<"$verdict"
   echo
   if [ -f "$against/manifest.json" ]; then
     jq -r "$cell"' "| table | quantity | largest error | RMS | bytes |", "|---|---|--:|--:|--:|",

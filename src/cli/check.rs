@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::cost::PAGE;
 use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
-use super::output::{Outcome, print, print_json, say_broken};
+use super::output::{Outcome, print, print_json, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
@@ -67,7 +67,7 @@ pub(super) struct Options {
     /// Print the differences as JSON
     #[arg(long)]
     pub json: bool,
-    /// Say nothing but errors; the exit code tells
+    /// Say nothing but how many files differ, in one line on standard error; nothing where none does
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -98,12 +98,15 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if !found.broken.is_empty() {
         return Ok(Outcome::Failed);
     }
+    let same = found.all().next().is_none();
     if options.json {
         print_json(&found.verdict())?;
     } else if !options.quiet {
         print(found.lines(options).as_bytes())?;
+    } else if !same {
+        say(found.closing(options).trim_end());
     }
-    Ok(if found.all().next().is_none() { Outcome::Done } else { Outcome::Failed })
+    Ok(if same { Outcome::Done } else { Outcome::Failed })
 }
 
 /// What a folder holds, held against what its recipe gives.

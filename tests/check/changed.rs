@@ -36,6 +36,13 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["scene_changes"].as_array().map(Vec::len), Some(2));
     assert!(!json["differences"].as_array().expect("a list").is_empty());
+    for (scene, code, said) in
+        [(SCENE, 0, ""), (&changed, 1, "2 of 2 files in assets differ or are missing\n")]
+    {
+        let quiet = lobefit(folder.path(), &["check", "-", "--against", "assets", "-q"], scene.as_bytes());
+        assert_eq!(quiet.status.code(), Some(code));
+        assert_eq!((&quiet.stdout[..], &*String::from_utf8_lossy(&quiet.stderr)), (&b""[..], said));
+    }
 }
 
 /// Names change no number: `--values` does not mind them, short as they may be, and minds

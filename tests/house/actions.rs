@@ -175,9 +175,9 @@ fn script(folder: &Path, environment: &[(&str, &str)]) -> Option<(i32, String, S
     ))
 }
 
+/// A folder with a scene and its bake in `assets`.
 #[cfg(unix)]
-#[test]
-fn the_script_annotates_files_and_writes_the_summary() {
+fn baked() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("a scene.json"), SCENE).expect("written");
     let bake = Command::new(env!("CARGO_BIN_EXE_lobefit"))
@@ -185,6 +185,47 @@ fn the_script_annotates_files_and_writes_the_summary() {
         .current_dir(folder.path())
         .status();
     assert!(bake.expect("the binary runs").success());
+    folder
+}
+
+/// Of another scene every file is another: the annotations are the change, once, and what a bake
+/// of it would not mend.
+#[cfg(unix)]
+#[test]
+fn the_script_names_a_change_of_the_scene_once() {
+    let folder = baked();
+    std::fs::write(folder.path().join("a scene.json"), SCENE.replace("[0.4,1]", "[0.5,1]")).expect("written");
+    let environment = [("SCENE", "./a scene.json"), ("AGAINST", "assets")];
+    let Some((code, annotations, summary)) = script(folder.path(), &environment) else { return };
+    assert_eq!(code, 1, "{annotations}");
+    let [line] = annotations.lines().collect::<Vec<_>>()[..] else { panic!("one line: {annotations}") };
+    let change = "materials[0].roughness[0]: 0.4 became 0.5";
+    let start = format!("::error file=a scene.json,title=lobefit check::{change}; numbers or code that a ");
+    assert!(line.starts_with(&start), "{line}");
+    let table = "tables/ggx-dfg-correlated-32x32-plain.exr";
+    assert!(line.contains(&format!("shader reads changed in {table}; run ")), "and no other file: {line}");
+    let bake = "lobefit bake ./a\\ scene.json --out assets";
+    assert!(line.ends_with(&format!("; run {bake}")), "{line}");
+    assert!(summary.contains(&format!("The scene changed:\n\n- {change}\n")), "{summary}");
+    assert!(summary.contains(&format!("\nBake it again: `{bake}`\n")), "{summary}");
+    assert!(!summary.contains("| file | what differs |"), "{summary}");
+
+    let study = folder.path().join("assets/reports/gpu");
+    std::fs::create_dir(&study).expect("a folder");
+    std::fs::write(study.join("a.json"), "{").expect("written");
+    let renamed = SCENE.replace("\"m\"", "\"n\"");
+    std::fs::write(folder.path().join("a scene.json"), renamed).expect("written");
+    let (_, annotations, summary) = script(folder.path(), &environment).expect("run before");
+    let [change, record] = annotations.lines().collect::<Vec<_>>()[..] else { panic!("{annotations}") };
+    assert!(change.contains("\"m\" became \"n\"; no number and no code that a shader reads changed; run "));
+    assert!(record.starts_with("::error file=assets/reports/gpu/a.json,"), "{record}");
+    assert!(summary.contains("| `reports/gpu/a.json` | "), "{summary}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_script_annotates_files_and_writes_the_summary() {
+    let folder = baked();
     let environment = [("SCENE", "a scene.json"), ("AGAINST", "./assets/"), ("VALUES", "")];
     let Some((code, annotations, summary)) = script(folder.path(), &environment) else { return };
     assert_eq!((code, annotations.as_str()), (0, ""), "{summary}");
