@@ -17,8 +17,7 @@ use lobefit_shade::code::{self, Language};
 /// What happens where planes of a proxy meet, as the manifest has it, the most accurate first.
 const EDGES: [&str; 3] = ["smooth", "none", "sharp"];
 
-/// Spheres of a strip, and every how many of their cosines it is drawn from.
-const SPHERES: usize = 6;
+/// Every how many of the cosines of spheres a strip is drawn from.
 const EVERY: usize = 3;
 
 /// The purposes of the fits of a job: those of which any is emitted.
@@ -51,6 +50,7 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
     let smith = a.smith.map_or_else(String::new, |smith| format!(", {} Smith", smith.name()));
     let about = match a.used_as.name {
         "value" => format!("{} of {}{smith}.", a.column, a.quantity),
+        _ if a.used_as.meaning.contains(&a.quantity) => sentence(&format!("{}{smith}.", a.used_as.meaning)),
         _ => format!("{}: {}{smith}.", a.quantity, a.used_as.meaning),
     };
     Ok(Some(Purpose {
@@ -63,6 +63,12 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
         furnace: None,
         is_other_side: false,
     }))
+}
+
+/// A text with a capital at its beginning.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 /// The most accurate of ours for at most half the operations; if there is none, for fewer.
@@ -268,24 +274,18 @@ fn strip(purpose: &Purpose, furnaces: &[Furnace]) -> Option<Furnace> {
         _ => row,
     });
     let rows = before.into_iter().chain(purpose.choices.iter().filter_map(|choice| row(furnace, choice)));
-    let n = furnace.roughness.len();
-    let columns: Vec<usize> = if n <= SPHERES {
-        (0..n).collect()
-    } else {
-        (0..SPHERES).map(|i| ((i + 1) * n).div_ceil(SPHERES) - 1).collect()
-    };
     let last = furnace.mu.len().saturating_sub(1);
     let kept = |values: &[f64]| -> Vec<f64> {
         let all = values.iter().enumerate();
         all.filter(|(k, _)| (last - k).is_multiple_of(EVERY) || *k == 0).map(|(_, x)| *x).collect()
     };
     let thinned = |row: FurnaceRow| FurnaceRow {
-        factors: columns.iter().filter_map(|&j| row.factors.get(j)).map(|f| kept(f)).collect(),
+        factors: row.factors.iter().map(|f| kept(f)).collect(),
         of: String::new(),
         ..row
     };
     Some(Furnace {
-        roughness: columns.iter().map(|&j| furnace.roughness[j]).collect(),
+        roughness: furnace.roughness.clone(),
         mu: kept(&furnace.mu),
         rows: rows.map(thinned).collect(),
         amplification: furnace.amplification,
@@ -303,8 +303,8 @@ pub(super) fn answer(made: &Made) -> Answer {
         let caution = made.cautions.iter().find(|(function, _)| *function == purpose.name);
         purpose.caution = caution.map(|(_, text)| text.clone()).unwrap_or_default();
     }
-    // What has no error of its own is followed by what it is made of.
-    let judged = |purpose: &Purpose| purpose.choices.iter().any(|choice| choice.error.is_some());
+    // What has no error of its own, a lookup say, is followed by what it is made of.
+    let judged = |purpose: &Purpose| !purpose.measured.is_empty();
     let first = purposes.iter().position(judged).map_or(purposes.len(), |i| i + 1);
     let last = first + purposes[first..].iter().take_while(|purpose| purpose.is_other_side).count();
     let conclusion = purposes[..last].iter().map(conclusion).collect::<Vec<_>>().join(" ");

@@ -1,5 +1,7 @@
 //! What a page shows at once, and what a reader opens: a page that is not opened is a few screens.
 
+use std::collections::BTreeSet;
+
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
 use super::sections::words;
 
@@ -60,7 +62,9 @@ pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
     let mut left = TALL - FRAME - contents - page.sections.iter().map(head).sum::<f64>();
     let fit = |section: &Section| {
         let mut open = 0;
-        let all: Vec<Block> = section.blocks.iter().map(shortened).collect();
+        let mut blocks = section.blocks.clone();
+        said_once(&mut blocks, &mut BTreeSet::new());
+        let all: Vec<Block> = blocks.iter().map(shortened).collect();
         for block in &all {
             let height = height(block);
             if height > left {
@@ -84,6 +88,21 @@ pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
         blocks
     };
     page.sections.iter().map(fit).collect()
+}
+
+/// Takes away what a caption above has said. Parts of a switch are seen one at a time: each keeps its own.
+fn said_once(blocks: &mut [Block], said: &mut BTreeSet<String>) {
+    for block in blocks {
+        match block {
+            Block::Figures { caption, .. } | Block::Table(TextTable { caption, .. }) => {
+                if !said.insert(caption.clone()) {
+                    caption.clear();
+                }
+            }
+            Block::Fold { blocks, .. } | Block::Packed(blocks) => said_once(blocks, said),
+            _ => {}
+        }
+    }
 }
 
 /// A block, or what opens it where it is a table so long that nothing else would find room.

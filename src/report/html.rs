@@ -28,7 +28,9 @@ pub fn html(page: &Page) -> String {
     let several = page.lead.contains('\n');
     for (i, paragraph) in page.lead.lines().enumerate() {
         let class = if several && i == 0 { " class=\"conclusion\"" } else { "" };
-        put(&mut out, format_args!("<p{class}>{}</p>\n", Broken(paragraph)));
+        put(&mut out, format_args!("<p{class}>"));
+        linked(&mut out, paragraph, page.origin.figures());
+        out.push_str("</p>\n");
     }
     out.push_str("</header>\n");
     contents(&mut out, page);
@@ -46,8 +48,29 @@ pub fn html(page: &Page) -> String {
     }
     out.push_str("</main>\n");
     footer(&mut out, page);
-    put(&mut out, format_args!("<script>\n{}</script>\n</body>\n</html>\n", include_str!("assets/page.js")));
+    let script = slim(include_str!("assets/page.js"));
+    put(&mut out, format_args!("<script>\n{script}</script>\n</body>\n</html>\n"));
     out
+}
+
+/// A script or a style without indentation, empty lines and lines of comment.
+fn slim(text: &str) -> String {
+    let lines = text.lines().map(str::trim);
+    let kept = lines.filter(|line| {
+        !line.is_empty() && !line.starts_with("//") && !(line.starts_with("/*") && line.ends_with("*/"))
+    });
+    kept.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// A text, with a link where it names the file of the page's figures.
+fn linked(out: &mut String, text: &str, figures: Option<&str>) {
+    match figures.and_then(|file| Some((file, text.split_once(file)?))) {
+        Some((file, (before, after))) => {
+            let (before, after, file) = (Broken(before), Broken(after), Escaped(file));
+            put(out, format_args!("{before}<a href=\"{file}\">{file}</a>{after}"));
+        }
+        None => put(out, format_args!("{}", Broken(text))),
+    }
 }
 
 /// Links to the sections, where there are several.
@@ -68,11 +91,16 @@ fn bar(out: &mut String, page: &Page) {
         return;
     }
     out.push_str("<nav class=\"bar\" aria-label=\"Pages\">\n");
-    for (shown, file) in &page.origin.pages {
+    let figures = page.origin.figures();
+    for (shown, file) in page.origin.pages.iter().filter(|(_, file)| Some(file.as_str()) != figures) {
         put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
     }
-    for (shown, _, file) in bar::beside(&page.origin.command) {
-        put(out, format_args!("<a href=\"{file}\">{shown}</a>\n"));
+    for (shown, title, file) in bar::beside(&page.origin.command) {
+        put(out, format_args!("<a href=\"{file}\" title=\"{}\">{shown}</a>\n", Escaped(title)));
+    }
+    if let Some(file) = figures {
+        let title = "The figures of this page in full digits";
+        put(out, format_args!("<a href=\"{}\" title=\"{title}\">JSON</a>\n", Escaped(file)));
     }
     out.push_str("</nav>\n");
 }
@@ -81,7 +109,7 @@ fn head(out: &mut String, page: &Page) {
     let origin = &page.origin;
     let (tool, command) = (Escaped(&origin.tool), Escaped(&origin.command));
     let (recipe, title) = (Escaped(&origin.recipe), Escaped(&page.title));
-    let css = include_str!("assets/page.css");
+    let css = slim(include_str!("assets/page.css"));
     let font = STANDARD.encode(FONT);
     put(
         out,
@@ -98,8 +126,7 @@ fn head(out: &mut String, page: &Page) {
 <title>{title}</title>
 <style>
 @font-face {{ font-family: lobefit; src: url(data:font/woff;base64,{font}) format("woff"); }}
-{css}
-</style>
+{css}</style>
 </head>
 <body>
 "#
@@ -195,7 +222,8 @@ fn opened(out: &mut String, blocks: &[Block]) {
 /// where it cannot.
 fn live(out: &mut String, data: &str, still: &[Block]) {
     let (css, controls) = (include_str!("assets/explore.css"), include_str!("assets/explore.html"));
-    let (shader, script) = (include_str!("assets/explore.glsl"), include_str!("assets/explore.js"));
+    let (shader, script) =
+        (slim(include_str!("assets/explore.glsl")), slim(include_str!("assets/explore.js")));
     put(out, format_args!("<style>\n{css}</style>\n{controls}<div id=\"still\">\n"));
     for one in still {
         block(out, one);
@@ -290,8 +318,8 @@ fn put(out: &mut String, text: fmt::Arguments) {
     let _ = out.write_fmt(text);
 }
 
-/// Text as it stands in an element, which may break after the underscores of a long name; code
-/// between backticks.
+/// Text as it stands in an element, which may break after the underscores of a long name and the
+/// bracket of its arguments; code between backticks.
 struct Broken<'a>(&'a str);
 
 /// Characters of a name that finds room on a line of the narrowest screen.
@@ -307,7 +335,7 @@ impl Display for Broken<'_> {
         for word in self.0.split_inclusive(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
             let text = Escaped(word).to_string();
             let long = word.len() > NAME && word.contains('_');
-            f.write_str(&if long { text.replace('_', "_<wbr>") } else { text })?;
+            f.write_str(&if long { text.replace('_', "_<wbr>").replace('(', "(<wbr>") } else { text })?;
         }
         Ok(())
     }

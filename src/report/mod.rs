@@ -45,8 +45,8 @@ pub use image::{Image, displayed, luminance};
 pub use json::document;
 pub use page::{Block, Card, Choice, Page, Section, TextTable};
 pub use plot::{
-    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Scale, Scatter, Series,
-    Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
+    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Scale, Scatter,
+    Series, Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
 pub use sections::{figures, words};
 pub use timings::{
@@ -86,7 +86,8 @@ impl Draft {
 /// # Errors
 /// Data that is not finite, empty where it must not be, or of mismatched size, by section and
 /// field.
-pub fn draft(effect: &str, page: Page, figures: &impl Serialize) -> Result<Draft, ReportError> {
+pub fn draft(effect: &str, mut page: Page, figures: &impl Serialize) -> Result<Draft, ReportError> {
+    page.origin = page.origin.with_figures(&format!("{effect}.json"));
     let figures = json::document(&format!("{effect}.json"), figures)?;
     let beside = vec![file(&format!("reports/{effect}.json"), figures)];
     Ok(Draft { effect: effect.into(), page, beside })
@@ -138,9 +139,11 @@ pub fn index(
 ) -> Result<Vec<File>, ReportError> {
     let record = gpu::recorded()?;
     let drawn = sections::answers::Drawn { manifest, files, record: Some(&record) };
-    let text = html(&sections::of_index(origin.clone(), &answers, &drawn)?);
+    let any = answers.iter().any(|answer| !answer.purposes.is_empty());
+    let linked = if any { origin.clone().with_figures("index.json") } else { origin.clone() };
+    let text = html(&sections::of_index(linked, &answers, &drawn)?);
     let mut made = vec![file("reports/index.html", text.into_bytes())];
-    if answers.iter().any(|answer| !answer.purposes.is_empty()) {
+    if any {
         let data = Answers { origin: Some(origin), answers };
         made.push(file(INDEX, json::document("index.json", &data)?));
     }

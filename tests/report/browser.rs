@@ -19,13 +19,20 @@ const REPORTER: &str = "<script>window.__errors = []; addEventListener('error', 
      __errors.push(String(e.reason))); for (const k of ['error', 'warn']) { const said = console[k]; console[k] = \
      (...a) => { __errors.push(a.join(' ')); said(...a); }; }</script>";
 
-const WIDTHS: [u32; 2] = [1400, 390];
+const WIDTHS: [u32; 3] = [1400, 1280, 390];
+
+/// Most pixels of a page on a desk before a reader opens anything.
+const TALL: u32 = 6000;
 
 /// What was found of a page at a width.
 #[derive(Debug, Deserialize)]
 struct Seen {
     page: String,
     width: u32,
+    /// Pixels of the page before a reader opens anything.
+    tall: u32,
+    /// Code of cards that is not seen whole.
+    cut: Vec<String>,
     errors: Vec<String>,
     font: String,
     overflow: i64,
@@ -166,6 +173,8 @@ fn every_page_works_in_a_browser() {
         assert_eq!(one.font, "loaded", "{page} at {width}: the font");
         assert!(one.overflow <= 0, "{page} at {width} is {} pixels wider than its window", one.overflow);
         assert!(one.sorted.is_empty(), "{page} at {width}: tables that do not sort: {:?}", one.sorted);
+        assert!(width < 1000 || one.tall <= TALL, "{page} at {width} is {} pixels tall", one.tall);
+        assert!(one.cut.is_empty(), "{page} at {width}: cards cut {:?}", one.cut);
         assert!(one.copied, "{page} at {width}: code without a button to copy it");
         assert!(one.tips.is_empty(), "{page} at {width}: nothing under the pointer on {:?}", one.tips);
         resolved(one, &originals, &ids);

@@ -25,8 +25,11 @@ const SPHERES: [f64; 9] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
 /// f0 of the furnaces: water, glass, a gem, and a metal's limit.
 const FURNACES: [f64; 4] = [0.02, 0.04, 0.2, 1.0];
 
+/// The factor 1: the base added to the lobe.
+const NONE: &str = "coupling_none";
+
 /// Published factors that have rows of spheres.
-const SHOWN: [&str; 4] = ["coupling_none", "coupling_fresnel", "coupling_gltf", "coupling_pesce"];
+const SHOWN: [&str; 4] = [NONE, "coupling_fresnel", "coupling_gltf", "coupling_pesce"];
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;
@@ -130,8 +133,9 @@ fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<Couplin
         let row = |fit: &&Fit| {
             let total: Vec<f64> =
                 grid.values(fit, *f0)?.into_iter().zip(&truth).map(|(v, t)| 1.0 + v - t).collect();
-            let name = fit.approximation.name.clone();
-            Ok(FurnaceRow { of: name.clone(), name, factors: grid.by_roughness(&total) })
+            let of = fit.approximation.name.clone();
+            let name = if of == NONE { "uncoupled".into() } else { of.clone() };
+            Ok(FurnaceRow { of, name, factors: grid.by_roughness(&total) })
         };
         Ok((*f0, rows.iter().map(row).collect::<Result<_, BakeError>>()?))
     };

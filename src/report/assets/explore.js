@@ -223,7 +223,7 @@
     const line = body.insertRow();
     const certified = c ? [figure(c.max_abs), figure(c.rms)] : ["", ""];
     const cells = [label, one.source && one.source !== "fitted" ? `${one.name} (${one.source})` : one.name];
-    cells.push(...(c ? [cost.ops, cost.fetches, cost.bytes, data.times.microseconds[one.name] || ""] : ["", "", "", ""]), ...certified, figure(anywhere(one)), figure(here(one)));
+    cells.push(...certified, ...(c ? [cost.ops, cost.fetches, cost.bytes, data.times.microseconds[one.name] || ""] : ["", "", "", ""]), figure(anywhere(one)), figure(here(one)));
     cells.push(c ? Object.entries(c.at).map(([name, value]) => `${name} ${figure(value)}`).join(", ") : "");
     cells.forEach((text, i) => {
       make("td", text, line).className = i > 1 && i < 10 ? "n" : "";

@@ -31,12 +31,24 @@ pub struct Origin {
     pub tool: String,
     /// Command that makes the page again.
     pub command: String,
-    /// The pages that are written with it: what they show, and their file. Every page links them.
+    /// The pages that are written with it, and the JSON file of its figures: what they show, and their
+    /// file. Every page links them.
     #[serde(skip)]
     pub pages: Vec<(String, String)>,
 }
 
 impl Origin {
+    /// The file of the page's figures.
+    pub(crate) fn figures(&self) -> Option<&str> {
+        self.pages.iter().map(|(_, file)| file.as_str()).find(|file| file.ends_with(".json"))
+    }
+
+    /// The same with a file of figures beside the page.
+    pub(crate) fn with_figures(mut self, file: &str) -> Origin {
+        self.pages.push(("JSON".into(), file.into()));
+        self
+    }
+
     /// Title of a page: what it is of what; a scene without a name adds none.
     pub fn title(&self, page: &str, of: &str) -> String {
         let scene = if self.scene == UNNAMED { "" } else { &self.scene };

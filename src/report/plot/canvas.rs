@@ -247,6 +247,8 @@ fn tidy(body: &str) -> String {
         .replace(" opacity=\"1\"", "")
         .replace(" stroke=\"none\"", "")
         .replace(" font-family=\"lobefit\"", "")
+        .replace(" text-anchor=\"start\"", "")
+        .replace(" stroke-width=\"1\"/>", "/>")
         .replace(">\n<", "><");
     let mut out = String::with_capacity(short.len());
     // What a path is open for: the attributes of its lines.

@@ -88,10 +88,30 @@ impl Series {
     }
 }
 
+/// A chart of lines beside others of the same lines, of which one has the legend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The chart.
+    pub chart: Curves,
+    /// Whether it has the legend.
+    pub legend: bool,
+}
+
+impl Figure for Panel {
+    fn svg(&self) -> Result<String, ReportError> {
+        self.chart.drawn(if self.legend { self.chart.legend()? } else { Legend::flow(Vec::new(), 0.0)? })
+    }
+}
+
 impl Figure for Curves {
     fn svg(&self) -> Result<String, ReportError> {
+        self.drawn(self.legend()?)
+    }
+}
+
+impl Curves {
+    fn drawn(&self, legend: Legend) -> Result<String, ReportError> {
         self.check()?;
-        let legend = self.legend()?;
         let top = 28.0 + legend.height();
         let (x, y) = (self.scale_x(), self.scale_y());
         let left = axes::left_space(y, self.size.1)?;

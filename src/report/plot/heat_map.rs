@@ -147,8 +147,12 @@ pub fn signed(peak: f64) -> Shade {
 }
 
 fn magnitude(field: &Field) -> Shade {
-    let scale = Scale::around(Spread::Linear, field.values.iter().map(|&v| f64::from(v)));
-    Shade::Magnitude { min: scale.min, max: scale.max, spread: Spread::Linear }
+    let values = field.values.iter().map(|&v| f64::from(v));
+    let scale = Scale::around(Spread::Linear, values.clone());
+    // A texel a little below 0 is one that interpolates better so: no reason for a scale below 0.
+    let lowest = values.fold(f64::INFINITY, f64::min);
+    let min = if lowest > -0.01 * scale.max { scale.min.max(0.0) } else { scale.min };
+    Shade::Magnitude { min, max: scale.max, spread: Spread::Linear }
 }
 
 /// Round physical values along a ruler; an uneven ruler is walked by decades.

@@ -21,7 +21,7 @@ mod spheres;
 pub use bars::{Bar, Bars};
 pub(crate) use colour::LINES;
 pub use colour::Shade;
-pub use curves::{Annotation, Curves, Series, Style};
+pub use curves::{Annotation, Curves, Panel, Series, Style};
 pub use gallery::{Cells, Gallery, Tile};
 pub use heat_map::{HeatMap, Worst, signed};
 pub use scale::{Scale, Spread};

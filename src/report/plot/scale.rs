@@ -78,7 +78,10 @@ impl Scale {
                 let span = self.max - self.min;
                 (self.min - below * span, self.max + above * span)
             }
-            Spread::Root => (self.min, self.max),
+            Spread::Root => {
+                let span = self.max - self.min;
+                (self.min - below * below * span, self.max + 2.0 * above * span)
+            }
         };
         Scale { spread: self.spread, min, max }
     }
@@ -263,7 +266,7 @@ mod tests {
 
     #[test]
     fn a_value_on_the_frame_gets_room() {
-        for spread in [Spread::Linear, Spread::Log] {
+        for spread in [Spread::Linear, Spread::Log, Spread::Root] {
             let values = [0.01, 0.4, 1.0];
             let scale = Scale { spread, min: 0.01, max: 2.0 };
             let roomy = scale.roomy(values.iter().copied());

@@ -7,6 +7,12 @@ use super::legend::{Entry, Key, Legend};
 use super::{Figure, LINES, Scale, Spread, axes, font, hover, labels};
 use crate::report::{ReportError, check, numbers};
 
+/// What a grey dot is, on every chart.
+const BEATEN: &str = "ours, beaten in both";
+
+/// So many points have room for the names of published ones.
+const FEW: usize = 9;
+
 /// One named point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dot {
@@ -85,9 +91,11 @@ impl Figure for Scatter {
         add(has(false, false), "frontier of our formulas", LINES[0], Key::Line(1.6));
         let best = frontier(&self.dots);
         let ours = self.dots.iter().filter(|dot| !dot.published && !dot.table).count();
-        add(best.len() < ours, "ours, beaten in both", GREY, Key::Disc);
+        add(best.len() < ours, BEATEN, GREY, Key::Disc);
         let all = self.dots.iter().enumerate();
-        let named = all.filter(|(i, dot)| best.contains(i) || dot.table && !dot.published);
+        let few = self.dots.len() <= FEW;
+        let named =
+            all.filter(|(i, dot)| best.contains(i) || dot.table && !dot.published || dot.published && few);
         let named: Vec<String> = named.map(|(_, dot)| dot.name.clone()).collect();
         let group = Group { dots: &self.dots, named: &named, colour: LINES[1], line: LINES[0] };
         chart(&self.title, (&self.x, &self.y), self.size, (entries, &[group]))
@@ -103,6 +111,12 @@ impl Figure for Frontiers {
                 entries.push((name.clone(), LINES[entries.len() % LINES.len()], Key::Disc));
             }
             colours.extend(entries.last().map(|(_, colour, _)| *colour));
+        }
+        let beaten = |dots: &[Dot]| {
+            frontier(dots).len() < dots.iter().filter(|dot| !dot.published && !dot.table).count()
+        };
+        if self.groups.iter().any(|(_, dots)| beaten(dots)) {
+            entries.push((BEATEN.into(), GREY, Key::Disc));
         }
         let mut dots = self.groups.iter().flat_map(|(_, dots)| dots);
         if dots.clone().any(|dot| dot.table) {
@@ -139,7 +153,7 @@ fn chart(
     checked(title, &dots, [x.1, y.1])?;
     let legend = Legend::flow(entries, size.0)?;
     let top = 28.0 + legend.height();
-    let across = Scale::around(x.1, dots.iter().map(|d| d.x));
+    let across = Scale::around(x.1, dots.iter().map(|d| d.x)).roomy(dots.iter().map(|d| d.x));
     let up = Scale::around(y.1, dots.iter().map(|d| d.y)).roomy(dots.iter().map(|d| d.y));
     let left = axes::left_space(up, size.1)?;
     let frame = Frame { left, top, right: left + size.0, bottom: top + size.1 };
@@ -190,7 +204,7 @@ fn draw(
         }
         lines.extend(steps.windows(2).map(|w| thin(w[0], w[1])));
         for (i, dot) in group.dots.iter().enumerate() {
-            beaten.push(!dot.table && !best.contains(&i));
+            beaten.push(!dot.table && !dot.published && !best.contains(&i));
             pixels.push(pixel(dot));
             names.push(if group.named.contains(&dot.name) { dot.name.clone() } else { String::new() });
         }

@@ -5,8 +5,8 @@ use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
-    Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, GpuRecord, Measured, Offer, Purpose,
-    ReportError, Section, Shade, SphereRow, Spheres, Spread,
+    Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, FurnaceRow, GpuRecord, Measured, Offer,
+    Purpose, ReportError, Section, Shade, SphereRow, Spheres, Spread,
 };
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -18,11 +18,19 @@ const SCREEN: f64 = 3840.0 * 2160.0;
 /// The language of the code that is seen at once.
 const FIRST: Language = Language::Wgsl;
 
-/// Side of a sphere's cell in a strip.
-const CELL: usize = 31;
+/// Least and largest side of a sphere's cell in a strip, and what stands beside the cells.
+const CELLS: [f64; 2] = [28.0, 40.0];
+const BESIDE: f64 = 190.0;
+
+/// Spheres of a strip that has no room for all.
+const FEW: usize = 6;
+
+/// Width of a card's content in pixels, and of the space between its columns.
+const CARD: f64 = 1126.0;
+const GAP: f64 = 16.0;
 
 /// Plotted size of the chart: the whole width of a page.
-const CHART: (f64, f64) = (1050.0, 470.0);
+const CHART: (f64, f64) = (1080.0, 420.0);
 
 /// What the cards are drawn from.
 pub(crate) struct Drawn<'a> {
@@ -38,13 +46,17 @@ pub(crate) struct Drawn<'a> {
 pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, ReportError> {
     let include = Include::with(drawn.files, Some(drawn.manifest));
     let of = |answer: &Answer| -> Result<Vec<Block>, ReportError> {
-        let cards =
-            answer.purposes.iter().map(|purpose| card(&answer.effect, purpose, drawn, include.as_ref()));
-        let mut cards = cards.collect::<Result<Vec<_>, _>>()?;
         let mut blocks = vec![Block::Text { text: answer.conclusion.clone() }];
         let other_sides = answer.purposes.iter().skip(1).take_while(|purpose| purpose.is_other_side);
-        let others = cards.split_off(cards.len().min(1 + other_sides.count()));
-        blocks.push(Block::Cards(cards));
+        let first = answer.purposes.len().min(1 + other_sides.count());
+        let (first, others) = answer.purposes.split_at(first);
+        let cards = |purposes: &[Purpose]| -> Result<Vec<Card>, ReportError> {
+            let paired = purposes.len() > 1 && purposes.iter().all(|purpose| purpose.choices.len() == 1);
+            let one = |purpose| card((&answer.effect, paired), purpose, drawn, include.as_ref());
+            purposes.iter().map(one).collect()
+        };
+        let others = cards(others)?;
+        blocks.push(Block::Cards(cards(first)?));
         if !others.is_empty() {
             let names: Vec<&str> = others.iter().map(|card| card.title.as_str()).collect();
             let summary = format!("Also: {}", names.join(", "));
@@ -74,7 +86,7 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
 }
 
 fn card(
-    effect: &str,
+    (effect, paired): (&str, bool),
     purpose: &Purpose,
     drawn: &Drawn,
     include: Option<&Include>,
@@ -85,8 +97,18 @@ fn card(
         about: format!("{} {}", purpose.about, purpose.caution).trim_end().into(),
         link: (format!("All of {effect}"), format!("{effect}.html")),
         choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
-        svg: purpose.furnace.as_ref().map(strip).transpose()?,
+        svg: purpose.furnace.as_ref().map(|f| strip(f, room(purpose, paired))).transpose()?,
     })
+}
+
+/// Pixels of the width that a card has for its drawing: beside one choice or two, or below more.
+fn room(purpose: &Purpose, paired: bool) -> f64 {
+    let columns = match (paired, purpose.choices.len()) {
+        (false, 1) | (true, _) => 2.0,
+        (_, 2) => 3.0,
+        _ => 1.0,
+    };
+    (CARD - GAP * (columns - 1.0)) / columns - if paired { 2.0 * GAP } else { 0.0 }
 }
 
 fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Include>) -> Choice {
@@ -138,8 +160,8 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         for function in forms {
             let Some(Called { call, parameters }) = call(&text, function) else { continue };
             let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
-            let channel = if calls.is_empty() { "" } else { "or, for one channel, " };
-            let mut lines = vec![format!("{channel}{}: {parameters}", include.file)];
+            let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
+            let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             calls.push((call.clone(), comment(language.comment(), &lines) + &call));
         }
@@ -203,17 +225,28 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
     rows
 }
 
-fn strip(furnace: &Furnace) -> Result<String, ReportError> {
+/// The spheres of a furnace in a width: all, or as many as find room.
+fn strip(furnace: &Furnace, width: f64) -> Result<String, ReportError> {
     let times = crate::report::numbers::brief(furnace.amplification, 3);
+    let all = furnace.roughness.len();
+    let side = |n: usize| (width - BESIDE) / n as f64;
+    let shown = if side(all) < CELLS[0] { all.min(FEW) } else { all };
+    let columns: Vec<usize> = (1..=shown).map(|i| (i * all).div_ceil(shown) - 1).collect();
+    let roughness: Vec<f64> = columns.iter().map(|&j| furnace.roughness[j]).collect();
+    let of = |row: &FurnaceRow| -> Vec<Vec<f64>> {
+        columns.iter().filter_map(|&j| row.factors.get(j).cloned()).collect()
+    };
+    let factors: Vec<Vec<Vec<f64>>> = furnace.rows.iter().map(of).collect();
+    let rows = furnace.rows.iter().zip(&factors);
     let spheres = Spheres {
         title: format!("furnace, amplified {times} times"),
         column_name: "roughness".into(),
-        columns: &furnace.roughness,
+        columns: &roughness,
         mu: &furnace.mu,
-        rows: furnace.rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
+        rows: rows.map(|(row, factors)| SphereRow { name: row.name.clone(), factors }).collect(),
         shade: Shade::Departure { limit: 1.0 / furnace.amplification },
         unit: "radiance − 1".into(),
-        cell: CELL,
+        cell: side(shown.max(1)).clamp(CELLS[0], CELLS[1]) as usize,
     };
     spheres.svg()
 }
@@ -255,8 +288,9 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
             named: offered.clone(),
             size: CHART,
         };
-        let caption = "Stairs join the formulas of ours, for one purpose each, that no other of them beats in both; \
-                       published formulas are grey, tables square. Named are the choices above. The error is that of the purpose.";
+        let caption = "Stairs join the formulas of ours, for one purpose each, that no other of them beats in both; ours \
+                       that another beats are grey dots, published formulas rings, tables squares. Named are the choices above. The error \
+                       is that of the purpose.";
         figures(&[chart], caption)
     };
     if purposes().all(|(_, p)| dots(p, 0).is_empty()) {

@@ -92,7 +92,7 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),
         y: (format!("largest {metric}"), Spread::Log),
         dots,
-        size: (760.0, if group.len() > 8 { 460.0 } else { 300.0 }),
+        size: (1060.0, if group.len() > 8 { 460.0 } else { 300.0 }),
     };
     let exact: Vec<&str> =
         group.iter().filter(|a| a.certificate.max_abs == 0.0).map(|a| a.name.as_str()).collect();
@@ -100,7 +100,7 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
          formula of ours beats in both{}{}{}.{}",
         if has(|a| a.table) { "; tables (squares) also fetch, which operations do not count" } else { "" },
-        if has(|a| a.published) { "; published ones are grey" } else { "" },
+        if has(|a| a.published) { "; published ones are rings" } else { "" },
         if used_as == Use::NORMALISATION {
             ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
         } else {

@@ -5,9 +5,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::answers::{self, Drawn};
-use super::figures;
+use super::{figures, words};
 use crate::emit::include::Include;
-use crate::report::explore::{ExplorePage, Explored, ExploredApproximation, Times, document};
+use crate::report::explore::{ExplorePage, Explored, ExploredApproximation, Standing, Times, document};
 use crate::report::{Block, Page, ReportError, Section, Shade, SphereRow, Spheres, Spread};
 
 /// Radiance of white: above 1, so that gains show too.
@@ -24,6 +24,7 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
     let device = drawn.record.map_or("", |record| &record.device.adapter);
     let times = Times { device: device.into(), microseconds: shown.filter_map(time).collect() };
     let data = document(&ramp, &times, &explore.effects)?;
+    let conclusion = conclusion(explore.effects.iter().flat_map(|effect| &effect.shown));
     let first = explore.effects.iter().flat_map(|effect| &effect.shown).next();
     let still = first.map(still).transpose()?.into_iter().collect();
     let spheres = Section {
@@ -36,11 +37,27 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
         title: explore.origin.title("lobefit live", ""),
         origin: explore.origin,
         lead: format!(
-            "Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
+            "{conclusion}Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
              material. In a white furnace a sphere that loses no energy cannot be seen."
         ),
         sections: vec![spheres],
     })
+}
+
+/// What the cheapest emitted function of each quantity is off by, in one sentence; empty where none is
+/// emitted.
+fn conclusion<'a>(shown: impl Iterator<Item = &'a Explored>) -> String {
+    let mut all: Vec<&ExploredApproximation> = Vec::new();
+    for explored in shown {
+        let emitted = explored.approximations.iter().find(|one| one.standing == Standing::Emitted);
+        all.extend(emitted.filter(|one| !all.iter().any(|known| known.name == one.name)));
+    }
+    let off = all.iter().filter_map(|one| {
+        let max = words::max(one.certificate.as_ref()?.max_abs);
+        Some(format!("{} by {max} at most ({})", one.name, words::operations(one.cost.ops)))
+    });
+    let off: Vec<String> = off.collect();
+    if off.is_empty() { String::new() } else { format!("Off from the truth: {}.\n", off.join("; ")) }
 }
 
 /// The spheres of the first picture.

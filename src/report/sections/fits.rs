@@ -10,6 +10,10 @@ use crate::report::{
 /// Fits that may share one chart of curves before colours repeat.
 const TOGETHER: usize = 6;
 
+/// Plotted size of a chart of which two stand side by side, and of one beside a map.
+const TWO: (f64, f64) = (480.0, 220.0);
+const BESIDE_MAP: (f64, f64) = (600.0, 220.0);
+
 pub(crate) fn section(
     fits: &[FitFinding],
     averages: Option<&AverageFinding>,
@@ -163,7 +167,7 @@ fn overlay(shown: &[Shown], best: &[usize], curve: &FitCurve) -> Option<Curves> 
         series.push(line(&fit.name, same, &same.fit, Style::Line(colour), None));
     }
     let title = format!("roughness {}", numbers::place(curve.roughness));
-    Some(chart(title, &shown[best[0]].fit.value, series, None, (400.0, 220.0)))
+    Some(chart(title, &shown[best[0]].fit.value, series, None, TWO))
 }
 
 /// One fit: figures, formula, curves, error map on its own scale.
@@ -199,7 +203,7 @@ fn curves(fit: &FitFinding) -> Curves {
         &fit.value,
         series,
         Some((limits.min, limits.max)),
-        (400.0, 220.0),
+        BESIDE_MAP,
     )
 }
 

@@ -35,9 +35,12 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
         sections.push(left_out(record));
     }
     let pages = if record.origin.scene == "default" { bar_from("../")? } else { Vec::new() };
+    let file = record.device.adapter.to_lowercase().replace(' ', "-");
+    let known = pages.iter().any(|(_, page)| *page == format!("../gpu/{file}.html"));
+    let origin = Origin { pages, ..record.origin.clone() };
     Ok(Page {
         title: format!("lobefit on {}", record.device.adapter),
-        origin: Origin { pages, ..record.origin.clone() },
+        origin: if known { origin.with_figures(&format!("{file}.json")) } else { origin },
         lead: conclusion(record) + LEAD,
         sections,
     })
@@ -163,7 +166,7 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
         title: format!("{} as {}", first.quantity, first.used_as.name),
         x: ("picoseconds per evaluation (square-root scale)".into(), Spread::Root),
         y: (format!("largest {metric}"), Spread::Log),
-        size: (760.0, if dots.len() > 8 { 460.0 } else { 300.0 }),
+        size: (1060.0, if dots.len() > 8 { 460.0 } else { 300.0 }),
         dots,
     };
     let caption = format!(

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Block, ReportError, Section, bar, check, numbers};
+use crate::report::{Answer, Block, ReportError, Role, Section, check, numbers};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -33,25 +33,21 @@ const CALLS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError> {
+pub(super) fn sections(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Section>, ReportError> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
     if manifest.effects.is_empty() {
         return Ok(vec![called_for]);
     }
-    let summary = "Materials, ranges, and what was left out".into();
-    called_for.blocks = vec![Block::Fold { summary, blocks: called_for.blocks }];
+    called_for = behind("Materials, ranges, and what was left out", called_for);
     let call = Section {
         id: "call".into(),
         title: "Who calls what".into(),
         lead: "Each emitted function once, with the materials and probes that call it.".into(),
-        blocks: vec![Block::Fold {
-            summary: "All functions".into(),
-            blocks: vec![Block::Table(words::table(
-                &CALLS,
-                calls(manifest)?,
-                "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.",
-            ))],
-        }],
+        blocks: vec![Block::Table(words::table(
+            &CALLS,
+            calls(manifest, answers)?,
+            "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.",
+        ))],
     };
     let made = Section {
         id: "made".into(),
@@ -59,22 +55,21 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
         lead: "Tables and formulas in the order of the manifest, which has all their figures. The page of an effect has \
                its truth, its errors and its pictures, and every formula that was measured."
             .into(),
-        blocks: vec![Block::Fold {
-            summary: "All tables and formulas".into(),
-            blocks: vec![Block::Table(words::table(
-                &COLUMNS,
-                rows(manifest),
-                "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
-            ))],
-        }],
+        blocks: vec![Block::Table(words::table(
+            &COLUMNS,
+            rows(manifest),
+            "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
+        ))],
     };
-    Ok(vec![call, made, called_for])
+    Ok(vec![behind("All functions", call), behind("All tables and formulas", made), called_for])
 }
 
-/// Links to the pages beside those of the built-in scene.
-pub(super) fn beside(command: &str) -> impl Iterator<Item = (String, String)> {
-    bar::beside(command)
-        .map(|(_, shown, file)| (format!("{shown} (in lobefit's repository)"), file.to_string()))
+/// A section behind a line, its lead too: on the overview it stands below what there is to take.
+fn behind(summary: &str, section: Section) -> Section {
+    let lead = Block::Text { text: section.lead };
+    let blocks = std::iter::once(lead).chain(section.blocks).collect();
+    let fold = Block::Fold { summary: summary.into(), blocks };
+    Section { lead: String::new(), blocks: vec![fold], ..section }
 }
 
 /// What came of the scene, in one sentence.
@@ -132,7 +127,7 @@ fn states_error(scene: &Value) -> bool {
 }
 
 /// A row for each function, with who calls it.
-fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
+fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Vec<String>>, ReportError> {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
         match found.iter_mut().find(|(known, _)| known.function == call.function) {
@@ -147,7 +142,7 @@ fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
             || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
         let words = [
             manifest.signature(call).ok_or_else(problem)?,
-            recommended(call.function.as_str(), manifest).into(),
+            recommended(call, answers).into(),
             call.effect.clone(),
             numbers::shortened(&names.join(", ")),
             words::max(call.max_error),
@@ -158,11 +153,12 @@ fn calls(manifest: &Manifest) -> Result<Vec<Vec<String>>, ReportError> {
     found.into_iter().map(row).collect()
 }
 
-/// Whether a function is recommended to one that has a choice.
-fn recommended(function: &str, manifest: &Manifest) -> &'static str {
-    let calls = &manifest.entries.calls;
-    let preferred = calls.iter().any(|call| call.function == function && call.is_preferred(calls));
-    if preferred { "yes" } else { "" }
+/// Whether a card recommends what is called, its form for three channels among it.
+fn recommended(call: &Call, answers: &[Answer]) -> &'static str {
+    let offers = answers.iter().flat_map(|answer| &answer.purposes).flat_map(|purpose| &purpose.choices);
+    let mut best = offers.filter(|offer| offer.role == Role::Recommended);
+    // A lookup has the name of its function.
+    if best.any(|offer| [&call.name, &call.function].contains(&&offer.name)) { "yes" } else { "" }
 }
 
 /// Tables and fits by effect, in the order of the effects.

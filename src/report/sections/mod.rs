@@ -55,12 +55,12 @@ pub(crate) fn of_index(
         let link = |(_, file): &(String, String)| {
             (format!("Spheres drawn by {}, beside the truth", live_code(drawn.manifest)), file.clone())
         };
-        let rows: Vec<_> = live.map(link).into_iter().chain(index::beside(&origin.command)).collect();
+        let rows: Vec<_> = live.map(link).into_iter().collect();
         cards.blocks.splice(0..0, (!rows.is_empty()).then_some(Block::Links { rows }));
         sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
-    sections.extend(index::sections(drawn.manifest)?);
+    sections.extend(index::sections(drawn.manifest, answers)?);
     Ok(Page {
         title: origin.title("lobefit report", ""),
         origin,

@@ -41,7 +41,7 @@ pub(super) fn section(studies: &[Study]) -> Result<Option<Section>, ReportError>
         id: "accuracy".into(),
         title: "What accuracy costs offline".into(),
         lead: "How fast each integrator approaches the truth at an easy and at a hard point. Seconds differ from machine to \
-               machine and stand in timings.html, which lobefit cost writes."
+               machine: the command lobefit cost measures them, and writes timings.html."
             .into(),
         blocks,
     }))

@@ -2,9 +2,10 @@
 
 use super::{figures, words};
 use crate::data::Axis;
-use crate::report::numbers::{brief, grouped, shortened};
+use crate::report::numbers::{brief, brief_bound, grouped, shortened};
 use crate::report::{
-    Block, ChannelFinding, ErrorFigure, Field, HeatMap, ReportError, Ruler, Section, TableFinding, check,
+    Block, ChannelFinding, ErrorFigure, Field, HeatMap, ReportError, Ruler, Section, TableFinding, Worst,
+    check,
 };
 
 const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
@@ -68,23 +69,38 @@ fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
     }
     blocks.push(Block::Table(errors_of(&table.errors)));
     if !table.lookup_error.is_empty() {
-        blocks.push(maps(&table.lookup_error, SIGNED, !flat)?);
+        blocks.push(errors_over(table, !flat)?);
     }
     Ok(blocks)
 }
 
 /// How maps of signed errors are read.
 pub(crate) const SIGNED: &str = "Signed error of the lookup, blue too low, red too high, white exact. The colour scale follows \
-                      the square root of the magnitude, so that small errors stay visible; the ring marks the worst place of \
-                      each map.";
+                      the square root of the magnitude, so that small errors stay visible; the ring marks the worst place.";
+
+/// Maps of the errors of a table's lookup; the ring is where the table of its errors has the largest, or
+/// where that says no place on the map, the largest of the map.
+fn errors_over(table: &TableFinding, small: bool) -> Result<Block, ReportError> {
+    let fields: Vec<Field> = table.lookup_error.iter().map(words::labelled).collect();
+    let maps = table.lookup_error.iter().zip(&fields).map(|(plain, field)| {
+        let stated = table.errors.iter().find(|(what, _)| *what == plain.name.replace(" error", ""));
+        let place = stated.and_then(|(_, e)| Some((*e.at.get(&plain.x.name)?, *e.at.get(&plain.y.name)?, e)));
+        let map = sized(HeatMap::of(&field.name, field), small);
+        let Some((x, y, figure)) = place else { return map };
+        let text = brief_bound(figure.max.copysign(field.nearest(x, y)), 3);
+        HeatMap { worst: Some(Worst { x, y, text }), ..map }
+    });
+    figures(&maps.collect::<Vec<HeatMap>>(), SIGNED)
+}
+
+fn sized(map: HeatMap<'_>, small: bool) -> HeatMap<'_> {
+    if small { HeatMap { size: (250.0, 220.0), ..map } } else { map }
+}
 
 /// Maps side by side.
 pub(crate) fn maps(fields: &[Field], caption: &str, small: bool) -> Result<Block, ReportError> {
     let fields: Vec<Field> = fields.iter().map(words::labelled).collect();
-    let maps = fields.iter().map(|f: &Field| {
-        let map = HeatMap::of(&f.name, f);
-        if small { HeatMap { size: (250.0, 220.0), ..map } } else { map }
-    });
+    let maps = fields.iter().map(|f: &Field| sized(HeatMap::of(&f.name, f), small));
     figures(&maps.collect::<Vec<HeatMap>>(), caption)
 }
 

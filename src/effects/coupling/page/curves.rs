@@ -2,7 +2,7 @@
 
 use crate::effects::coupling::results::{CouplingCurves, CouplingPanel};
 use crate::report::sections::{figures, words};
-use crate::report::{Curves, ReportError, Section, Series, Spread, Style, check, numbers};
+use crate::report::{Curves, Panel, ReportError, Section, Series, Spread, Style, check, numbers};
 
 pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
     let (section, mu) = ("coupling curves", &curves.mu);
@@ -11,7 +11,9 @@ pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
     for (name, factors) in curves.panels.iter().flat_map(|panel| &panel.factors) {
         check::size(section, name, factors.len(), mu.len())?;
     }
-    let charts: Vec<Curves> = curves.panels.iter().map(|panel| chart(curves, panel)).collect();
+    let panels = curves.panels.iter().enumerate();
+    let charts = panels.map(|(i, panel)| Panel { chart: chart(curves, panel), legend: i == 0 });
+    let charts: Vec<Panel> = charts.collect();
     let caption = format!(
         "True factors at f0 = {}, against 1 − F(μ) (heavy), which sees the macroscopic normal alone and is what a smooth surface \
          leaves. The rougher the surface, the flatter the factor: facets are never seen at grazing. Above the others lies the factor \

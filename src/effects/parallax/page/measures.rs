@@ -11,7 +11,7 @@ const MEASURES: [(&str, &str); 4] = [
     ("L2", "root mean square difference over that of what is asked for"),
     ("largest", "largest difference over the largest of what is asked for"),
     (
-        "encircled",
+        "within a radius",
         "root of the integral over ln R of the squared difference of the energies within the radius R, which the best width makes least",
     ),
 ];
@@ -54,7 +54,7 @@ fn planes(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
 fn table(lobe: &ParallaxLobe) -> TextTable {
     let mut columns = vec![("name", false)];
     for first in ["ρ < 1: L2", "ρ > 1: L2"] {
-        columns.extend([first, "max", "largest", "max", "encircled", "max"].map(|name| (name, true)));
+        columns.extend([first, "max", "largest", "max", "within a radius", "max"].map(|name| (name, true)));
     }
     let cells = |row: &Option<VariationRow>| -> Vec<String> {
         let figures = |row: &VariationRow| {

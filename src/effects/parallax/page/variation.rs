@@ -29,8 +29,8 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     .flatten()
     .collect();
     if !charts.is_empty() {
-        let caption = "Mean total variation over the cells against operations per evaluation; lower is nearer to the wanted footprint, \
-                       published formulas are grey. The best width, in the last row of the table, has the least difference of encircled energy: a \
+        let caption = "Mean total variation over the cells against operations per evaluation; lower is nearer to the wanted footprint; \
+                       published formulas are rings. The best width, in the last row of the table, has the least difference of energy within a radius: a \
                        formula may lie a little below its total variation.";
         blocks.push(figures(&charts, caption)?);
     }
@@ -70,7 +70,7 @@ fn scatter(
         x: ("operations (square-root scale)".into(), Spread::Root),
         y: ("mean total variation".into(), Spread::Log),
         dots,
-        size: (560.0, 300.0),
+        size: (480.0, 300.0),
     })
 }
 

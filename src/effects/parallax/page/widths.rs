@@ -36,7 +36,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
         id: "widths".into(),
         title: "The width to fetch".into(),
         lead: "The best width makes the expected squared error least over images whose spectrum falls as 1/f²: the L2 norm, over the \
-               logarithm of the wall radius, of the difference of encircled energies."
+               logarithm of the wall radius, of the difference of the energies within that radius."
             .into(),
         blocks,
     })
