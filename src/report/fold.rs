@@ -94,10 +94,10 @@ pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
 fn said_once(blocks: &mut [Block], said: &mut BTreeSet<String>) {
     for block in blocks {
         match block {
-            Block::Figures { caption, .. } | Block::Table(TextTable { caption, .. }) => {
-                if !said.insert(caption.clone()) {
-                    caption.clear();
-                }
+            Block::Figures { caption, .. } | Block::Table(TextTable { caption, .. })
+                if !said.insert(caption.clone()) =>
+            {
+                caption.clear();
             }
             Block::Fold { blocks, .. } | Block::Packed(blocks) => said_once(blocks, said),
             _ => {}

@@ -55,10 +55,9 @@ pub fn html(page: &Page) -> String {
 
 /// A script or a style without indentation, empty lines and lines of comment.
 fn slim(text: &str) -> String {
+    let comment = |line: &str| line.starts_with("//") || line.starts_with("/*") && line.ends_with("*/");
     let lines = text.lines().map(str::trim);
-    let kept = lines.filter(|line| {
-        !line.is_empty() && !line.starts_with("//") && !(line.starts_with("/*") && line.ends_with("*/"))
-    });
+    let kept = lines.filter(|line| !line.is_empty() && !comment(line));
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
