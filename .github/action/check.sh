@@ -42,7 +42,7 @@ scene=${SCENE:-}
 scene=${scene#./}
 jq -r --arg folder "$folder" --arg scene "${scene:-${folder}manifest.json}" --arg bake "$bake" "$escape$facts"'
   def error(file; says): "::error file=" + (file | property) + ",title=lobefit check::" + (says | text);
-  (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
+  select(.same | not) | (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
   (faults | error($folder + .file; .detail))' <<<"$verdict"
 
 summary=${GITHUB_STEP_SUMMARY:-/dev/stdout}

@@ -206,7 +206,7 @@ impl<'a> Stage<'a> {
         }
         let closest = closest.map(|(error, name, ops)| format!("; {name} has {error} with {ops} operations"));
         Ok(format!(
-            "no formula of the catalogue keeps it in this region: raise max_error, or narrow the roughness{}",
+            "no formula of the catalogue keeps it in this region: raise max_error, or take a table where the effect has one (wants.tables){}",
             closest.unwrap_or_default()
         ))
     }

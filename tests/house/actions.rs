@@ -220,6 +220,12 @@ fn the_script_names_a_change_of_the_scene_once() {
     assert!(change.contains("\"m\" became \"n\"; no number and no code that a shader reads changed; run "));
     assert!(record.starts_with("::error file=assets/reports/gpu/a.json,"), "{record}");
     assert!(summary.contains("| `reports/gpu/a.json` | "), "{summary}");
+
+    // No number changed: the job passes, and nothing in it is red.
+    std::fs::remove_file(study.join("a.json")).expect("removed");
+    let by_values = [("SCENE", "./a scene.json"), ("AGAINST", "assets"), ("VALUES", "0")];
+    let (code, annotations, _) = script(folder.path(), &by_values).expect("run before");
+    assert_eq!((code, annotations.as_str()), (0, ""));
 }
 
 #[cfg(unix)]

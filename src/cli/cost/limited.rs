@@ -149,13 +149,19 @@ impl Shipped {
                 vendor.title()
             ));
         }
-        let mut snippets: Vec<&str> = Vec::new();
+        let mut snippets: Vec<String> = Vec::new();
         for of in &self.ship {
-            if !snippets.contains(&of.snippet.as_str()) {
-                snippets.push(&of.snippet);
+            let snippet = format!("{} // {}", of.snippet, of.call.name);
+            if !snippets.contains(&snippet) {
+                snippets.push(snippet);
             }
         }
-        lines.extend(snippets.into_iter().map(String::from));
+        if !snippets.is_empty() {
+            lines.push(
+                "picked for these limits; bake picks by those of the scene; --json has the code".into(),
+            );
+        }
+        lines.extend(snippets);
         lines.iter().map(|line| visible(line) + "\n").collect()
     }
 }

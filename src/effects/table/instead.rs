@@ -21,9 +21,9 @@ struct Choice {
 }
 
 /// Lines that say what keeps the limit of a job whose tables of this size do not, each with its
-/// bytes and its error. Measured are sizes doubled until one keeps it: in the job's own layout, and up
-/// to the size that keeps it there in the other layouts of its kind, and with f32 texels in place of
-/// f16. `judge` has the truth of the job.
+/// bytes and its error. Measured are sizes doubled until one keeps it, of a table with slices first
+/// those of the same slices: in the job's own layout, and up to the size that keeps it there in the
+/// other layouts of its kind, and with f32 texels in place of f16. `judge` has the truth of the job.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -35,8 +35,8 @@ pub(super) fn instead(
     context: &Context,
 ) -> Result<Vec<String>, BakeError> {
     let mut choices = Vec::new();
-    let mut smallest = |job: TableJob, from: Option<Vec<usize>>, most: &[usize], but: &str| {
-        let mut size = from;
+    let mut smallest = |job: TableJob, from: Vec<usize>, (grown, most): (Grown, &[usize]), but: &str| {
+        let mut size = Some(from);
         while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
             let choice = measured(family, (&job, &of), but.into(), judge, context)?;
             let kept = choice.error <= limit;
@@ -44,21 +44,29 @@ pub(super) fn instead(
             if kept {
                 return Ok(Some(of));
             }
-            size = Some(doubled(&of));
+            size = Some(grown(&of));
         }
         Ok::<_, BakeError>(None)
     };
     let largest = vec![usize::MAX; own.len()];
-    let kept = smallest(job.clone(), Some(doubled(own)), &largest, "")?;
-    let most = kept.as_deref().unwrap_or(&largest);
+    let (mut grown, mut kept) = (doubled as Grown, None);
+    if own.len() > 2 {
+        kept = smallest(job.clone(), finer(own), (finer, &largest), "")?;
+    }
+    if kept.is_some() {
+        grown = finer;
+    } else {
+        kept = smallest(job.clone(), doubled(own), (doubled, &largest), "")?;
+    }
+    let sizes = (grown, kept.as_deref().unwrap_or(&largest));
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
         let but = format!(", layout `{}`", layout.name());
-        smallest(TableJob { layout, ..job.clone() }, Some(own.to_vec()), most, &but)?;
+        smallest(TableJob { layout, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }
     if job.format == TexelFormat::F16 {
         let format = TexelFormat::F32;
         let but = format!(", format `{}`", format.name());
-        smallest(TableJob { format, ..job.clone() }, Some(own.to_vec()), most, &but)?;
+        smallest(TableJob { format, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }
     let square = |size: Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
     let chosen = job.size.is_some() && kept.is_some_and(square);
@@ -72,7 +80,9 @@ fn said(choices: &[Choice], limit: f64, is_chosen: bool) -> Vec<String> {
         let Choice { words, bytes, error } = choice;
         format!("keeps it: {words}: {bytes} bytes, error {error}")
     };
-    let mut lines: Vec<String> = choices.iter().filter(|choice| choice.error <= limit).map(line).collect();
+    let mut keep: Vec<&Choice> = choices.iter().filter(|choice| choice.error <= limit).collect();
+    keep.sort_by_key(|choice| choice.bytes);
+    let mut lines: Vec<String> = keep.into_iter().map(line).collect();
     if is_chosen {
         lines.push("keeps it: no `size`: lobefit chooses the smallest square that does".into());
     }
@@ -86,6 +96,14 @@ fn said(choices: &[Choice], limit: f64, is_chosen: bool) -> Vec<String> {
         lines.push("raise max_error, or narrow `n_dot_v` of the table or the roughness".into());
     }
     lines
+}
+
+/// The next size to measure.
+type Grown = fn(&[usize]) -> Vec<usize>;
+
+/// Twice as many columns and rows in as many slices.
+fn finer(size: &[usize]) -> Vec<usize> {
+    size.iter().enumerate().map(|(axis, n)| if axis < 2 { 2 * n } else { *n }).collect()
 }
 
 fn doubled(size: &[usize]) -> Vec<usize> {
