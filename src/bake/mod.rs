@@ -28,7 +28,7 @@ pub use build::{BUILD, BUILD_FILE, sign};
 pub use compare::{Difference, Kind, changed, compare};
 pub use previous::{PreviousError, previous};
 pub use recipe::{TOOL, recipe};
-pub use shard::{ENDING as SHARD_ENDING, Shard, ShardError, merge, shard};
+pub use shard::{ENDING as SHARD_ENDING, MOST as SHARDS, Shard, ShardError, merge, shard};
 
 /// What a bake made.
 #[derive(Debug)]

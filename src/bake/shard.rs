@@ -17,6 +17,9 @@ use crate::store::Cache;
 /// The form of the file.
 const VERSION: u32 = 1;
 
+/// Most pieces of a bake, far above the number of effects.
+pub const MOST: usize = 1024;
+
 /// How the names of shards' files end.
 pub const ENDING: &str = ".lobefit";
 
@@ -30,11 +33,16 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// Reads `K/N` with 1 <= K <= N.
+    /// Reads `K/N` with 1 <= K <= N <= [`MOST`].
     pub fn parse(text: &str) -> Option<Shard> {
         let (number, of) = text.split_once('/')?;
         let shard = Shard { number: number.parse().ok()?, of: of.parse().ok()? };
-        (1..=shard.of).contains(&shard.number).then_some(shard)
+        shard.is_one().then_some(shard)
+    }
+
+    /// Whether there is such a piece.
+    fn is_one(self) -> bool {
+        self.of <= MOST && (1..=self.of).contains(&self.number)
     }
 
     /// The name of its file.
@@ -214,7 +222,8 @@ fn read(bytes: &[u8]) -> Option<(Head, &[u8])> {
     let end = bytes.iter().position(|byte| *byte == b'\n')?;
     let head: Head = serde_json::from_slice(&bytes[..end]).ok()?;
     let parts = &bytes[end + 1..];
-    (head.version == VERSION && head.hash == *blake3::hash(parts).to_hex()).then_some((head, parts))
+    let known = head.version == VERSION && head.shard.is_one();
+    (known && head.hash == *blake3::hash(parts).to_hex()).then_some((head, parts))
 }
 
 /// Whether a shard is of the bake that is merged, and none that is there already.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
-use crate::bake::Shard;
+use crate::bake::{SHARDS, Shard};
 use crate::data::{Smith, Vendor};
 use crate::effects::catalogue;
 use crate::scene::limits;
@@ -63,7 +63,8 @@ pub fn effect(text: &str) -> Result<String, String> {
 
 /// One of the pieces of a bake.
 pub fn shard(text: &str) -> Result<Shard, String> {
-    Shard::parse(text).ok_or_else(|| "K/N with whole numbers, K from 1 to N, is called for".into())
+    Shard::parse(text)
+        .ok_or_else(|| format!("K/N with whole numbers, K from 1 to N, N at most {SHARDS}, is called for"))
 }
 
 /// The quantity of a name.

@@ -85,7 +85,7 @@ fn refused(at: &Path) {
 #[test]
 fn a_piece_that_is_none_is_refused() {
     let folder = tempfile::tempdir().unwrap();
-    for piece in ["0/2", "3/2", "1", "a/b"] {
+    for piece in ["0/2", "3/2", "1", "a/b", "1/1025", "1/18446744073709551615"] {
         let said = run(folder.path(), &["bake", "--shard", piece], 2);
         assert!(said.contains("K/N with whole numbers, K from 1 to N"), "{said}");
     }

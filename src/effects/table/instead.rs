@@ -35,6 +35,7 @@ pub(super) fn instead(
     context: &Context,
 ) -> Result<Vec<String>, BakeError> {
     let mut choices = Vec::new();
+    // Sizes of one row of choices have one shape: the first number tells which is smaller.
     let mut smallest = |job: TableJob, from: Vec<usize>, (grown, most): (Grown, &[usize]), but: &str| {
         let mut size = Some(from);
         while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
@@ -51,10 +52,10 @@ pub(super) fn instead(
     let largest = vec![usize::MAX; own.len()];
     let (mut grown, mut kept) = (doubled as Grown, None);
     if own.len() > 2 {
-        kept = smallest(job.clone(), finer(own), (finer, &largest), "")?;
+        kept = smallest(job.clone(), of_same_slices(own), (of_same_slices, &largest), "")?;
     }
     if kept.is_some() {
-        grown = finer;
+        grown = of_same_slices;
     } else {
         kept = smallest(job.clone(), doubled(own), (doubled, &largest), "")?;
     }
@@ -102,7 +103,7 @@ fn said(choices: &[Choice], limit: f64, is_chosen: bool) -> Vec<String> {
 type Grown = fn(&[usize]) -> Vec<usize>;
 
 /// Twice as many columns and rows in as many slices.
-fn finer(size: &[usize]) -> Vec<usize> {
+fn of_same_slices(size: &[usize]) -> Vec<usize> {
     size.iter().enumerate().map(|(axis, n)| if axis < 2 { 2 * n } else { *n }).collect()
 }
 

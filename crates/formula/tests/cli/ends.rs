@@ -110,10 +110,10 @@ fn starts_with_a_pole_are_no_obstacle_to_a_quotient_and_named_elsewhere() {
     assert!(told.contains("mine.wgsl:3:") && told.contains("declared starts"), "{told}");
 }
 
-/// The visibility of a sheen has no Smith form: none is told of. Where E is nothing, a relative
-/// error is none either.
+/// The visibility of a sheen has no Smith form, so the output names no form. Where E is 0 it states
+/// no relative error.
 #[test]
-fn a_sheen_is_told_of_without_a_smith_form() {
+fn a_sheen_is_printed_without_a_smith_form() {
     let folder = tempfile::tempdir().expect("a folder");
     let source = "override a: f32 = 0.5;\noverride b: f32 = 0.2;\n\
         fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * (1.0 - mu); }\n";
@@ -175,8 +175,8 @@ fn a_parameter_without_a_derivative_is_told_as_such() {
     assert!(said.contains("mine.wgsl:3:21: argument `nv` is not one of"), "{said}");
 }
 
-/// Which norm a weight is taken in is told where it is not the one of its name, and what was
-/// minimised is.
+/// The output names the norm that a weight is taken in where it is another than the weight's own,
+/// and what was minimised.
 #[test]
 fn a_perceptual_weight_tells_its_norm_and_its_error() {
     let folder = tempfile::tempdir().expect("a folder");

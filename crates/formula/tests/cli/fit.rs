@@ -339,8 +339,8 @@ fn constraints_that_contradict_one_another_are_named() {
     assert!(said.contains("alpha = 0"), "{said}");
 }
 
-/// A formula with one parameter too many: refused with the rank and the names; or a fit, and which
-/// parameters are told.
+/// A formula with one parameter too many is refused with the rank and the names, or fitted with a
+/// note that names the parameters.
 #[test]
 fn parameters_that_coincide_are_refused_or_told() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -464,7 +464,7 @@ fn the_sentence_of_a_proof_names_its_conditions() {
 }
 
 /// Between the places that it is fitted to, a range holds too: at every point of the certificate,
-/// and it is told whether by proof.
+/// and the output says whether by proof.
 #[test]
 #[allow(clippy::disallowed_methods)]
 fn a_range_holds_between_the_places_that_it_is_fitted_to() {
