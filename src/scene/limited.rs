@@ -35,9 +35,7 @@ impl Scene {
         let max_ops = budget.filter(|_| vendor.is_none()).map(|most| most as u32);
         let limit = |goals: &mut Goals| (goals.max_ops, goals.max_error) = (max_ops, max_error);
         for material in &mut self.materials {
-            material.wants.fit.iter_mut().for_each(|fit| limit(&mut fit.goals));
-            material.base.iter_mut().for_each(|base| limit(&mut base.goals));
-            material.sheen.iter_mut().for_each(|sheen| limit(&mut sheen.goals));
+            material.goals_mut().for_each(limit);
             if max_error.is_some() || max_bytes.is_some() {
                 let tables = material.wants.tables.iter_mut();
                 tables.for_each(|table| table.open(max_error, max_bytes.unwrap_or(u64::MAX)));

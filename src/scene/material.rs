@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::goals::Goals;
 use super::layers::{Base, Sheen};
 use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
@@ -100,6 +101,13 @@ fn one_or_range<S: Serializer>(range: &Option<[f64; 2]>, serializer: S) -> Resul
 }
 
 impl Material {
+    /// The goals of its functions: of the specular lobe and of its layers.
+    pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
+        let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
+        let base = self.base.iter_mut().map(|base| &mut base.goals);
+        fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
+    }
+
     /// What kind of specular lobe it has.
     pub fn lobe(&self) -> Lobe {
         lobe(self.kind, self.anisotropy)
