@@ -45,25 +45,24 @@ jq -r --arg folder "$folder" --arg scene "${scene:-${folder}manifest.json}" --ar
   select(.same | not) | (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
   (faults | error($folder + .file; .detail))' <<<"$verdict"
 
-summary=${GITHUB_STEP_SUMMARY:-/dev/stdout}
+# Without a runner the summary goes where the rest goes.
+if [ -n "${GITHUB_STEP_SUMMARY:-}" ]; then exec >>"$GITHUB_STEP_SUMMARY"; fi
 # A cell of a table: no line ends, no bars.
 cell='def cell: tostring | gsub("[\r\n|]"; " "); def row: "| " + (map(cell) | join(" | ")) + " |";
   def digits: if . == 0 then 0 else (log10 | floor) as $e | pow(10; 2 - $e) as $s | (. * $s | round) / $s end;'
-{
-  echo "## lobefit check: $against"
-  echo
-  jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from its recipe." else
-    (select(is_changed) | "The scene changed:", "", (changed[] | "- " + cell), "",
-      (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
-    ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row))
-    end' <<<"$verdict"
-  echo
-  if [ -f "$against/manifest.json" ]; then
-    jq -r "$cell"' "| table | quantity | largest error | RMS | bytes |", "|---|---|--:|--:|--:|",
-      (.tables[] | [.name, .quantity, .error.lookup.max, (.error.lookup.rms | digits), .bytes] | row),
-      "", "| function | quantity | use | largest error | RMS | operations |", "|---|---|---|--:|--:|--:|",
-      (.fits[] | [.function, .quantity, .use, .certificate.max_abs, (.certificate.rms | digits), .cost.ops] | row)' \
-      "$against/manifest.json"
-  fi
-} >>"$summary"
+echo "## lobefit check: $against"
+echo
+jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from its recipe." else
+  (select(is_changed) | "The scene changed:", "", (changed[] | "- " + cell), "",
+    (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
+  ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row))
+  end' <<<"$verdict"
+echo
+if [ -f "$against/manifest.json" ]; then
+  jq -r "$cell"' "| table | quantity | largest error | RMS | bytes |", "|---|---|--:|--:|--:|",
+    (.tables[] | [.name, .quantity, .error.lookup.max, (.error.lookup.rms | digits), .bytes] | row),
+    "", "| function | quantity | use | largest error | RMS | operations |", "|---|---|---|--:|--:|--:|",
+    (.fits[] | [.function, .quantity, .use, .certificate.max_abs, (.certificate.rms | digits), .cost.ops] | row)' \
+    "$against/manifest.json"
+fi
 exit "$code"

@@ -24,7 +24,7 @@ pub use points::{certification, place};
 pub(crate) use points::{edged, layer_mu, lerp, uniform};
 pub use prepared::Counter;
 pub use region::Region;
-pub use run::{Wanted, fit_all};
+pub use run::{Wanted, compared, fit_all};
 pub use safe::{Safe, SafeProof, SafeRange};
 pub(crate) use search::searched;
 pub use search::{named_for, runaways};

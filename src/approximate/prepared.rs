@@ -1,5 +1,6 @@
 //! A target with its samples, and fits of one formula to it.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::certificate::{approximation, certificate, formula, half, worse};
@@ -34,14 +35,25 @@ pub(super) struct Prepared {
     pub target: Target,
     even: Sampled,
     edged: Sampled,
-    measured: Sampled,
+    measured: Arc<Sampled>,
 }
 
 impl Prepared {
     /// Integrates the truths of the samples.
     pub fn new(target: Target, counter: &Counter) -> Result<Prepared, FitStageError> {
-        let (even, edged, measured) = (target.even()?, target.edged()?, target.measured()?);
-        counter.add([&even, &edged, &measured].iter().map(|sampled| sampled.integrals as usize).sum());
+        let measured = target.measured()?;
+        counter.add(measured.integrals as usize);
+        Prepared::measured_at(target, Arc::new(measured), counter)
+    }
+
+    /// The same where the points to certify at are integrated already.
+    pub fn measured_at(
+        target: Target,
+        measured: Arc<Sampled>,
+        counter: &Counter,
+    ) -> Result<Prepared, FitStageError> {
+        let (even, edged) = (target.even()?, target.edged()?);
+        counter.add((even.integrals + edged.integrals) as usize);
         Ok(Prepared { target, even, edged, measured })
     }
 

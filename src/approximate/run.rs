@@ -1,8 +1,10 @@
 //! The formulas of an effect fitted to a quantity, beside published formulas for the same use:
 //! targets, samples, search, proof, certificates.
 
+use std::sync::Arc;
+
 use super::prepared::Prepared;
-use super::target::{Target, TargetSpec};
+use super::target::{Sampled, Target, TargetSpec};
 use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
 use crate::data::{AlphaMap, Norm, Pick};
 use lobefit_fit::FitError;
@@ -47,12 +49,12 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let published = wanted.published.iter().copied().filter(|entry| squared || !entry.takes("roughness"));
     let published: Vec<&Entry> = published.collect();
     let float = wanted.emission.float;
-    let own = parse(wanted.own.iter().map(|entry| (entry.file, entry.source)), float)?;
+    let own = parse(sources(wanted.own), float)?;
     let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())), float)?;
-    let known = parse(published.iter().map(|entry| (entry.file, entry.source)), Float::F32)?;
+    let known = parse(sources(published.iter().copied()), Float::F32)?;
     let mut dropped = Vec::new();
     let (own, dear) = wanted.affordable(own)?;
-    let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter)?;
+    let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter, &[])?;
     let (user, too_dear) = wanted.affordable(user)?;
     for h in &too_dear {
         dropped.extend(wanted.too_dear(h)?);
@@ -65,18 +67,34 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     stage.recommend(&mut fits);
     let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
-    let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
-    let measured = pairs.par_iter().map(|(entry, h)| {
-        let mut fit = stage.of(h)?.published(entry, h)?;
-        fit.price = wanted.emission.price(h)?;
-        // Some of them are emitted then.
-        if wanted.emission.pick == Pick::All {
-            stage.of(h)?.halve(&mut fit)?;
-        }
-        Ok::<Fit, FitStageError>(fit)
-    });
-    fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
+    let mut measured = stage.published(&published, &known)?;
+    // Some of them are emitted then.
+    if wanted.emission.pick == Pick::All {
+        let halve = |fit: &mut Fit| stage.of(&fit.hypothesis)?.halve(fit);
+        measured.par_iter_mut().map(halve).collect::<Result<(), _>>()?;
+    }
+    fits.extend(measured);
     Ok(FitSet { fits, dropped, nearest, unserved: Vec::new() })
+}
+
+/// Fits and measures what a formula of the user's is compared with, in f32: our formulas without
+/// those that have no reliable fit, then the published ones. Nothing of it is emitted. `known` is a
+/// target whose points to certify at are integrated already.
+///
+/// # Errors
+/// As [`fit_all`].
+pub fn compared(wanted: &Wanted, known: (&Target, &Arc<Sampled>)) -> Result<Vec<Fit>, FitStageError> {
+    let own = parse(sources(wanted.own), Float::F32)?;
+    let published = parse(sources(wanted.published.iter().copied()), Float::F32)?;
+    let stage = Stage::new(wanted, own.iter().chain(&published), &Counter::default(), &[known])?;
+    let (jobs, results) = stage.fits(&own);
+    let mut fits = kept(&jobs, results, &mut Vec::new())?;
+    fits.extend(stage.published(&wanted.published, &published)?);
+    Ok(fits)
+}
+
+fn sources<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> impl Iterator<Item = (&'a str, &'a str)> {
+    entries.into_iter().map(|entry| (entry.file, entry.source))
 }
 
 fn parse<'a>(
@@ -128,6 +146,7 @@ impl<'a> Stage<'a> {
         wanted: &'a Wanted<'a>,
         formulas: impl Iterator<Item = &'b Hypothesis>,
         counter: &Counter,
+        known: &[(&Target, &Arc<Sampled>)],
     ) -> Result<Stage<'a>, FitStageError> {
         let mut targets: Vec<Target> = Vec::new();
         for formula in formulas {
@@ -136,7 +155,11 @@ impl<'a> Stage<'a> {
                 targets.push(target);
             }
         }
-        let prepared = targets.into_iter().map(|target| Prepared::new(target, counter));
+        let prepared =
+            targets.into_iter().map(|target| match known.iter().find(|(known, _)| **known == target) {
+                Some((_, measured)) => Prepared::measured_at(target, Arc::clone(measured), counter),
+                None => Prepared::new(target, counter),
+            });
         Ok(Stage { wanted, prepared: prepared.collect::<Result<_, _>>()? })
     }
 
@@ -156,6 +179,15 @@ impl<'a> Stage<'a> {
         };
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
+    }
+
+    /// Published formulas, measured.
+    fn published(&self, entries: &[&Entry], formulas: &[Hypothesis]) -> Result<Vec<Fit>, FitStageError> {
+        let measured = entries.par_iter().zip(formulas).map(|(entry, h)| {
+            let price = self.wanted.emission.price(h)?;
+            Ok(Fit { price, ..self.of(h)?.published(entry, h)? })
+        });
+        measured.collect::<Vec<_>>().into_iter().collect()
     }
 
     /// Whether one fit was asked for, and every fit is over the budget or misses the stated error.
@@ -206,7 +238,7 @@ impl<'a> Stage<'a> {
         }
         let closest = closest.map(|(error, name, ops)| format!("; {name} has {error} with {ops} operations"));
         Ok(format!(
-            "no formula of the catalogue keeps it in this region: raise max_error, or take a table where the effect has one (wants.tables){}",
+            "no formula of the catalogue keeps it in this region: raise max_error{}",
             closest.unwrap_or_default()
         ))
     }

@@ -15,7 +15,8 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     }
     if parts.iter().any(|part| part.finding.ranges.contains_key("mu")) {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between".into());
-        out.push("normal and view.".into());
+        out.push("normal and view. Pass max(n_dot_v, 1e-4): a negative cosine may meet a pole, and with roughness 0 a cosine of 0".into());
+        out.push("makes 0/0, a NaN.".into());
     } else {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
     }
@@ -29,6 +30,6 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     let said = known.iter().filter(|(of, _)| of.iter().any(&holds));
     out.extend(said.flat_map(|(_, lines)| lines.iter().map(ToString::to_string)));
     out.push("Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;".into());
-    out.push("sin, cos, log2 4; log 5.".into());
+    out.push("sin, cos, log2 4; log 5. alpha and roughness count as given.".into());
     out
 }

@@ -76,7 +76,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let (out, quiet) = (&options.output.out, options.output.quiet || options.output.json);
     let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
-    let progress = Bar::new(quiet, &plan, 0);
+    let progress = Bar::new(quiet, (&input.scene, &plan), 0);
     let cache = if options.no_cache { None } else { Cache::of_user() };
     if let Some(shard) = options.shard {
         let made = options.threads.install(|| input.shard(&plan, shard, cache.as_ref(), &progress))?;

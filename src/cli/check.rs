@@ -87,7 +87,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if !store::is_folder(&options.against)? {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
-    let progress = Bar::new(options.quiet || options.json, &plan, 1);
+    let progress = Bar::new(options.quiet || options.json, (&input.scene, &plan), 1);
     let found = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         Found::new(baked, &input.scene.name, options, &progress)

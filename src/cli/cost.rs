@@ -7,6 +7,7 @@ mod record;
 mod weights;
 
 pub use from::{bake_in, times_in};
+pub use page::Beside;
 pub(super) use page::PAGE;
 pub use record::{RECORD_BYTES, RecordPlace};
 
@@ -191,7 +192,7 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     if plan.is_empty() {
         return nothing(options, &input, &plan);
     }
-    let progress = Bar::new(options.quiet || options.json, &plan, 1);
+    let progress = Bar::new(options.quiet || options.json, (&input.scene, &plan), 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");

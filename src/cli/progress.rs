@@ -8,6 +8,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::output::say;
 use crate::bake::Progress;
 use crate::plan::Plan;
+use crate::scene::Scene;
 
 /// A bar on standard error with the stage's name; a line for each stage where standard error is no
 /// terminal; nothing where quiet is asked for.
@@ -17,12 +18,12 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// Starts the bar of a plan's stages and `more` of the verb's own.
-    pub fn new(quiet: bool, plan: &Plan, more: usize) -> Bar {
+    /// Starts the bar of the stages of a scene's plan and `more` of the verb's own.
+    pub fn new(quiet: bool, (scene, plan): (&Scene, &Plan), more: usize) -> Bar {
         let terminal = std::io::stderr().is_terminal();
         let shown = !quiet && terminal;
         let target = if shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let bar = ProgressBar::with_draw_target(Some((stages(plan) + more) as u64), target);
+        let bar = ProgressBar::with_draw_target(Some((stages(scene, plan) + more) as u64), target);
         if let Ok(style) = ProgressStyle::with_template("{spinner} [{bar:24}] {pos}/{len} {msg} [{elapsed}]")
         {
             bar.set_style(style);
@@ -35,8 +36,9 @@ impl Bar {
 }
 
 /// Stages that a bake announces: each job, and the page of each effect.
-fn stages(plan: &Plan) -> usize {
-    plan.effects.iter().map(|called| called.work.len() + 1).sum()
+fn stages(scene: &Scene, plan: &Plan) -> usize {
+    let pages = usize::from(scene.output.reports);
+    plan.effects.iter().map(|called| called.work.len() + pages).sum()
 }
 
 impl Progress for Bar {

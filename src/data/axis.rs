@@ -22,11 +22,11 @@ impl Registration {
         }
     }
 
-    /// Unit coordinate of texel `i` of `n`.
-    pub fn coordinate(self, i: usize, n: usize) -> f64 {
+    /// Unit coordinate of a position along `n` texels: texel i is at i.
+    pub fn coordinate(self, position: f64, n: usize) -> f64 {
         match self {
-            Registration::Centre => (i as f64 + 0.5) / n as f64,
-            Registration::Endpoint => i as f64 / (n - 1) as f64,
+            Registration::Centre => (position + 0.5) / n as f64,
+            Registration::Endpoint => position / (n - 1) as f64,
         }
     }
 }
@@ -256,9 +256,14 @@ impl Axis {
         (self.max - self.min).sqrt() as f32
     }
 
+    /// Physical value at a position in texels; beyond the ends of the axis, that of the end.
+    pub fn at(&self, position: f64, surface: Surface<f64>) -> f64 {
+        self.physical(self.registration.coordinate(position, self.size).clamp(0.0, 1.0), surface)
+    }
+
     /// Physical value of texel `i`.
     pub fn node(&self, i: usize, surface: Surface<f64>) -> f64 {
-        self.physical(self.registration.coordinate(i, self.size), surface)
+        self.at(i as f64, surface)
     }
 }
 

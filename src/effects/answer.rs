@@ -3,6 +3,7 @@
 
 use std::cmp::Reverse;
 
+use super::made::Limited;
 use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::{Emission, Fit};
@@ -58,6 +59,7 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
         about,
         caution: String::new(),
         metric: metric(a),
+        limited: String::new(),
         choices,
         measured: group.iter().map(|fit| measured(&fit.approximation)).collect(),
         furnace: None,
@@ -92,16 +94,9 @@ fn offer(role: Role, fit: &Fit, languages: &[Language]) -> Result<Offer, BakeErr
         Ok((language.title().to_string(), printed.text.trim_end().to_string()))
     };
     let printed = languages.iter().map(print).collect::<Result<Vec<_>, BakeError>>();
-    Ok(Offer {
-        role,
-        name: a.name.clone(),
-        function: fit.emitted.then(|| fit.hypothesis.name().to_string()),
-        error: Some(errors(a)),
-        metric: String::new(),
-        cost: a.cost,
-        coloured: None,
-        code: if fit.emitted { Vec::new() } else { printed? },
-    })
+    let function = fit.emitted.then(|| fit.hypothesis.name().to_string());
+    let code = if fit.emitted { Vec::new() } else { printed? };
+    Ok(Offer { code, ..Offer::new(role, &a.name, function, (a.cost, Some(errors(a)))) })
 }
 
 fn errors(a: &Approximation) -> [f64; 2] {
@@ -113,6 +108,7 @@ fn measured(a: &Approximation) -> Measured {
         name: a.name.clone(),
         ops: a.cost.ops,
         error: errors(a),
+        limited: None,
         published: matches!(a.source, Source::Published(_)),
         table: a.cost.fetches > 0,
     }
@@ -122,17 +118,8 @@ fn of_table(role: Role, table: &BakedTable, purpose: &str) -> Offer {
     let a = &table.approximation;
     let own = metric(a);
     let metric = if own == purpose { String::new() } else { own };
-    let (function, error) = (Some(table.names.lookup.clone()), Some(errors(a)));
-    Offer {
-        role,
-        name: a.name.clone(),
-        function,
-        error,
-        metric,
-        cost: a.cost,
-        coloured: None,
-        code: Vec::new(),
-    }
+    let function = Some(table.names.lookup.clone());
+    Offer { metric, ..Offer::new(role, &a.name, function, (a.cost, Some(errors(a)))) }
 }
 
 /// What the error of an approximation is; of a table it is that of its lookup.
@@ -213,6 +200,7 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
         about: format!("Table of {} of {}{side}.", a.column, a.quantity),
         caution: String::new(),
         metric,
+        limited: String::new(),
         choices,
         measured: group.iter().map(|t| measured(&t.approximation)).collect(),
         furnace: None,
@@ -226,22 +214,22 @@ fn preference(lookup: &LookupFunction) -> (Reverse<u32>, Option<usize>, u32) {
     (Reverse(lookup.cost.fetches), edges, lookup.cost.ops)
 }
 
+/// The lookup of a probe that is taken before the others.
+pub(crate) fn preferred(lookups: &[LookupFunction]) -> Option<&LookupFunction> {
+    lookups.iter().min_by_key(|lookup| preference(lookup))
+}
+
 /// Lookups of probes: the fewest operations, the preferred, and the most operations. The error of a
 /// lookup is that of the width that it fetches.
 fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let ops = |lookup: &&LookupFunction| lookup.cost.ops;
-    let best = lookups.iter().min_by_key(|lookup| preference(lookup))?;
+    let best = preferred(lookups)?;
     let width =
         |lookup: &LookupFunction| fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width);
-    let offer = |role: Role, lookup: &LookupFunction| Offer {
-        role,
-        name: lookup.function.clone(),
-        function: Some(lookup.function.clone()),
-        error: width(lookup).map(errors),
-        metric: String::new(),
-        cost: Cost { ops: lookup.cost.ops, fetches: lookup.cost.fetches, bytes: lookup.cost.bytes },
-        coloured: None,
-        code: Vec::new(),
+    let offer = |role: Role, lookup: &LookupFunction| {
+        let cost = Cost { ops: lookup.cost.ops, fetches: lookup.cost.fetches, bytes: lookup.cost.bytes };
+        let function = Some(lookup.function.clone());
+        Offer::new(role, &lookup.function, function, (cost, width(lookup).map(errors)))
     };
     let mut choices = vec![offer(Role::Recommended, best)];
     let cheap = lookups.iter().min_by_key(ops).filter(|lookup| ops(lookup) < ops(&best));
@@ -253,6 +241,7 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
         about: format!("Lookup of a probe through a proxy of its room. {}", best.arguments),
         caution: String::new(),
         metric: width(best).map_or_else(String::new, metric),
+        limited: String::new(),
         choices,
         measured: Vec::new(),
         furnace: None,
@@ -266,7 +255,9 @@ fn strip(purpose: &Purpose, furnaces: &[Furnace]) -> Option<Furnace> {
         let own = furnace.rows.iter().find(|row| row.of == offer.name)?;
         Some(FurnaceRow { name: offer.role.name().into(), ..own.clone() })
     };
-    let furnace = furnaces.iter().find(|f| purpose.choices.iter().any(|choice| row(f, choice).is_some()))?;
+    // Spheres of other choices alone would say nothing of what is recommended.
+    let best = purpose.choices.first()?;
+    let furnace = furnaces.iter().find(|f| row(f, best).is_some())?;
     // What there is without a choice: nothing, or the first published factor.
     let offered = |row: &&FurnaceRow| purpose.choices.iter().any(|choice| choice.name == row.of);
     let before = furnace.rows.first().filter(|row| !offered(row)).cloned().map(|row| match row.of.as_str() {
@@ -298,6 +289,15 @@ pub(super) fn answer(made: &Made) -> Answer {
     add_tables(&mut purposes, &made.fits, &made.tables);
     purposes.splice(0..0, of_lookups(&entries.lookups, &made.fits));
     for purpose in &mut purposes {
+        let beside = made.beside.iter().filter(|(function, _)| *function == purpose.name);
+        for (_, offer) in beside {
+            if purpose.choices.iter().all(|choice| choice.role != offer.role) {
+                purpose.choices.push(offer.clone());
+            }
+        }
+        if let Some(limited) = &made.limited {
+            limit(purpose, limited, &entries.lookups);
+        }
         purpose.choices.iter_mut().for_each(|offer| offer.coloured = coloured(offer, entries));
         purpose.furnace = strip(purpose, &made.furnaces);
         let caution = made.cautions.iter().find(|(function, _)| *function == purpose.name);
@@ -307,8 +307,21 @@ pub(super) fn answer(made: &Made) -> Answer {
     let judged = |purpose: &Purpose| !purpose.measured.is_empty();
     let first = purposes.iter().position(judged).map_or(purposes.len(), |i| i + 1);
     let last = first + purposes[first..].iter().take_while(|purpose| purpose.is_other_side).count();
-    let conclusion = purposes[..last].iter().map(conclusion).collect::<Vec<_>>().join(" ");
-    Answer { effect: made.part.by.name().into(), conclusion, purposes }
+    let conclusion = purposes[..last].iter().map(self::conclusion).collect::<Vec<_>>().join(" ");
+    let also = purposes[last..].iter().map(self::conclusion).collect();
+    Answer { effect: made.part.by.name().into(), conclusion, also, purposes }
+}
+
+/// Notes the error that the scene limits: of a lookup that of its width.
+fn limit(purpose: &mut Purpose, limited: &Limited, lookups: &[LookupFunction]) {
+    purpose.limited.clone_from(&limited.metric);
+    for offer in &mut purpose.choices {
+        let width = lookups.iter().find(|lookup| lookup.function == offer.name).map(|lookup| &lookup.width);
+        offer.limited = limited.errors.get(width.unwrap_or(&offer.name)).copied().or(offer.limited);
+    }
+    for measured in &mut purpose.measured {
+        measured.limited = limited.errors.get(&measured.name).copied();
+    }
 }
 
 /// Operations of the form of an offer for three channels, where a material calls that.
@@ -388,15 +401,16 @@ fn conclusion(purpose: &Purpose) -> String {
     let of = |role: Role| purpose.choices.iter().find(|choice| choice.role == role);
     let Some(best) = of(Role::Recommended) else { return String::new() };
     let kept = |offer: &Offer| {
-        let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
-        offer.error.map_or_else(String::new, |[max, _]| format!(", {metric} at most {}", words::max(max)))
+        let metric = if offer.metric.is_empty() { purpose.kept() } else { &offer.metric };
+        offer.kept().map_or_else(String::new, |max| format!(", {metric} at most {}", words::max(max)))
     };
     let in_colour = best.coloured.map_or_else(String::new, |ops| format!(" ({ops} for three channels)"));
     let mut text = format!("{}: {}{in_colour}{}", purpose.name, taken(&best.cost), kept(best));
     let published = purpose.measured.iter().filter(|m| m.published && m.ops <= best.cost.ops);
-    let theirs = published.min_by(|a, b| a.error[0].total_cmp(&b.error[0]));
-    if let (Some(theirs), Some([ours, _])) = (theirs, best.error) {
-        let (ratio, name) = (theirs.error[0] / ours, &theirs.name);
+    let error = |m: &Measured| m.limited.unwrap_or(m.error[0]);
+    let theirs = published.min_by(|a, b| error(a).total_cmp(&error(b)));
+    if let (Some(theirs), Some(ours)) = (theirs, best.kept()) {
+        let (ratio, name) = (error(theirs) / ours, &theirs.name);
         if ratio > 1.0 {
             let times = significant(ratio, 2);
             text +=
@@ -417,6 +431,7 @@ fn conclusion(purpose: &Purpose) -> String {
 /// A role as it begins a sentence.
 fn titled(role: Role) -> &'static str {
     match role {
+        Role::Cheapest => "Cheapest",
         Role::Cheap => "Cheaper",
         Role::Recommended => "Recommended",
         Role::Accurate => "More accurate",

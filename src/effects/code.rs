@@ -19,10 +19,7 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
         if let Some(name) = rgb(fit, is_coloured) {
             let float = fit.hypothesis.float();
             let (own, beside) = (fit.approximation.cost.ops, coloured_ops().map_err(CodeError::from)?);
-            let ops = format!(
-                "{} operations: {own} of N, which names count, and {beside} for the colour.",
-                own + beside
-            );
+            let ops = format!("{} operations: {own} for N and {beside} for the colour.", own + beside);
             let header: Vec<String> = RGB.lines().map(String::from).chain([ops]).collect();
             let (inner, arguments) = (fit.hypothesis.name(), fit.hypothesis.arguments());
             text += &format!("\n{}", coloured(language, &name, &arguments, inner, float, &header)?);
@@ -83,8 +80,12 @@ fn lines(fit: &Fit) -> Vec<String> {
         // What the function does before the formula.
         Some(more) if more > 0 => {
             let is_given = fit.hypothesis.inputs().iter().any(|input| input == "alpha");
-            let of = if is_given { "roughness" } else { "alpha" };
-            format!("{} and {more} for {of}", header::operations(a.cost.ops))
+            let has = if is_given {
+                "roughness, which the material has"
+            } else {
+                "alpha, which the lobe needs too"
+            };
+            format!("{}, and {more} for {has}", header::operations(a.cost.ops))
         }
         _ => header::operations(a.cost.ops),
     };

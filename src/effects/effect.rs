@@ -6,8 +6,8 @@ use std::fmt;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::{BakeError, Called, JobSummary, Made};
-use crate::approximate::Entry;
 use crate::approximate::target::Target;
+use crate::approximate::{Entry, SafeRange};
 use crate::report::TimedLookup;
 use crate::scene::Scene;
 use lobefit_fit::FitError;
@@ -51,6 +51,11 @@ pub trait Effect: Sync {
     /// The formulas that compete where the user searches for one to this target.
     fn formulas_for(&self, _target: &Target) -> Vec<&'static Entry> {
         Vec::new()
+    }
+
+    /// What fits of them keep beyond the target's domain.
+    fn safe_range_for(&self, _target: &Target) -> Option<SafeRange> {
+        None
     }
 
     /// Whether a scene may name formulas of the user's for the target.

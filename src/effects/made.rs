@@ -14,7 +14,7 @@ use crate::data::{Approximation, Use};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
-use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Page, Purpose};
+use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose};
 use crate::scene::Scene;
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -57,10 +57,24 @@ pub struct Made {
     pub purposes: Vec<Purpose>,
     /// Functions of tables, each with what its lookup error does not say.
     pub cautions: Vec<(String, String)>,
+    /// Functions that are recommended, each with what there is to take in its place that neither fits
+    /// nor tables of its column are.
+    pub beside: Vec<(String, Offer)>,
+    /// What the scene limits where that is not the error of the certificates.
+    pub limited: Option<Limited>,
     /// Spheres in a white environment, the rows named after what they show.
     pub furnaces: Vec<Furnace>,
     /// Its page, which waits for the conclusion.
     draft: Option<Draft>,
+}
+
+/// An error of approximations that is not the one of their certificates.
+#[derive(Debug)]
+pub struct Limited {
+    /// What it is, in words.
+    pub metric: String,
+    /// Its largest value, by approximation.
+    pub errors: BTreeMap<String, f64>,
 }
 
 impl Made {
@@ -87,6 +101,8 @@ impl Made {
             tables: Vec::new(),
             purposes: Vec::new(),
             cautions: Vec::new(),
+            beside: Vec::new(),
+            limited: None,
             furnaces: Vec::new(),
             draft: None,
         }

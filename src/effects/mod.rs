@@ -29,13 +29,13 @@ pub mod value;
 mod who;
 
 pub use albedo::Albedo;
-pub(crate) use answer::rule;
+pub(crate) use answer::{preferred, rule};
 pub use called::{Called, JobSummary, LeftOut};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};
 pub use effect::{Effect, Note};
 pub use error::BakeError;
-pub use made::{Made, Part};
+pub use made::{Limited, Made, Part};
 use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx};
 
 /// Every effect of this version, in the order of plans, include files and manifests.

@@ -23,8 +23,10 @@ pub struct Costs {
 /// What a cost is counted in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CostUnit {
-    /// A word: `AMD`.
+    /// The vendor and family of GPUs, `AMD navi21`; of operations what is counted.
     pub name: String,
+    /// What is counted, in a word or two; empty where the name says it.
+    pub counted: String,
     /// What is counted, and by what compiler.
     pub unit: String,
 }

@@ -15,7 +15,7 @@ const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.woff");
 
 /// Widest drawing in pixels that is still read where it is made as small as a narrow screen; a wider one
 /// scrolls there.
-const SMALL: f64 = 720.0;
+const SMALL: f64 = 600.0;
 
 /// The page as HTML: one self-contained file without network. What makes it longer than a few
 /// screens is folded. A script sorts and filters its tables, copies its code and says the values
@@ -258,7 +258,7 @@ fn choice(out: &mut String, card: &str, choice: &Choice) {
     }
     let name = format!("{card}-{}", choice.role);
     switch(out, ("switch tabs", &name), &choice.code, |out, language, text| {
-        let (language, text) = (Escaped(language), Escaped(text));
+        let (language, text) = (Escaped(language), Words(text));
         put(out, format_args!("<pre data-language=\"{language}\"><code>{text}</code></pre>\n"));
     });
     out.push_str("</div>\n");
@@ -317,8 +317,8 @@ fn put(out: &mut String, text: fmt::Arguments) {
     let _ = out.write_fmt(text);
 }
 
-/// Text as it stands in an element, which may break after the underscores of a long name and the
-/// bracket of its arguments; code between backticks.
+/// Text as it stands in an element: words, which do not break between bars, `|E N - 1|`, and code
+/// between backticks.
 struct Broken<'a>(&'a str);
 
 /// Characters of a name that finds room on a line of the narrowest screen.
@@ -329,8 +329,24 @@ impl Display for Broken<'_> {
         if let Some((before, (code, after))) =
             self.0.split_once('`').and_then(|(before, rest)| Some((before, rest.split_once('`')?)))
         {
-            return write!(f, "{}<code>{}</code>{}", Broken(before), Broken(code), Broken(after));
+            return write!(f, "{}<code>{}</code>{}", Broken(before), Words(code), Broken(after));
         }
+        if let Some((before, (size, after))) =
+            self.0.split_once('|').and_then(|(before, rest)| Some((before, rest.split_once('|')?)))
+        {
+            let whole = Escaped(size).to_string().replace(' ', "\u{a0}");
+            return write!(f, "{}|{whole}|{}", Words(before), Broken(after));
+        }
+        Words(self.0).fmt(f)
+    }
+}
+
+/// Text or code, which may break after the underscores of a long name and the bracket of its
+/// arguments.
+struct Words<'a>(&'a str);
+
+impl Display for Words<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         for word in self.0.split_inclusive(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
             let text = Escaped(word).to_string();
             let long = word.len() > NAME && word.contains('_');

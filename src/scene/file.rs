@@ -399,5 +399,17 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
         ("" | ".", inner) => inner.into(),
         (path, inner) => format!("{path}.{inner}"),
     };
-    SceneError::Field { file: file.into(), at, path, message: message.into() }
+    let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+    SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }
+}
+
+/// Of the names that a message lists after an unknown one, the one that is spelt like it.
+fn meant(message: &str) -> Option<&str> {
+    let mut names = message.strip_prefix("unknown ")?.split('`').skip(1).step_by(2);
+    let given = names.next()?;
+    let given = given.to_lowercase();
+    let alike = names.map(|name| (strsim::jaro_winkler(&given, &name.to_lowercase()), name));
+    // As clap does for options.
+    let alike = alike.filter(|(likeness, _)| *likeness > 0.7);
+    alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
 }

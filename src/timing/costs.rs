@@ -34,7 +34,8 @@ pub fn costs(
         Some(Counted { vendor, record: records.iter().find(of)? })
     };
     let counted: Vec<Counted> = Vendor::ALL.into_iter().filter_map(record).collect();
-    let mut units = vec![CostUnit { name: "operations".into(), unit: "operations".into() }];
+    let mut units =
+        vec![CostUnit { name: "operations".into(), counted: String::new(), unit: "operations".into() }];
     units.extend(counted.iter().map(Counted::unit));
     let mut jobs: Vec<(String, CostJob)> = Vec::new();
     let mut lobe = String::new();
@@ -71,7 +72,9 @@ impl Counted<'_> {
     fn unit(&self) -> CostUnit {
         let priced = priced(self.vendor);
         let name = format!("{} {}", self.vendor.title(), priced.family);
-        CostUnit { name, unit: format!("{}, by {}", priced.unit, self.record.compiler()) }
+        // What follows a comma is how they are counted.
+        let counted = priced.unit.split(',').next().unwrap_or(priced.unit).into();
+        CostUnit { name, counted, unit: format!("{}, by {}", priced.unit, self.record.compiler()) }
     }
 
     /// What the compiled code of a formula of ours costs, if it is of this code; of a published one,

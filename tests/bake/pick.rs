@@ -205,7 +205,7 @@ fn half_columns(names: &[&str]) -> Vec<Vec<Half>> {
 fn a_promise_that_nothing_keeps_names_what_does() {
     let baked = baked("", &metal("steel", r#"{"max_ops": 12, "max_error": 0.016}"#));
     let [broken] = baked.broken.as_slice() else { panic!("{:?}", baked.broken) };
-    for part in ["materials[0].wants.fit.max_error", "keeps it: error", "operations"] {
+    for part in ["materials[0].wants.fit.max_error", "keeps it: error", "operations", "keeps it: a table"] {
         assert!(broken.contains(part), "`{part}` in {broken}");
     }
 }

@@ -113,6 +113,9 @@ fn limits_say_what_to_ship_with_the_line_that_calls_it() {
     let formula = shipped(&found, FORMULA).expect("a formula");
     assert_eq!(formula["snippet"], "let value = ggx_energy_compensation_rgb(roughness, n_dot_v, f0);");
     assert!(formula["code"].as_str().expect("code").contains("fn ggx_energy_compensation(roughness: f32"));
+    let error = formula["max_error"].as_f64().expect("an error");
+    assert_eq!(formula["field"], format!("wants.fit.max_error: {error}"));
+    assert!(table["field"].as_str().expect("a field").starts_with("wants.tables[0].size: ["), "{table}");
     // With room alone the most accurate table is taken, and by a stricter limit a dearer formula.
     let (_, _, large) = limited(&["--max-bytes", "4096"]);
     let large = shipped(&large, "ggx_albedo").expect("a table");

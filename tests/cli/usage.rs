@@ -218,7 +218,10 @@ fn bake_names_everything_that_calls_a_function() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("|E N - 1|  4 metals\n") && text.contains("\n4 metals: a, b, c, d\n"), "{text}");
     let include = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).unwrap();
-    assert!(include.contains(" operations and 1 for alpha; constants"), "{include}");
+    assert!(
+        include.contains(" operations, and 1 for alpha, which the lobe needs too; constants"),
+        "{include}"
+    );
 }
 
 #[test]

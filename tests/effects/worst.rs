@@ -13,7 +13,7 @@ use rand_pcg::Pcg64;
 
 /// Few texels, so that the peaks between them are high.
 const SCENE: &str = r#"{"schema_version": 1, "reports": false, "materials": [
-    {"name": "glass", "kind": "glass", "ior": [1.3, 1.7], "roughness": [0.2, 1],
+    {"name": "glass", "kind": "glass", "ior": [1, 1.7], "roughness": [0.2, 1],
      "wants": {"tables": [{"size": [32, 32, 4]}]}},
     {"name": "brushed", "kind": "metal", "f0": 1, "roughness": [0.2, 1], "anisotropy": [0, 1],
      "wants": {"tables": [{"size": [16, 8, 8], "layout": "azimuth"}]}}
@@ -22,7 +22,8 @@ const SCENE: &str = r#"{"schema_version": 1, "reports": false, "materials": [
 /// Places drawn for each table.
 const PLACES: usize = 1 << 15;
 
-/// Every second place is in the layer mu ~ alpha, where errors are large.
+/// Every second place is in the layer mu ~ alpha, and every second one of glass has an ior that is
+/// 1 to some decades: errors are large there.
 fn drawn(rng: &mut Pcg64, axis: SliceAxis) -> Point {
     let mut uniform = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
     let roughness = uniform(0.2, 1.0) as f32;
@@ -34,7 +35,11 @@ fn drawn(rng: &mut Pcg64, axis: SliceAxis) -> Point {
     };
     let point = Point { roughness, alpha, mu: mu as f32, ior: 1.0, cos2_phi: 1.0, anisotropy: 0.0 };
     match axis {
-        SliceAxis::Ior => Point { ior: uniform(1.3, 1.7) as f32, ..point },
+        SliceAxis::Ior => {
+            let excess =
+                if uniform(0.0, 1.0) < 0.5 { uniform(0.0, 0.7) } else { 0.7 * uniform(-12.0, 0.0).exp() };
+            Point { ior: (1.0 + excess) as f32, ..point }
+        }
         SliceAxis::Anisotropy => {
             let cos2_phi = uniform(0.0, std::f64::consts::FRAC_PI_2).cos().powi(2) as f32;
             Point { anisotropy: uniform(0.0, 1.0) as f32, cos2_phi, ..point }

@@ -5,6 +5,7 @@
 use crate::fit_support;
 
 use fit_support::{albedo, folder, furnace, hypothesis};
+use lobefit::effects::reflection::LEAST_ERROR;
 use lobefit_fit::{Norm, Options, optimise, round_to_f32};
 use lobefit_shade::{Domain, prove_regular};
 
@@ -293,6 +294,12 @@ fn fits_reach_the_errors_that_their_forms_allow() {
             round_to_f32(&fitted.coefficients).unwrap();
         }
     }
+}
+
+#[test]
+fn a_plan_doubts_limits_below_the_least_error() {
+    let least = REACHED.iter().map(|(_, max, _)| *max).fold(f64::INFINITY, f64::min);
+    assert_eq!(least, LEAST_ERROR);
 }
 
 #[test]

@@ -2,10 +2,16 @@
 //! emitted, links resolve.
 
 use std::path::Path;
+use std::sync::LazyLock;
 
+use clap::Parser;
+use lobefit::bake::{Baked, Selection, Silent};
+use lobefit::cli::cost::{Beside, Options};
+use lobefit::cli::input::{Input, load};
 use lobefit::data::{Model, Vendor};
 use lobefit::emit::header::short;
 use lobefit::emit::include::Include;
+use lobefit::plan::plan;
 use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use serde_json::Value;
@@ -55,15 +61,17 @@ fn errors(entry: &Value) -> String {
     format!("{} | {}", number(&certificate["max_abs"]), short(number(&certificate["rms"])))
 }
 
-/// The example that asks for every formula is baked.
+/// The example that asks for every formula, as `lobefit cost` reads it, and its bake.
+static EVERY: LazyLock<(Input, Baked)> = LazyLock::new(|| {
+    let input = load(&page_of_costs().scene).expect("a scene");
+    let baked = input.bake(&plan(&input.scene), Selection::default(), &Silent).expect("a bake");
+    (input, baked)
+});
+
 #[test]
 fn the_table_of_formulas_is_what_the_example_bakes() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = root().join("examples/every-formula.json").display().to_string();
-    let output = lobefit(folder.path(), &["bake", &scene, "--quiet"], b"");
-    assert!(output.status.success(), "{}", stderr(&output));
-    let manifest = std::fs::read_to_string(folder.path().join("manifest.json")).expect("a file");
-    let manifest: Value = serde_json::from_str(&manifest).expect("JSON");
+    let files = &EVERY.1.files;
+    let manifest: Value = serde_json::from_slice(&files["manifest.json"]).expect("JSON");
     let fits = manifest["fits"].as_array().expect("a list");
     let name = |fit: &Value| fit["name"].as_str().expect("a name").to_string();
     let row = |fit: &Value| {
@@ -79,29 +87,32 @@ fn the_table_of_formulas_is_what_the_example_bakes() {
     let begins =
         ["| `ggx_", "| `coupling_", "| `charlie_", "| `parallax_1", "| `parallax_c", "| `parallax_po"];
     assert_rows("docs/cost.md", &begins, &rows);
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir(folder.path().join("fits")).expect("a folder");
+    for name in ["manifest.json", "fits/lobefit.wgsl"] {
+        std::fs::write(folder.path().join(name), &files[name]).expect("written");
+    }
     weights_follow(folder.path(), manifest["fits"].clone());
+}
+
+const PAGE: &str = "reports/cost.html";
+
+/// What the command on the page of costs is read as.
+fn page_of_costs() -> Options {
+    #[derive(Parser)]
+    struct Cost {
+        #[command(flatten)]
+        options: Options,
+    }
+    Cost::parse_from(["cost", "examples/every-formula.json", "--page", PAGE]).options
 }
 
 /// The committed page of costs is what the command on it writes, of the committed records.
 #[test]
 fn the_page_of_costs_follows_from_the_records() {
-    const SCENE: &str = "examples/every-formula.json";
-    const PAGE: &str = "reports/cost.html";
-    let folder = tempfile::tempdir().expect("a folder");
-    let put = |name: &str| {
-        let to = folder.path().join(name);
-        std::fs::create_dir_all(to.parent().expect("a folder")).expect("a folder");
-        std::fs::copy(root().join(name), to).expect("a copy");
-    };
-    ["manifest.json", "fits/lobefit.wgsl", SCENE].into_iter().for_each(put);
-    for records in ["reports/isa", "reports/gpu"] {
-        for entry in std::fs::read_dir(root().join(records)).expect("records") {
-            put(&format!("{records}/{}", entry.expect("an entry").file_name().display()));
-        }
-    }
-    let output = lobefit(folder.path(), &["cost", SCENE, "--page", PAGE, "--quiet"], b"");
-    assert!(output.status.success(), "{}", stderr(&output));
-    let page = std::fs::read_to_string(folder.path().join(PAGE)).expect("a page");
+    let (options, (input, baked)) = (page_of_costs(), &*EVERY);
+    let beside = Beside::read(&options.records).expect("records");
+    let page = beside.page(input, baked, (&options, Path::new(PAGE))).expect("a page");
     assert!(page == read(PAGE), "not what `lobefit cost --page` writes");
 }
 

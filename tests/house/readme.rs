@@ -1,5 +1,8 @@
 //! The README: its commands, figures and recipes are those of the product.
 
+use std::path::Path;
+use std::process::Command;
+
 use serde_json::Value;
 
 use crate::common::{lobefit, stderr};
@@ -107,7 +110,23 @@ fn recipes_bake_and_their_calls_compile() {
         let mut of_tables = figures.iter().filter(|figure| figure.contains("bytes"));
         assert!(figures.iter().any(|figure| comment.contains(figure)), "{title}: {figures:?}");
         assert!(of_tables.all(|figure| comment.contains(figure)), "{title}: {figures:?}");
-        let shader = blocks(recipe, "wgsl")[0];
-        assert_valid(&format!("{}\n{shader}", text("fits/lobefit.wgsl")), title);
+        match blocks(recipe, "c").first() {
+            Some(code) => compile(&assets, code, title),
+            None => {
+                let shader = blocks(recipe, "wgsl")[0];
+                assert_valid(&format!("{}\n{shader}", text("fits/lobefit.wgsl")), title);
+            }
+        }
     }
+}
+
+/// Compiles C that includes files of a folder with the compiler that links this program.
+fn compile(folder: &Path, code: &str, title: &str) {
+    std::fs::write(folder.join("call.c"), code).expect("a file");
+    let compiler = Command::new("cc")
+        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "call.c"])
+        .current_dir(folder)
+        .output()
+        .expect("a C compiler");
+    assert!(compiler.status.success(), "{title}: {}", String::from_utf8_lossy(&compiler.stderr));
 }

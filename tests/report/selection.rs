@@ -83,3 +83,37 @@ fn a_card_costs_what_its_call_costs() -> Outcome {
     assert!(page.contains(said));
     Ok(())
 }
+
+/// The limit of a probe is on its total variation, and so is the headline; a card shows what is
+/// cheaper than the lookup that is emitted, and how a scene asks for it.
+#[test]
+fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
+    let json = r#"{"schema_version": 1, "name": "p", "languages": ["wgsl"], "materials": [], "probes": [
+        {"name": "room", "roughness": [0.2, 0.9], "rho": [0.25, 2], "max_error": 0.2, "lookups": [{}]}]}"#;
+    let scene = Scene::from_json(json.as_bytes(), "test.json")?;
+    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+    let index: Value = serde_json::from_slice(&baked.files["reports/index.json"])?;
+    let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"])?;
+    let answer = &index["answers"][0];
+    let conclusion = answer["conclusion"].as_str().ok_or("no conclusion")?;
+    let measured = manifest["effects"][0]["measured_error"].as_f64().ok_or("no error")?;
+    let limited = answer["purposes"][0]["choices"][0]["limited"].as_f64().ok_or("no limited error")?;
+    assert!((limited - measured).abs() < 1e-9, "{limited} and {measured}");
+    assert!(conclusion.contains("a fetch, total variation at most 0."), "{conclusion}");
+    assert!(!conclusion.contains("adjusted alpha"), "{conclusion}");
+    let choices = answer["purposes"][0]["choices"].as_array().ok_or("no choices")?;
+    let of = |choice: &Value| (choice["role"].as_str().map(String::from), choice["cost"]["ops"].as_u64());
+    let [(_, best), (cheap, sharp), (cheapest, hit)] = [of(&choices[0]), of(&choices[1]), of(&choices[2])];
+    assert_eq!([cheap.as_deref(), cheapest.as_deref()], [Some("cheap"), Some("cheapest")]);
+    assert!(hit < sharp && sharp < best, "{hit:?}, {sharp:?}, {best:?}");
+    // What a card asks for is what a scene takes, at the operations that the card states.
+    for (i, ops) in [(1, sharp), (2, hit)] {
+        let asked = choices[i]["asked"].as_str().ok_or("nothing asked")?;
+        let scene = Scene::from_json(json.replace("\"lookups\": [{}]", asked).as_bytes(), "test.json")?;
+        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+        let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"])?;
+        assert_eq!(manifest["lookups"][0]["cost"]["ops"].as_u64(), ops, "{asked}");
+        assert_eq!(manifest["lookups"][0]["function"], choices[i]["name"], "{asked}");
+    }
+    Ok(())
+}

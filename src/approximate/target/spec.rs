@@ -195,7 +195,8 @@ impl Target {
         match formula.inputs().iter().find(|input| !known.contains(input)) {
             None => Ok(()),
             Some(input) => {
-                let known = format!("{listed}; rename it in the formula");
+                let same = if input == "n_dot_v" { " (emitted code says n_dot_v for mu)" } else { "" };
+                let known = format!("{listed}{same}; rename it in the formula");
                 let place = Box::new(formula.place_of_argument(input));
                 Err(TargetError::Argument { place, input: input.clone(), known })
             }

@@ -16,10 +16,11 @@ use crate::effects::Called;
 use crate::emit::call::Call;
 use crate::emit::header::short;
 use crate::emit::include;
+use crate::emit::manifest::Manifest;
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 use crate::scene::{Limits, Scene};
-use crate::store::Cache;
+use crate::store::{Cache, MANIFEST};
 
 /// What is to be shipped within the limits.
 #[derive(Serialize)]
@@ -45,6 +46,10 @@ struct Snippet {
     snippet: String,
     /// What it is called with, as the code declares it.
     parameters: String,
+    /// The field of a material or probe by which `bake` picks it, where a scene has one:
+    /// `wants.fit.max_error: 0.0113`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    field: Option<String>,
     /// The code, with all that the job's other functions need.
     code: String,
 }
@@ -61,7 +66,8 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?.limited(&limits);
     let plan = plan::plan(&input.scene);
     let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
-    let (progress, cache) = (Bar::new(options.quiet || options.json, &plan, 0), Cache::of_user());
+    let (progress, cache) =
+        (Bar::new(options.quiet || options.json, (&input.scene, &plan), 0), Cache::of_user());
     let selection = || Selection { cache: cache.as_ref(), ..Selection::default() };
     let bake = |job: &Plan| input.bake(job, selection(), &progress);
     let baked = options.threads.install(|| {
@@ -79,8 +85,8 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         ship: Vec::new(),
         unkept: Vec::new(),
     };
-    for baked in &baked {
-        shipped.add(baked, &limits)?;
+    for (plan, baked) in jobs.iter().zip(&baked) {
+        shipped.add(plan, baked, &limits)?;
     }
     if options.json {
         print_json(&shipped)?;
@@ -107,7 +113,7 @@ fn jobs<'a>(plan: &'a Plan, called: &'a Called) -> impl Iterator<Item = Plan> + 
 impl Shipped {
     /// Adds what a job made: of the calls of a material for one purpose the recommended, or where
     /// that is beyond the limits the most accurate within them.
-    fn add(&mut self, baked: &Baked, limits: &Limits) -> Result<(), BakeError> {
+    fn add(&mut self, plan: &Plan, baked: &Baked, limits: &Limits) -> Result<(), BakeError> {
         self.unkept.extend(baked.broken.iter().cloned());
         let file = format!("fits/lobefit.{}", limits.language.extension());
         let code = baked.files.get(&file).map(|text| String::from_utf8_lossy(text)).unwrap_or_default();
@@ -119,12 +125,14 @@ impl Shipped {
                 None => purposes.push(vec![call]),
             }
         }
-        for calls in purposes {
+        for (k, calls) in purposes.iter().enumerate() {
+            // The limit of a job of fits is on the first that it makes for a material.
+            let is_first = purposes[..k].iter().all(|before| before[0].of != calls[0].of);
             let within = calls.iter().filter(|call| beyond(call, limits).is_empty());
             let best = within
                 .min_by(|a, b| b.recommended.cmp(&a.recommended).then(a.max_error.total_cmp(&b.max_error)));
             let Some(&call) = best else {
-                let nearest = calls.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
+                let nearest = calls.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
                 self.unkept.extend(nearest.map(|call| {
                     let beyond = beyond(call, limits).join(", ");
                     format!("{} ({}) is the nearest to the limits: {beyond}", call.function, call.of)
@@ -134,7 +142,9 @@ impl Shipped {
             let lacks = || BakeError::Internal(format!("{file} does not declare {}", call.function));
             let include::Called { call: snippet, parameters } =
                 include::call(&code, &call.function).ok_or_else(lacks)?;
-            self.ship.push(Snippet { call: call.clone(), snippet, parameters, code: code.to_string() });
+            let field = field(plan, baked, call).filter(|_| is_first);
+            let (call, code) = (call.clone(), code.to_string());
+            self.ship.push(Snippet { call, snippet, parameters, field, code });
         }
         Ok(())
     }
@@ -151,19 +161,32 @@ impl Shipped {
         }
         let mut snippets: Vec<String> = Vec::new();
         for of in &self.ship {
-            let snippet = format!("{} // {}", of.snippet, of.call.name);
+            let field = of.field.as_ref().map_or_else(String::new, |field| format!("; {field}"));
+            let snippet = format!("{} // {}{field}", of.snippet, of.call.name);
             if !snippets.contains(&snippet) {
                 snippets.push(snippet);
             }
         }
         if !snippets.is_empty() {
             lines.push(
-                "picked for these limits; bake picks by those of the scene; --json has the code".into(),
+                "picked for these limits; bake picks by the scene, where the field beside a call has it pick the same; --json has the code"
+                    .into(),
             );
         }
         lines.extend(snippets);
         lines.iter().map(|line| visible(line) + "\n").collect()
     }
+}
+
+/// The field of a scene by which `bake` picks what a call is made of: of a table its size, of a
+/// formula its error, which no cheaper one keeps. A probe's limit is on another error.
+fn field(plan: &Plan, baked: &Baked, call: &Call) -> Option<String> {
+    let demand = plan.effects.first()?.work.first()?.demands.first()?;
+    let (_, field) = demand.field.split_once('.')?;
+    let Some(file) = &call.file else { return Some(format!("{field}.max_error: {}", call.max_error)) };
+    let manifest: Manifest = serde_json::from_slice(baked.files.get(MANIFEST)?).ok()?;
+    let table = manifest.entries.tables.iter().find(|table| table.files.contains(file))?;
+    Some(format!("{field}.size: {:?}", table.axes.iter().map(|axis| axis.size).collect::<Vec<_>>()))
 }
 
 /// What a call costs: operations, or by the vendor's model.

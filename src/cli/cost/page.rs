@@ -3,18 +3,19 @@
 use std::path::Path;
 
 use super::super::CliError;
-use super::super::input;
+use super::super::input::{self, Input};
 use super::super::output::{Outcome, print};
 use super::super::progress::Bar;
 use super::from::{bake_in, counts_in, times_in};
 use super::{Options, origin};
-use crate::bake::{BakeError, Selection};
+use crate::bake::{BakeError, Baked, Selection};
 use crate::effects::reflection::bake::findings::reported;
 use crate::emit::manifest::Manifest;
 use crate::plan;
-use crate::report::{Costs, bar_from, cost_page};
+use crate::report::{Costs, GpuRecord, bar_from, cost_page};
 use crate::store::{Files, Folder, MANIFEST};
 use crate::timing::costs::costs;
+use crate::timing::isa::IsaRecord;
 
 /// Where the page lies beside those of a bake.
 pub const PAGE: &str = "reports/cost.html";
@@ -23,21 +24,12 @@ pub const PAGE: &str = "reports/cost.html";
 pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
-    let (counts, times) = (counts_in(&options.records)?, times_in(&options.records)?);
-    let (files, _) = bake_in(&options.records)?;
-    let manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+    let beside = Beside::read(&options.records)?;
     let mut folder = Folder::open_flat(path.parent().unwrap_or(Path::new("")))?;
-    let progress = Bar::new(options.quiet, &plan, 0);
+    let progress = Bar::new(options.quiet, (&input.scene, &plan), 0);
     let page = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
-        let (units, jobs) = costs(&baked, &input.scene.name, &counts)?;
-        let mut origin = origin(&input, &plan, &command(options, path))?;
-        if path == Path::new(PAGE) {
-            origin.pages = bar_from("").map_err(BakeError::from)?;
-        }
-        let studies = reported(input.scene.smith)?;
-        let costs = Costs { origin, units, jobs, tables: manifest.entries.tables, times, studies };
-        Ok(cost_page(&costs).map_err(BakeError::from)?)
+        beside.page(&input, &baked, (options, path))
     })?;
     drop(progress);
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
@@ -46,6 +38,46 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
         print(format!("{} written\n", path.display()).as_bytes())?;
     }
     Ok(Outcome::Done)
+}
+
+/// What the page takes from the folder of the records.
+pub struct Beside {
+    counts: Vec<IsaRecord>,
+    times: Vec<GpuRecord>,
+    manifest: Manifest,
+}
+
+impl Beside {
+    /// Reads records, and the manifest of the bake beside them.
+    ///
+    /// # Errors
+    /// A file that is no record; a folder without a manifest of this version.
+    pub fn read(folder: &Path) -> Result<Beside, CliError> {
+        let (counts, times) = (counts_in(folder)?, times_in(folder)?);
+        let (files, _) = bake_in(folder)?;
+        let manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+        Ok(Beside { counts, times, manifest })
+    }
+
+    /// The page at `path` of the formulas of a scene, which is baked.
+    ///
+    /// # Errors
+    /// A bake without formulas; a page that refuses its data.
+    pub fn page(
+        self,
+        input: &Input,
+        baked: &Baked,
+        (options, path): (&Options, &Path),
+    ) -> Result<String, CliError> {
+        let (units, jobs) = costs(baked, &input.scene.name, &self.counts)?;
+        let mut origin = origin(input, &plan::plan(&input.scene), &command(options, path))?;
+        if path == Path::new(PAGE) {
+            origin.pages = bar_from("").map_err(BakeError::from)?;
+        }
+        let studies = reported(input.scene.smith)?;
+        let (tables, times) = (self.manifest.entries.tables, self.times);
+        Ok(cost_page(&Costs { origin, units, jobs, tables, times, studies }).map_err(BakeError::from)?)
+    }
 }
 
 /// What was typed, as the page tells it.

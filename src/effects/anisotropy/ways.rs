@@ -62,6 +62,7 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
         let a = &baked.approximation;
         ways.push(Way {
             name: format!("{name}: {}", a.name),
+            table: a.name.clone(),
             function: baked.names.lookup.clone(),
             resolved: baked.layout == Layout::Azimuth,
             error: ErrorFigure {

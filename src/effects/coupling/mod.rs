@@ -28,7 +28,7 @@ use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
 use crate::approximate::{self, Counter, Emission, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
-use crate::data::{Norm, Smith};
+use crate::data::{AlphaMap, Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::hypotheses;
@@ -90,6 +90,11 @@ impl Effect for DiffuseCoupling {
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let kinds = target.variant.specular.into_iter().filter(|_| target.used_as == COUPLING);
         kinds.flat_map(|s| hypotheses(s).iter().chain(published(s))).collect()
+    }
+
+    fn safe_range_for(&self, target: &Target) -> Option<SafeRange> {
+        let roughness = target.axes.iter().find(|axis| axis.name == "roughness")?.range;
+        Some(safe_range(target.variant.specular?, roughness, target.alpha_map))
     }
 
     fn operations(&self, formula: &Hypothesis) -> Result<u32, FitError> {
@@ -212,14 +217,14 @@ impl CouplingSpec {
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
         }
     }
+}
 
-    /// What its fits keep wherever a shader may call them: no less than no light for the base.
-    /// Under a bare lobe the truth goes to the loss 1 - E as f0 goes to 1, which vanishes at a
-    /// mirror: there no fit can be told from 0.
-    fn safe_range(&self) -> SafeRange {
-        let f0 = if self.specular == Specular::Single { SINGLE_F0 } else { 1.0 };
-        SafeRange { roughness: self.region.roughness, alpha_map: self.region.alpha_map, f0 }
-    }
+/// What fits keep wherever a shader may call them: no less than no light for the base. Under a bare
+/// lobe the truth goes to the loss 1 - E as f0 goes to 1, which vanishes at a mirror: there no fit
+/// can be told from 0.
+fn safe_range(specular: Specular, roughness: [f64; 2], alpha_map: AlphaMap) -> SafeRange {
+    let f0 = if specular == Specular::Single { SINGLE_F0 } else { 1.0 };
+    SafeRange { roughness, alpha_map, f0 }
 }
 
 /// Fits of the factor, and the published ones beside them; of formulas that take roughness, where
@@ -240,7 +245,7 @@ fn fit_emitted(spec: &CouplingSpec, emission: Emission, counter: &Counter) -> Re
         published: published(spec.specular).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
-        safe_range: Some(spec.safe_range()),
+        safe_range: Some(safe_range(spec.specular, spec.region.roughness, spec.region.alpha_map)),
         emission,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;

@@ -45,6 +45,10 @@ pub const NORMALISATION: &str = "ggx_energy_compensation";
 /// holds in each of them.
 const FITS: &str = "normalisation";
 
+/// The least error of the normalisations over roughness 0.02 to 1 and mu from 0.01: that of
+/// `ggx_norm_i20`.
+pub const LEAST_ERROR: f64 = 0.0017;
+
 /// What the materials of the fits want beside normalisations.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FitJob {
@@ -190,7 +194,15 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
         (false, true) => " and of f0 A + B",
         (false, false) => "",
     };
-    JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants))
+    let summary = JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants));
+    let tight = job.goals.max_error.filter(|limit| wants.hypotheses.is_empty() && *limit < LEAST_ERROR);
+    let doubt = tight.map_or_else(String::new, |limit| {
+        format!(
+            "; max_error {limit} is below the {LEAST_ERROR} that the most accurate of them has over roughness 0.02 to 1: \
+             where none keeps it, `bake` ends with the table that does"
+        )
+    });
+    JobSummary { approximation: summary.approximation + &doubt, ..summary }
 }
 
 /// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for

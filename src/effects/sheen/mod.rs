@@ -65,7 +65,7 @@ impl Effect for Sheen {
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let suits = target.quantity.name() == SheenCharlie.name() && target.used_as == Use::VALUE;
-        PUBLISHED.iter().filter(|_| suits).collect()
+        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
     }
 
     fn prefixes(&self) -> &'static [&'static str] {

@@ -118,10 +118,21 @@ fn bake_job(
     let mut last = Vec::new();
     let sizes = job.sizes();
     let first = if job.max_error.is_some() { 0 } else { sizes.len() - 1 };
-    for size in sizes.into_iter().skip(first) {
+    let mut sizes = sizes.into_iter().skip(first).peekable();
+    while let Some(size) = sizes.next() {
         let text = job.sized(&size, jobs);
         let spec = job.spec(size, &text);
         let (tables, made) = family.build(&spec, &context.counter)?;
+        if let Some(limit) = job.max_error.filter(|_| sizes.peek().is_some()) {
+            let mut exceeds = false;
+            for (i, table) in tables.iter().enumerate() {
+                exceeds = exceeds || judge.exceeds((table, spec.decode()), i, limit)?;
+            }
+            // More points find no smaller error.
+            if exceeds {
+                continue;
+            }
+        }
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {

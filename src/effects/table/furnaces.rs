@@ -96,7 +96,7 @@ fn furnace<F: Sliced>(
             factors: grid.compensated(lookup, side),
         };
         let name = called(group, baked);
-        let own = compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?);
+        let own = compensated(name.clone(), &Lookup::new(table, baked.decode)?);
         rows.push(FurnaceRow { of: baked.approximation.name.clone(), ..own });
         if baked.layout == Layout::PathTracer {
             let misread = misread(table, family.layer(slice));

@@ -4,9 +4,10 @@
 use super::bake::finish;
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
-use crate::data::TexelFormat;
+use crate::data::{Layout, TexelFormat};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::emit::header::short;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 
 /// Most texels of a table that is measured to say what keeps a limit: of two axes, and of three.
@@ -16,6 +17,8 @@ const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
 /// What else was measured, and its error.
 struct Choice {
     words: String,
+    /// Whether it is in the job's own layout.
+    is_own: bool,
     bytes: u64,
     error: f64,
 }
@@ -34,12 +37,13 @@ pub(super) fn instead(
     limit: f64,
     context: &Context,
 ) -> Result<Vec<String>, BakeError> {
-    let mut choices = Vec::new();
+    let (mut choices, layout) = (Vec::new(), job.layout);
     // Sizes of one row of choices have one shape: the first number tells which is smaller.
     let mut smallest = |job: TableJob, from: Vec<usize>, (grown, most): (Grown, &[usize]), but: &str| {
         let mut size = Some(from);
         while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
-            let choice = measured(family, (&job, &of), but.into(), judge, context)?;
+            let is_own = job.layout == layout;
+            let choice = Choice { is_own, ..measured(family, (&job, &of), but.into(), judge, context)? };
             let kept = choice.error <= limit;
             choices.push(choice);
             if kept {
@@ -71,19 +75,95 @@ pub(super) fn instead(
     }
     let square = |size: Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
     let chosen = job.size.is_some() && kept.is_some_and(square);
-    Ok(said(&choices, limit, chosen))
+    Ok(said(&choices, limit, job.layout, chosen))
+}
+
+/// Side from which on f32 texels tell: in smaller tables the errors between texels are larger than
+/// those of f16.
+const WIDE_SIDE: usize = 64;
+
+/// A line that names the smallest square table of a job whose size is open with a relative error
+/// within a limit that no formula keeps, or the largest where even that exceeds it. By a table E is
+/// divided out, so that its relative error is the furnace error.
+///
+/// # Errors
+/// A truth that cannot be integrated.
+pub fn table_instead(
+    family: &dyn Family,
+    job: &TableJob,
+    limit: f64,
+    context: &Context,
+) -> Result<String, BakeError> {
+    let judge = Judge::new(family, job.smith, job.region(), false, &context.counter)?;
+    let wide = |size: &Vec<usize>| (size[0] >= WIDE_SIDE).then(|| (size.clone(), TexelFormat::F32));
+    let each = |size: Vec<usize>| [wide(&size), Some((size, TexelFormat::F16))].into_iter().flatten().rev();
+    let mut tried: Vec<(Vec<usize>, TexelFormat)> = job.sizes().into_iter().flat_map(each).collect();
+    let last = tried.pop();
+    for (size, format) in tried {
+        let line = in_place(family, job, (&size, format), (&judge, limit, true), context)?;
+        if let Some(line) = line {
+            return Ok(line);
+        }
+    }
+    let Some((size, format)) = last else { return Ok(String::new()) };
+    let line = in_place(family, job, (&size, format), (&judge, limit, false), context)?;
+    Ok(line.unwrap_or_default())
+}
+
+/// What is said of a table in place of a fit; `None` where it has to keep the limit and does not.
+fn in_place(
+    family: &dyn Family,
+    job: &TableJob,
+    (size, format): (&[usize], TexelFormat),
+    (judge, limit, must): (&Judge, f64, bool),
+    context: &Context,
+) -> Result<Option<String>, BakeError> {
+    let spec = TableJob { format, ..job.clone() }.spec(size.to_vec(), &size_text(size));
+    let (tables, made) = family.build(&spec, &context.counter)?;
+    let lacks = || BakeError::Internal("a job without a table".into());
+    let table = tables.first().ok_or_else(lacks)?;
+    if must && judge.exceeds((table, spec.decode()), 0, limit)? {
+        return Ok(None);
+    }
+    let judge = judge.closer(family, (table, spec.decode()), 0, &context.counter)?;
+    let certificate = finish(&spec, table, made, (judge, 0))?.approximation.certificate;
+    let is_kept = certificate.max_rel <= limit;
+    if must && !is_kept {
+        return Ok(None);
+    }
+    let keeps = if is_kept { "keeps it" } else { "nearest" };
+    let format = match format {
+        TexelFormat::F32 => format!(", \"format\": \"{}\"", format.name()),
+        _ => String::new(),
+    };
+    Ok(Some(format!(
+        "{keeps}: a table in place of `fit`, `\"tables\": [{{\"size\": {size:?}{format}, \"max_error\": {}}}]`: {} bytes, \
+         1/E within {} of 1/E of the truth",
+        certificate.max_abs,
+        table.bytes(),
+        short(certificate.max_rel)
+    )))
 }
 
 /// A line for each choice that keeps the limit; where none does, what was measured, and what else a
 /// scene can change.
-fn said(choices: &[Choice], limit: f64, is_chosen: bool) -> Vec<String> {
+fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<String> {
     let line = |choice: &Choice| {
-        let Choice { words, bytes, error } = choice;
+        let Choice { words, bytes, error, .. } = choice;
         format!("keeps it: {words}: {bytes} bytes, error {error}")
     };
     let mut keep: Vec<&Choice> = choices.iter().filter(|choice| choice.error <= limit).collect();
     keep.sort_by_key(|choice| choice.bytes);
-    let mut lines: Vec<String> = keep.into_iter().map(line).collect();
+    let mut lines: Vec<String> = keep.iter().copied().map(line).collect();
+    if let (false, Some(most)) = (keep.iter().any(|choice| choice.is_own), choices.iter().rfind(|c| c.is_own))
+        && !keep.is_empty()
+    {
+        let Choice { words, error, .. } = most;
+        let layout = layout.name();
+        lines.push(format!(
+            "layout `{layout}` does not, up to {words} ({error}): keep it by a range `n_dot_v` of the table that your shader clamps to"
+        ));
+    }
     if is_chosen {
         lines.push("keeps it: no `size`: lobefit chooses the smallest square that does".into());
     }
@@ -140,5 +220,6 @@ fn measured(
         let closer = judge.closer(family, (table, spec.decode()), i, &context.counter)?;
         error = error.max(finish(&spec, table, made, (closer, i))?.errors.lookup.max);
     }
-    Ok(Choice { words: format!("{}{but}", size_text(size)), bytes, error })
+    let words = format!("{}{but}", size_text(size));
+    Ok(Choice { words, is_own: true, bytes, error })
 }

@@ -187,6 +187,30 @@ impl TableJob {
         })
     }
 
+    /// A job of the default layout, of which the size is open, for a region of roughness and the
+    /// cosine.
+    pub fn open(scene: &Scene, roughness: [f64; 2], mu: [f64; 2]) -> TableJob {
+        let layout = Layout::Homogeneous;
+        let (smith, alpha_map) = conventions(scene, layout);
+        TableJob {
+            names: vec!["auto".into()],
+            smith,
+            alpha_map,
+            layout,
+            serves: Serves::default(),
+            size: None,
+            max_bytes: None,
+            format: TexelFormat::F16,
+            roughness,
+            mu,
+            slices: None,
+            max_error: None,
+            limited_by: String::new(),
+            unjudged_by: None,
+            wanted_by: Vec::new(),
+        }
+    }
+
     /// Those of all jobs.
     ///
     /// # Errors

@@ -1,21 +1,26 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
-use super::{
-    BuildError, Family, Judged, Lookup, LookupPoints, Made, Point, Region, SliceAxis, Truth, error_map,
-};
-use crate::approximate::{Counter, lerp};
-use crate::data::{Decode, Smith, Table};
+use super::lookup::Variable;
+use super::{BuildError, Family, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, error_map};
+use crate::approximate::Counter;
+use crate::data::{AXES, Axis, Decode, Smith, Surface, Table};
 use crate::effects::{Albedo, BakeError};
 use lobefit_math::sobol::Sobol;
 
-/// Places about which the largest error is searched: in the first round, and in the others.
-const PLACES: [usize; 2] = [128, 64];
+/// Points even in the coordinates of a table.
+const EVEN: u32 = 1 << 13;
 
-/// Points about each place in a round.
-const NEAR: u32 = 64;
-
-/// Rounds, each over half the width of the one before: the last spans a sixteenth of a texel's cell.
-const ROUNDS: usize = 5;
+/// Rounds: places about which the largest error is searched, points about each, and the width of the
+/// box that these are in, in cells of the table.
+const ROUNDS: [(usize, u32, f64); 7] = [
+    (64, 64, 4.0),
+    (64, 64, 2.0),
+    (64, 64, 1.0),
+    (64, 64, 0.5),
+    (64, 64, 0.25),
+    (32, 128, 0.125),
+    (16, 128, 0.06),
+];
 
 /// Points with their truths, shared by the tables that are measured there.
 #[derive(Clone, Debug)]
@@ -55,6 +60,23 @@ impl Judge {
         Truth { e, b: (!b.is_empty()).then_some(b) }
     }
 
+    /// Whether the lookup of a table of side `i` errs by more than a limit at the points of the region
+    /// alone, before any more of them are added.
+    ///
+    /// # Errors
+    /// A table that cannot be looked up.
+    pub fn exceeds(
+        &self,
+        (table, decode): (&Table, Decode),
+        i: usize,
+        limit: f64,
+    ) -> Result<bool, BakeError> {
+        let table = table.quantised();
+        let lookup = Lookup::new(&table, decode)?;
+        let errors = error_map(&lookup, judged(decode), &self.points, self.truth(i))?;
+        Ok(errors.iter().any(|error| error.abs() > limit))
+    }
+
     /// The judge of one table: about the places where its lookup of side `i` errs most, points are
     /// added until they close in on the largest errors. Points drawn over the whole region miss the
     /// peak of a cell: by 6 % of the largest error of a 32x32x4 table of glass.
@@ -70,31 +92,19 @@ impl Judge {
     ) -> Result<Judge, BakeError> {
         let (mut closer, table) = (self.clone(), table.quantised());
         let lookup = Lookup::new(&table, decode)?;
-        let judged = if decode.has_bias() { Judged::Either } else { Judged::E };
-        let sizes: Vec<usize> = table.axes.iter().map(|axis| axis.size).collect();
-        let errors = error_map(&lookup, judged, &self.points, self.truth(i))?;
-        let mut worst = apart(&self.region, &sizes, &self.points.all, &errors);
-        let mut width = 1.0;
-        for _ in 0..ROUNDS {
-            let near: Vec<Vec<Point>> =
-                worst.iter().map(|(point, _)| about(&self.region, &sizes, point, width)).collect();
-            width *= 0.5;
-            let points = self.points.more(near.concat());
+        let even = self.points.more(even(&table.axes, &self.region));
+        let (truths, _) = family.truths(self.smith, &even, self.finer, counter)?;
+        closer.add(even, truths);
+        let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(i))?;
+        for (places, n, width) in ROUNDS {
+            let worst = apart(&lookup, &closer.points.all, &errors, places);
+            let near = worst.iter().map(|point| about((&table.axes, &self.region, &lookup), point, n, width));
+            let points = self.points.more(near.collect::<Vec<_>>().concat());
             let (truths, _) = family.truths(self.smith, &points, self.finer, counter)?;
             let Albedo { e, b } = &truths[i];
             let truth = Truth { e, b: (!b.is_empty()).then_some(b) };
-            let errors = error_map(&lookup, judged, &points, truth)?;
-            let found = points.all.iter().zip(errors);
-            for (best, found) in worst.iter_mut().zip(found.collect::<Vec<_>>().chunks(NEAR as usize)) {
-                for (point, error) in found {
-                    if error.abs() > best.1 {
-                        *best = (**point, error.abs());
-                    }
-                }
-            }
+            errors.extend(error_map(&lookup, judged(decode), &points, truth)?);
             closer.add(points, truths);
-            worst.sort_by(|a, b| b.1.total_cmp(&a.1));
-            worst.truncate(PLACES[1]);
         }
         Ok(closer)
     }
@@ -109,68 +119,87 @@ impl Judge {
     }
 }
 
-/// The worst points of which no two lie in one cell of the table, with their errors.
-fn apart(region: &Region, sizes: &[usize], points: &[Point], errors: &[f64]) -> Vec<(Point, f64)> {
+/// The value that a table is judged by.
+fn judged(decode: Decode) -> Judged {
+    if decode.has_bias() { Judged::Either } else { Judged::E }
+}
+
+/// The worst points of which no two lie in one cell of the table.
+fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Vec<Point> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b)));
-    let cell = |point: &Point| {
-        let place = place(region, point);
-        [0, 1, 2].map(|k| (place[k] * cells(sizes, k)).floor() as i64)
-    };
     let (mut worst, mut known) = (Vec::new(), Vec::new());
     for i in order {
-        let at = cell(&points[i]);
-        if !known.contains(&at) {
-            known.push(at);
-            worst.push((points[i], errors[i].abs()));
+        let cell = lookup.position(&points[i]).map(|x| x.floor() as i64);
+        if !known.contains(&cell) {
+            known.push(cell);
+            worst.push(points[i]);
         }
-        if worst.len() == PLACES[0] {
+        if worst.len() == places {
             break;
         }
     }
     worst
 }
 
-/// Steps from texel to texel along mu, roughness and the slices.
-fn cells(sizes: &[usize], axis: usize) -> f64 {
-    sizes.get(axis).map_or(1.0, |size| size.saturating_sub(1).max(1) as f64)
-}
-
-/// sqrt(mu), roughness and the slice of a point in [0, 1], each over its range. The root is about what
-/// the coordinates of tables make of mu.
-fn place(region: &Region, point: &Point) -> [f64; 3] {
-    let within = |[low, high]: [f64; 2], x: f64| if high > low { (x - low) / (high - low) } else { 0.0 };
-    let slice = region.slices.map_or(0.0, |s| within(s.range, f64::from(s.axis.of(point))));
-    let mu = within(region.mu.map(f64::sqrt), f64::from(point.mu).max(0.0).sqrt());
-    [mu, within(region.roughness, f64::from(point.roughness)), slice]
-}
-
-/// Points in a box about a point, so many cells of the table wide.
-fn about(region: &Region, sizes: &[usize], point: &Point, width: f64) -> Vec<Point> {
-    let sobol = Sobol::new([0x85eb_ca6b, 0xc2b2_ae35, 0x27d4_eb2f]);
-    let azimuths = Sobol::new([0x1656_67b1, 1, 2]).padded(0x9e37_79b9);
-    let centre = place(region, point);
-    let near = |k: u32| {
-        let at: [f64; 3] = std::array::from_fn(|axis| {
-            let step = width * (sobol.coordinate(k, axis) - 0.5) / cells(sizes, axis);
-            (centre[axis] + step).clamp(0.0, 1.0)
-        });
-        let mu = lerp(region.mu.map(f64::sqrt), at[0]);
-        let roughness = lerp(region.roughness, at[1]) as f32;
-        let turn = width * 0.2 * (azimuths.coordinate(k, 0) - 0.5);
-        let mut near = Point {
-            roughness,
-            alpha: region.alpha_map.alpha_f32(roughness),
-            mu: (mu * mu).clamp(region.mu[0], region.mu[1]) as f32,
-            cos2_phi: (f64::from(point.cos2_phi) + turn).clamp(0.0, 1.0) as f32,
-            ..*point
-        };
-        match region.slices.map(|slices| (slices.axis, lerp(slices.range, at[2]) as f32)) {
-            Some((SliceAxis::Anisotropy, slice)) => near.anisotropy = slice,
-            Some((SliceAxis::Ior, slice)) => near.ior = slice,
-            None => {}
-        }
-        near
+/// Points even in the coordinates of a table. Those of a region are even in its inputs: none of
+/// them met the cells of glass next to ior = 1, where its largest error is.
+fn even(axes: &[Axis], region: &Region) -> Vec<Point> {
+    let (sobol, azimuths) = (Sobol::new([0xc2b2_ae35, 0x27d4_eb2f, 0x85eb_ca6b]), azimuths());
+    let point = |k: u32| {
+        let size = |axis: usize| axes.get(axis).map_or(1.0, |axis: &Axis| axis.size as f64);
+        let position = std::array::from_fn(|axis| sobol.coordinate(k, axis) * (size(axis) - 1.0));
+        let cos2_phi = azimuths.coordinate(k, 0) as f32;
+        within(axes, region, position, Point { cos2_phi, ..Point::default() })
     };
-    (0..NEAR).map(near).collect()
+    (0..EVEN).map(point).collect()
+}
+
+/// `n` points in a box about a point, so many cells of the table wide.
+fn about(
+    (axes, region, lookup): (&[Axis], &Region, &Lookup),
+    point: &Point,
+    n: u32,
+    width: f64,
+) -> Vec<Point> {
+    let (sobol, azimuths) = (Sobol::new([0x85eb_ca6b, 0xc2b2_ae35, 0x27d4_eb2f]), azimuths());
+    let centre = lookup.position(point);
+    let near = |k: u32| {
+        let position = std::array::from_fn(|axis| centre[axis] + width * (sobol.coordinate(k, axis) - 0.5));
+        let turn = width * 0.2 * (azimuths.coordinate(k, 0) - 0.5);
+        let cos2_phi = (f64::from(point.cos2_phi) + turn).clamp(0.0, 1.0) as f32;
+        within(axes, region, position, Point { cos2_phi, ..*point })
+    };
+    (0..n).map(near).collect()
+}
+
+fn azimuths() -> Sobol {
+    Sobol::new([0x1656_67b1, 1, 2]).padded(0x9e37_79b9)
+}
+
+/// The point of a region at a position, in texels from the centre of the first one along each axis;
+/// what no axis has is that of `like`.
+fn within(axes: &[Axis], region: &Region, position: [f64; AXES], like: Point) -> Point {
+    let mut point = like;
+    let clamped = |x: f64, [low, high]: [f64; 2]| x.clamp(low, high) as f32;
+    // The warp of the slices uses alpha, that of mu both.
+    for k in [1, 2, 0].into_iter().filter(|k| *k < axes.len()) {
+        let axis = &axes[k];
+        let Point { alpha, ior, anisotropy, cos2_phi, .. } = point;
+        let [alpha, ior, anisotropy, cos2_phi] = [alpha, ior, anisotropy, cos2_phi].map(f64::from);
+        let surface = Surface { alpha, ior, anisotropy, cos2_phi };
+        let x = axis.at(position[k], surface);
+        match (Variable::of(axis), region.slices) {
+            (Some(Variable::Roughness), _) => point.roughness = clamped(x, region.roughness),
+            (Some(Variable::Alpha), _) => {
+                point.roughness = clamped(region.alpha_map.roughness(x), region.roughness);
+            }
+            (Some(Variable::Mu), _) => point.mu = clamped(x, region.mu),
+            (Some(Variable::Ior), Some(slices)) => point.ior = clamped(x, slices.range),
+            (Some(Variable::Anisotropy), Some(slices)) => point.anisotropy = clamped(x, slices.range),
+            _ => {}
+        }
+        point.alpha = region.alpha_map.alpha_f32(point.roughness);
+    }
+    point
 }

@@ -31,7 +31,7 @@ impl Point {
 
 /// The variable of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Variable {
+pub(super) enum Variable {
     Roughness,
     Alpha,
     Mu,
@@ -40,7 +40,7 @@ enum Variable {
 }
 
 impl Variable {
-    fn of(axis: &Axis) -> Option<Variable> {
+    pub(super) fn of(axis: &Axis) -> Option<Variable> {
         match axis.name.as_str() {
             "roughness" => Some(Variable::Roughness),
             "alpha" => Some(Variable::Alpha),
@@ -170,6 +170,18 @@ impl<'a> Lookup<'a> {
     /// The decoded values at a point, in the shader's arithmetic.
     pub fn at(&self, point: &Point) -> Values {
         self.decoder.at(self.texel(point), point.mu, point.surface())
+    }
+
+    /// Where a point lies, in texels from the centre of the first one along each axis; 0 along axes
+    /// that the table does not have.
+    pub fn position(&self, point: &Point) -> [f64; AXES] {
+        let mut position = [0.0; AXES];
+        for (x, (variable, size, coordinate)) in position.iter_mut().zip(&self.axes) {
+            let n = *size as f64;
+            let u = f64::from(coordinate.at(variable.at(point), point.surface()));
+            *x = (u * n - 0.5).clamp(0.0, n - 1.0);
+        }
+        position
     }
 
     /// The texel between those around a point; channels that the table does not have are 0.

@@ -36,6 +36,7 @@ pub use check::{Checked, check};
 pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
 pub use family::{Family, Sliced};
 pub use findings::finding;
+pub use instead::table_instead;
 pub use job::{TableJob, demand, demands, summaries, wanted};
 pub use judge::Judge;
 pub use lookup::{Lookup, LookupError, Point};

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
+use crate::data::Cost;
 use crate::report::sections::words;
-use crate::report::{EffectFinding, ErrorFigure, Field, Furnace, Origin, TableFinding};
+use crate::report::{EffectFinding, ErrorFigure, Field, Furnace, Offer, Origin, Role, TableFinding};
 
 /// What a bake found out about an effect whose tables have slices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -88,11 +89,32 @@ impl WaysFinding {
     }
 }
 
+impl WaysFinding {
+    /// The function that is off by least, and the mean that takes fewer operations in its place.
+    pub fn cheaper(&self) -> Option<(String, Offer)> {
+        let best = self.ways.iter().filter(|way| way.resolved);
+        let best = best.min_by(|a, b| a.error.max.total_cmp(&b.error.max))?;
+        let means = self.ways.iter().filter(|way| !way.resolved && way.ops < best.ops);
+        let mean = means.min_by_key(|way| way.ops)?;
+        let cost = Cost { ops: mean.ops, fetches: 1, bytes: mean.bytes };
+        let error = mean.error.rms.map(|rms| [mean.error.max, rms]);
+        let offer = Offer {
+            note: "It returns the mean over the azimuth of the view; the error is that of taking it at one azimuth."
+                .into(),
+            ..Offer::new(Role::Cheap, &mean.table, Some(mean.function.clone()), (cost, error))
+        };
+        Some((best.function.clone(), offer))
+    }
+}
+
 /// One way to get E at an azimuth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Way {
     /// Its name.
     pub name: String,
+    /// Its table.
+    #[serde(skip)]
+    pub table: String,
     /// The function that looks it up.
     #[serde(skip)]
     pub function: String,

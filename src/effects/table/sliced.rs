@@ -59,6 +59,7 @@ impl<F: Sliced> Effect for F {
             let findings = findings::findings(self, &made.part, &made.tables, context)?;
             made.furnaces.extend(findings.furnaces.iter().map(|finding| finding.furnace.clone()));
             made.cautions.extend(findings.ways.iter().flat_map(|ways| ways.cautions()));
+            made.beside.extend(findings.ways.iter().filter_map(|ways| ways.cheaper()));
             made.page(page::page(&findings)?, &findings)?;
         }
         Ok(made)

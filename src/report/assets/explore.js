@@ -242,7 +242,9 @@
     document.getElementById("lead").textContent = lead;
     const [above, below] = ["above", "below"].map((id) => [...document.getElementById(id).children]);
     const vanishes = state.under === "furnace" && (drawn.base || (drawn === "compensation" && state.f0.every((x) => x === 1)));
-    [above[0].textContent, above[1].textContent] = [a.name, b.name];
+    // a name may break after its underscores
+    const parts = (name) => name.split(/(?<=_)/).flatMap((part) => [document.createElement("wbr"), part]);
+    [a, b].forEach((one, i) => above[i].replaceChildren(...parts(one.name)));
     above[2].textContent = vanishes ? "truth: cannot be seen" : "truth";
     [a, b].forEach((one, i) => (below[i].textContent = `error \u00d7${state.times}, ${figure(here(one))} at most`));
     below[2].textContent = "error of the middle over roughness (right) and mu (up)";

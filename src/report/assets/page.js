@@ -80,8 +80,13 @@ const show = (event, text) => {
   tip.style.left = `${Math.max(left, 4)}px`;
   tip.style.top = `${above > 4 ? above : event.clientY + 16}px`;
 };
-const inverse = ([spread, min, max], t) =>
-  spread === "log" ? min * (max / min) ** t : min + (max - min) * (spread === "root" ? t * t : t);
+const root = (x) => Math.sign(x) * Math.sqrt(Math.abs(x));
+const inverse = ([spread, min, max], t) => {
+  if (spread === "log") return min * (max / min) ** t;
+  if (spread !== "root") return min + (max - min) * t;
+  const between = root(min) + (root(max) - root(min)) * t;
+  return between * Math.abs(between);
+};
 // The value of a pixel is its colour's place in the colour bar, which is a picture of its own.
 const reader = (svg, shade) => {
   const pixels = [...svg.querySelectorAll("image")].slice(0, 2).map((image) => {

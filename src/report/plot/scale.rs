@@ -52,7 +52,11 @@ impl Scale {
                 let (low, high) = (decade_below(min), decade_above(max));
                 Scale { spread, min: low, max: if high > low { high } else { low * 10.0 } }
             }
-            Spread::Root => Scale { spread, min: 0.0, max: if max > 0.0 { max * 1.04 } else { 1.0 } },
+            Spread::Root => {
+                // An axis from 0 on would be empty for long.
+                let min = if min < max && root(min) > EMPTY * root(max) { min } else { 0.0 };
+                Scale { spread, min, max: if max > 0.0 { max * 1.04 } else { 1.0 } }
+            }
             Spread::Linear => {
                 // Differences below the digits of a label would give a row of equal labels.
                 let span = (max - min).max(max.abs().max(min.abs()) * 1e-9);
@@ -79,8 +83,9 @@ impl Scale {
                 (self.min - below * span, self.max + above * span)
             }
             Spread::Root => {
-                let span = self.max - self.min;
-                (self.min - below * below * span, self.max + 2.0 * above * span)
+                let span = root(self.max) - root(self.min);
+                let moved = |end: f64, by: f64| if by == 0.0 { end } else { square(root(end) + by * span) };
+                (moved(self.min, -below), moved(self.max, above))
             }
         };
         Scale { spread: self.spread, min, max }
@@ -94,7 +99,7 @@ impl Scale {
                 let (low, high) = (ops::log(self.min), ops::log(self.max));
                 (ops::log(x.max(f64::MIN_POSITIVE)) - low) / (high - low)
             }
-            Spread::Root => ((x - self.min).max(0.0) / (self.max - self.min)).sqrt(),
+            Spread::Root => (root(x) - root(self.min)) / (root(self.max) - root(self.min)),
         };
         t.clamp(0.0, 1.0)
     }
@@ -113,19 +118,22 @@ impl Scale {
     fn root_ticks(self, count: usize) -> Vec<Tick> {
         let apart = 0.8 / count.max(1) as f64;
         let top = exponent(self.max);
-        let mut values = vec![0.0];
+        let mut values: Vec<f64> = if self.min > 0.0 { Vec::new() } else { vec![0.0] };
         for m in [1, 5, 2, 3, 4, 8, 6] {
             for e in (top - 2..=top).rev() {
                 let value: f64 = format!("{m}e{e}").parse().unwrap_or(0.0);
                 let room = |known: &f64| (self.position(*known) - self.position(value)).abs() >= apart;
                 // Beside tens a part of one, of operations say, is no value that anybody looks for.
                 let whole = value >= 1.0 || self.max < 10.0;
-                if whole && value <= self.max && values.iter().all(room) {
+                if whole && (self.min..=self.max).contains(&value) && values.iter().all(room) {
                     values.push(value);
                 }
             }
         }
         values.sort_by(f64::total_cmp);
+        if values.len() < 2 {
+            return linear_ticks(self.min, self.max, count);
+        }
         values.into_iter().map(|value| Tick { value, label: Some(numbers::tick(value)) }).collect()
     }
 
@@ -137,6 +145,19 @@ impl Scale {
             Scale { max: self.min + self.min.abs().max(1.0) * 0.1, ..self }
         }
     }
+}
+
+/// Part of an axis by square root that may be empty before its first value.
+const EMPTY: f64 = 0.2;
+
+/// The root of a value, with its sign: room below 0 has positions too.
+fn root(x: f64) -> f64 {
+    x.abs().sqrt().copysign(x)
+}
+
+/// The value with this root.
+fn square(root: f64) -> f64 {
+    root * root.abs()
 }
 
 /// Ticks at multiples of 1, 2, 2.5 or 5 times a power of ten: two at least, for one tells no scale.
@@ -262,6 +283,20 @@ mod tests {
         assert_eq!(labels, ["0", "1", "5", "10", "20", "30", "40", "50"]);
         let fine: Vec<String> = scale.ticks(15).into_iter().filter_map(|t| t.label).collect();
         assert_eq!(fine[..3], ["0", "1", "2"], "whole operations alone");
+    }
+
+    #[test]
+    fn an_axis_by_root_begins_near_its_first_value() {
+        let late = [3.0, 4.0, 5.0, 12.0];
+        let scale = Scale::around(Spread::Root, late.into_iter()).roomy(late.into_iter());
+        assert!((0.03..0.1).contains(&scale.position(3.0)), "{scale:?}");
+        let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
+        assert_eq!((labels[0].as_str(), labels.last().map(String::as_str)), ("3", Some("10")));
+        let early = [1.0, 60.0];
+        assert_eq!(Scale::around(Spread::Root, early.into_iter()).min, 0.0);
+        let one_tick = [41.0, 43.0, 48.0];
+        let scale = Scale::around(Spread::Root, one_tick.into_iter());
+        assert!(scale.ticks(10).len() > 1, "{:?}", scale.ticks(10));
     }
 
     #[test]

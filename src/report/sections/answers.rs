@@ -1,19 +1,16 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
-use super::{figures, words};
+use super::{SCREEN, figures, words};
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
     Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, FurnaceRow, GpuRecord, Measured, Offer,
-    Purpose, ReportError, Section, Shade, SphereRow, Spheres, Spread,
+    Purpose, ReportError, Role, Section, Shade, SphereRow, Spheres, Spread,
 };
 use crate::store::Files;
 use lobefit_shade::code::Language;
 use lobefit_shade::comment::comment;
-
-/// Pixels of a screen of 3840 by 2160.
-const SCREEN: f64 = 3840.0 * 2160.0;
 
 /// The language of the code that is seen at once.
 const FIRST: Language = Language::Wgsl;
@@ -58,8 +55,9 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
         let others = cards(others)?;
         blocks.push(Block::Cards(cards(first)?));
         if !others.is_empty() {
+            blocks.push(Block::Text { text: format!("Also {}", answer.also.join(" ")) });
             let names: Vec<&str> = others.iter().map(|card| card.title.as_str()).collect();
-            let summary = format!("Also: {}", names.join(", "));
+            let summary = format!("Choices and code of {}", names.join(", "));
             blocks.push(Block::Fold { summary, blocks: vec![Block::Cards(others)] });
         }
         Ok(blocks)
@@ -94,11 +92,33 @@ fn card(
     Ok(Card {
         id: purpose.name.clone(),
         title: purpose.name.clone(),
-        about: format!("{} {}", purpose.about, purpose.caution).trim_end().into(),
+        about: [&purpose.about, &purpose.caution, lacking(purpose)]
+            .join(" ")
+            .replace("  ", " ")
+            .trim_end()
+            .into(),
         link: (format!("All of {effect}"), format!("{effect}.html")),
         choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
         svg: purpose.furnace.as_ref().map(|f| strip(f, room(purpose, paired))).transpose()?,
     })
+}
+
+/// What a reader may look for on a card and not find.
+fn lacking(purpose: &Purpose) -> &'static str {
+    let has = |role: Role| purpose.choices.iter().any(|choice| choice.role == role);
+    let Some(best) = purpose.choices.first() else { return "" };
+    match (best.cost.fetches, best.cost.bytes) {
+        (0, _) if !has(Role::Cheap) && !has(Role::Table) => {
+            "No formula of ours takes fewer operations, and this bake has no table of it."
+        }
+        (0, _) if !has(Role::Cheap) => "No formula of ours takes fewer operations.",
+        (0, _) if !has(Role::Table) => "This bake has no table of it.",
+        (_, bytes) if bytes > 0 && purpose.choices.len() == 1 => {
+            "This bake has one table of it and no formula."
+        }
+        (_, bytes) if bytes > 0 => "This bake has no formula of it.",
+        _ => "",
+    }
 }
 
 /// Pixels of the width that a card has for its drawing: beside one choice or two, or below more.
@@ -118,23 +138,25 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
         None => {
             let mut code = offer.code.clone();
             code.sort_by_key(|(language, _)| language != FIRST.title());
+            code.extend((!offer.asked.is_empty()).then(|| ("scene".to_string(), offer.asked.clone())));
             (None, code)
         }
     };
-    let note = match function {
+    let emitted = match function {
+        Some(_) => String::new(),
+        None if !offer.asked.is_empty() => "This scene does not emit it: ask for it.".into(),
         None => {
             let map = drawn.manifest.alpha_map().map(|map| format!("; alpha = {map}")).unwrap_or_default();
             format!("This scene does not emit it: copy it from here. mu = n_dot_v{map}.")
         }
-        Some(_) => String::new(),
     };
     let shown = calls.or_else(|| function.map(String::from)).unwrap_or_else(|| offer.name.clone());
     Choice {
         role: offer.role.name().into(),
-        recommended: offer.role == crate::report::Role::Recommended,
+        recommended: offer.role == Role::Recommended,
         call: shown,
         facts: facts(offer, purpose, time(function, drawn.record, include)),
-        note,
+        note: format!("{} {emitted}", offer.note).trim().into(),
         code,
     }
 }
@@ -221,6 +243,9 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
         rows.push(("Error".into(), format!("max {}, RMS {}", words::max(max), words::mean(rms))));
         rows.push(("Measure".into(), metric.clone()));
+    }
+    if let Some(limited) = offer.limited {
+        rows.push((String::new(), format!("{}: max {}", purpose.limited, words::max(limited))));
     }
     rows
 }

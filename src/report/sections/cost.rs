@@ -1,6 +1,6 @@
 //! The page of what accuracy costs: charts of formulas, what the next digit costs, and integrators.
 
-use super::{figures, study, words};
+use super::{SCREEN, figures, study, words};
 use crate::emit::manifest::TableEntry;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::{
@@ -97,7 +97,11 @@ fn chart(job: &CostJob, of: usize, unit: &CostUnit) -> Option<Scatter> {
         (*error > 0.0).then(|| Dot { name: name.clone(), x, y: *error, published: *published, table: false })
     };
     let dots: Vec<Dot> = job.points.iter().filter_map(dot).collect();
-    let x = if of == 0 { unit.unit.clone() } else { format!("cost on {}", unit.name) };
+    let x = if unit.counted.is_empty() {
+        unit.name.clone()
+    } else {
+        format!("{} on {}", unit.counted, unit.name)
+    };
     words::worth_a_chart(&dots).then(|| Scatter {
         title: job.title.clone(),
         x: (format!("{x} (square-root scale)"), Spread::Root),
@@ -113,11 +117,17 @@ fn measured(record: &GpuRecord) -> Block {
     let row = |row: &GpuRow| {
         let error = row.error.as_ref()?;
         let name = row.function.as_ref().unwrap_or(&row.name);
-        let picoseconds = significant(1e3 * row.nanoseconds.median, 3);
-        Some(vec![name.clone(), picoseconds, words::max(error.max), error.used_as.metric.into()])
+        let (picoseconds, screen) = (1e3 * row.nanoseconds.median, 1e-3 * row.nanoseconds.median * SCREEN);
+        let [call, screen] = [picoseconds, screen].map(|time| significant(time, 3));
+        Some(vec![name.clone(), call, screen, words::max(error.max), error.used_as.metric.into()])
     };
-    let columns =
-        [("function", false), ("ps per call", true), ("largest error", true), ("which error", false)];
+    let columns = [
+        ("function", false),
+        ("ps per call", true),
+        ("µs at 4K, a call for each pixel", true),
+        ("largest error", true),
+        ("which error", false),
+    ];
     let caption = format!(
         "Measured on {}, throughput of the full device; the functions that the built-in scene emits.",
         record.device.adapter
@@ -134,7 +144,7 @@ fn tables(costs: &Costs) -> Block {
     };
     let columns = [
         ("table", false),
-        ("size", false),
+        ("size in texels", false),
         ("bytes", true),
         ("operations beside a fetch", true),
         ("largest lookup error", true),
@@ -145,13 +155,18 @@ fn tables(costs: &Costs) -> Block {
 
 /// What the next digit costs: for each limit the cheapest formula, and the ratio to the row before.
 fn digits(costs: &Costs) -> Section {
-    let columns: Vec<(&str, bool)> = std::iter::once(("error within", true))
-        .chain(std::iter::once(("formula of fewest operations", false)))
-        .chain(costs.units.iter().map(|unit| (unit.name.as_str(), true)))
-        .collect();
+    let unit = |unit: &CostUnit| match unit.counted.as_str() {
+        "" => unit.name.clone(),
+        counted => format!("{}: {counted}", unit.name),
+    };
+    let units: Vec<String> = costs.units.iter().map(unit).collect();
     let blocks = costs.jobs.iter().flat_map(|job| {
-        let rows = rows(job, costs.units.len());
-        [Block::Heading { text: job.title.clone() }, Block::Table(words::table(&columns, rows, ""))]
+        let within = format!("{} within", job.metric);
+        let first = [(within.as_str(), true), ("formula of fewest operations", false)];
+        let columns: Vec<(&str, bool)> =
+            first.into_iter().chain(units.iter().map(|unit| (unit.as_str(), true))).collect();
+        let table = words::table(&columns, rows(job, units.len()), "");
+        [Block::Heading { text: job.title.clone() }, Block::Table(table)]
     });
     Section {
         id: "digits".into(),

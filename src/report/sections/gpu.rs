@@ -1,14 +1,11 @@
 //! The page of times on a graphics processor.
 
-use super::{figures, words};
+use super::{SCREEN, figures, words};
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
     Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, Page, ReportError, Scatter, Section,
     Spread, TextTable, bar_from,
 };
-
-/// Pixels of a screen of 3840 by 2160.
-const SCREEN: f64 = 3840.0 * 2160.0;
 
 pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> {
     let mut sections = vec![measured(record, hash)];

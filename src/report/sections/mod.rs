@@ -22,6 +22,9 @@ use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
 use lobefit_shade::code::Language;
 
+/// Pixels of a screen of 3840 by 2160.
+const SCREEN: f64 = 3840.0 * 2160.0;
+
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::section(findings)?];

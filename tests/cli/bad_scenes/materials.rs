@@ -44,6 +44,7 @@ fn not_a_material() -> Vec<Case> {
         ),
         case(material(r#""kind":"metal","f0":1,"f0":1,"roughness":1"#), "materials[0]: duplicate field `f0`"),
         case(material(r#""kind":"metal","fo":1,"roughness":1"#), "materials[0].fo: unknown field `fo`"),
+        case(material(r#""kind":"metal","f0":1,"rougness":1"#), "`wants`; did you mean `roughness`?"),
         case(
             material(r#""name":"n","kind":"metal","f0":1,"roughness":1"#),
             "materials[0]: duplicate field `name`",

@@ -1,14 +1,16 @@
-//! What the catalogue has for the same quantity and use: fits of ours at their declared constants,
-//! and published formulas.
+//! What the catalogue has for the same quantity, use and domain: fits of ours, and published
+//! formulas.
+
+use std::sync::Arc;
 
 use serde_json::{Value, json};
 
 use super::FittingError;
-use lobefit::approximate::certificate;
-use lobefit::approximate::target::{Sampled, Target};
-use lobefit::data::{AlphaMap, Model, Smith};
+use lobefit::approximate::target::{Sampled, Target, TargetSpec};
+use lobefit::approximate::{Emission, Wanted, compared};
+use lobefit::data::{AlphaMap, Approximation, Norm, Smith, Source, Vendor};
 use lobefit::effects::catalogue;
-use lobefit_shade::{Hypothesis, Precision};
+use lobefit_shade::Hypothesis;
 
 /// Something else that approximates the same for the same use.
 #[derive(Clone, Debug)]
@@ -35,13 +37,16 @@ impl CatalogueFit {
     }
 }
 
-/// What the catalogue has of at most `most` operations, measured at the same points; nothing where
-/// the conventions are others than the catalogue's.
+/// What the catalogue has of at most `most` operations: its formulas fitted as a bake fits them,
+/// for the largest error over the same domain, and published ones with their own constants; those of
+/// the same target are measured at the points given. A
+/// formula without a reliable fit there is left out; nothing where the conventions are others than
+/// the catalogue's.
 pub(crate) fn fits(
-    target: &Target,
-    measured: &Sampled,
+    spec: &TargetSpec,
+    (target, measured): (&Target, &Arc<Sampled>),
     most: u32,
-    model: Option<&Model>,
+    cost: Option<Vendor>,
 ) -> Result<Vec<CatalogueFit>, FittingError> {
     let usual = target.variant.smith.unwrap_or_default() == Smith::Correlated
         && target.alpha_map == AlphaMap::RoughnessSquared;
@@ -50,28 +55,39 @@ pub(crate) fn fits(
     }
     let known = target.inputs();
     let mut fits = Vec::new();
-    let all =
-        catalogue().iter().flat_map(|effect| effect.formulas_for(target).into_iter().map(|e| (*effect, e)));
-    for (effect, entry) in all {
-        let name = entry.name().to_string();
-        let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), entry.source)?;
-        if !hypothesis.inputs().iter().all(|input| known.contains(input)) {
-            continue;
+    for effect in catalogue() {
+        let (mut own, mut published) = (Vec::new(), Vec::new());
+        for entry in effect.formulas_for(target) {
+            let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
+            let suits = hypothesis.inputs().iter().all(|input| known.contains(input));
+            if suits && effect.operations(&hypothesis)? <= most {
+                match hypothesis.parameters() {
+                    [] => published.push(entry),
+                    _ => own.push(*entry),
+                }
+            }
         }
-        let ops = effect.operations(&hypothesis)?;
-        if ops > most {
-            continue;
+        let wanted = Wanted {
+            spec: spec.clone(),
+            own: &own,
+            user: &[],
+            published,
+            norms: &[Norm::Max],
+            max_ops: None,
+            safe_range: effect.safe_range_for(target),
+            emission: Emission { cost, ..Emission::default() },
+        };
+        for fit in compared(&wanted, (target, measured))? {
+            let Approximation { name, source, certificate, .. } = &fit.approximation;
+            fits.push(CatalogueFit {
+                name: name.clone(),
+                ops: effect.operations(&fit.hypothesis)?,
+                price: fit.price,
+                max: certificate.max_abs,
+                rms: certificate.rms,
+                published: matches!(source, Source::Published(_)),
+            });
         }
-        let constants: Vec<f32> = hypothesis.parameters().iter().map(|p| p.start).collect();
-        let certificate = certificate(&hypothesis, &constants, target, measured, Precision::F32)?;
-        fits.push(CatalogueFit {
-            name,
-            ops,
-            price: model.map_or_else(|| f64::from(ops), |model| model.cost(hypothesis.tape())),
-            max: certificate.max_abs,
-            rms: certificate.rms,
-            published: constants.is_empty(),
-        });
     }
     Ok(fits)
 }

@@ -21,6 +21,9 @@ pub use document::{document, files};
 pub use one::{Certified, Proof, Weighted};
 pub use summary::summary;
 
+use std::sync::Arc;
+
+use lobefit::approximate::FitStageError;
 use lobefit::approximate::target::{Target, TargetError, TargetSpec};
 use lobefit::cli::{CliError, PackageError};
 use lobefit::data::WeightsError;
@@ -78,6 +81,9 @@ pub enum FittingError {
     /// The formula, its data or its domain.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// The catalogue's formulas in the same domain.
+    #[error(transparent)]
+    Catalogue(#[from] FitStageError),
     /// The models of vendors' GPUs: a defect of the program.
     #[error(transparent)]
     Weights(#[from] WeightsError),
@@ -201,10 +207,10 @@ pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
         printed::check(*language, &job.hypothesis)?;
     }
     let constraints = demands::constraints(&job.demands, &target, &job.hypothesis)?;
-    let measured = target.measured()?;
+    let measured = Arc::new(target.measured()?);
     let one = |goal: &Goal| one::fit_one(job, *goal, &target, weight.as_ref(), &constraints, &measured);
     let fits: Vec<Certified> = job.goals.iter().map(one).collect::<Result<_, _>>()?;
     let most = fits.iter().map(|fit| fit.approximation.cost.ops).max().unwrap_or(0);
-    let catalogue = catalogue::fits(&target, &measured, most, None)?;
+    let catalogue = catalogue::fits(&job.spec, (&target, &measured), most, None)?;
     Ok(Fitting { target, fits, catalogue })
 }

@@ -9,6 +9,8 @@ mod space;
 pub use aids::{AidKind, Aids, Tried};
 pub use output::{document, files, summary};
 
+use std::sync::Arc;
+
 use crate::fitting::catalogue::{self, CatalogueFit};
 use crate::fitting::{Demand, FittingError};
 use lobefit::approximate::certificate;
@@ -108,7 +110,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         (Some(f0), Some(over)) => pair::run(&target, (f0, over), job, progress)?,
         _ => alone(&target, job, progress)?,
     };
-    let measured = target.measured()?;
+    let measured = Arc::new(target.measured()?);
     let mut points: Vec<Point> = Vec::new();
     for form in found {
         let coefficients: Vec<f32> = form.hypothesis.parameters().iter().map(|p| p.start).collect();
@@ -137,7 +139,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         );
         return Err(FitError::Solver { message }.into());
     }
-    let catalogue = catalogue::fits(&target, &measured, u32::MAX, model.as_ref())?;
+    let catalogue = catalogue::fits(&job.spec, (&target, &measured), u32::MAX, job.cost)?;
     Ok(Searched { anchor, target, model, tried, points, catalogue })
 }
 

@@ -99,6 +99,19 @@ fn fit_again(folder: &Path) -> Output {
     fit(folder, MINE, &with(&["--out", "out", "--precision", "f32", "--precision", "f16"]))
 }
 
+/// What the catalogue has is fitted over the same domain: a file of it is no better than itself.
+#[test]
+fn the_catalogue_is_fitted_over_the_domain() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = format!("{}/../../fits/hypotheses/ggx_norm_r1.wgsl", env!("CARGO_MANIFEST_DIR"));
+    let source = std::fs::read_to_string(file).expect("a formula");
+    let output = fit(folder.path(), &source, &with(&["--domain", "roughness=0.3..0.5", "--json"]));
+    let document = json(&output);
+    let catalogue = document["catalogue"].as_array().expect("a list");
+    let same = catalogue.iter().find(|entry| entry["name"] == "ggx_norm_r1").expect("a formula");
+    assert_eq!(same["max"].as_f64(), Some(error(&document["fits"][0])), "{same}");
+}
+
 #[test]
 fn every_norm_is_better_in_its_own_measure() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -12,7 +12,7 @@ pub(super) fn lookup(table: &TableLookup) -> String {
     let beside = if channels == 1 { String::new() } else { format!(" of {channels} channels each") };
     let sizes = table.listed().replace(", ", " x ");
     let first = format!(
-        "{} by a {filter} fetch, clamped to the edge, from {sizes} texels{beside}, {order}.",
+        "{} by a {filter} fetch, clamped to the edge, from {sizes} texels in f32{beside}, {order} as in the `raw` file.",
         table.meaning
     );
     let mut text = table.opening(&C, &[first], &[C.argument("texels", "const float *")]);

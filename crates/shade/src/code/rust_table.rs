@@ -8,7 +8,10 @@ pub(super) fn lookup(table: &TableLookup) -> String {
     let [filter, order] = table.order();
     let (uv, sizes) = (table.letters().concat(), table.listed());
     let first = [
-        format!("{} by a {filter} fetch, clamped to the edge, from texels {order}.", table.meaning),
+        format!(
+            "{} by a {filter} fetch, clamped to the edge, from texels {order} as in the `raw` file.",
+            table.meaning
+        ),
         format!("Panics if `texels` has fewer than {} entries.", sizes.replace(", ", " x ")),
     ];
     let texels = Rust.argument("texels", &format!("&[{}]", Rust.kind(kind(table.channels))));

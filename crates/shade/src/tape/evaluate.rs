@@ -1,5 +1,6 @@
 //! Values of a tape, 64 points at a time.
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::real::{binary, select, unary};
@@ -128,28 +129,41 @@ impl Tape {
         coefficients: &[R],
         workspace: &mut Workspace<R>,
     ) {
-        for (node, op) in self.ops.iter().enumerate() {
-            let (done, rest) = workspace.values.split_at_mut(node);
-            let out = &mut rest[0];
-            let v = |n: u32| &done[n as usize];
-            match *op {
-                Op::Input(i) => {
-                    let column = &inputs[usize::from(i)][start..start + count];
-                    out[..count].copy_from_slice(column);
-                    out[count..].fill(column[count - 1]);
-                }
-                Op::Parameter(i) => out.fill(coefficients[usize::from(i)]),
-                Op::Literal(x) => out.fill(R::literal(x)),
-                Op::Unary(code, a) => map(out, v(a), |x| unary(code, x)),
-                Op::Binary(code, a, b) => two(code, out, v(a), v(b)),
-                Op::Fma(a, b, c) => {
-                    let (a, b, c) = (v(a), v(b), v(c));
-                    (0..BLOCK).for_each(|i| out[i] = a[i].fma(b[i], c[i]));
-                }
-                Op::Select(a, b, c) => {
-                    let (a, b, c) = (v(a), v(b), v(c));
-                    (0..BLOCK).for_each(|i| out[i] = select(a[i], b[i], c[i]));
-                }
+        sweep(&self.ops, inputs, [start, count], coefficients, &mut workspace.values);
+    }
+}
+
+/// The values of operations in order, by the instructions that the processor has: the same operations,
+/// and nothing is contracted, so that the bits are the same.
+#[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"))]
+fn sweep<R: Real>(
+    ops: &[Op],
+    inputs: &[Vec<R>],
+    [start, count]: [usize; 2],
+    coefficients: &[R],
+    values: &mut [Lanes<R>],
+) {
+    for (node, op) in ops.iter().enumerate() {
+        let (done, rest) = values.split_at_mut(node);
+        let out = &mut rest[0];
+        let v = |n: u32| &done[n as usize];
+        match *op {
+            Op::Input(i) => {
+                let column = &inputs[usize::from(i)][start..start + count];
+                out[..count].copy_from_slice(column);
+                out[count..].fill(column[count - 1]);
+            }
+            Op::Parameter(i) => out.fill(coefficients[usize::from(i)]),
+            Op::Literal(x) => out.fill(R::literal(x)),
+            Op::Unary(code, a) => map(out, v(a), |x| unary(code, x)),
+            Op::Binary(code, a, b) => two(code, out, v(a), v(b)),
+            Op::Fma(a, b, c) => {
+                let (a, b, c) = (v(a), v(b), v(c));
+                (0..BLOCK).for_each(|i| out[i] = a[i].fma(b[i], c[i]));
+            }
+            Op::Select(a, b, c) => {
+                let (a, b, c) = (v(a), v(b), v(c));
+                (0..BLOCK).for_each(|i| out[i] = select(a[i], b[i], c[i]));
             }
         }
     }
@@ -164,6 +178,7 @@ fn map<R: Real>(out: &mut Lanes<R>, a: &Lanes<R>, f: impl Fn(R) -> R) {
 
 /// A binary operation on all lanes; the common ones as loops of their own, which the compiler
 /// vectorises.
+#[inline(always)]
 fn two<R: Real>(code: BinaryOp, out: &mut Lanes<R>, a: &Lanes<R>, b: &Lanes<R>) {
     #[inline(always)]
     fn lanes<R: Real>(out: &mut Lanes<R>, a: &Lanes<R>, b: &Lanes<R>, f: impl Fn(R, R) -> R) {

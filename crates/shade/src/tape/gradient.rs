@@ -1,5 +1,7 @@
 //! Derivatives of a tape with respect to its parameters, by the reverse sweep, in f64.
 
+use multiversion::multiversion;
+
 use super::evaluate::{BLOCK, Lanes, Workspace};
 use super::{BinaryOp, Op, Tape, UnaryOp};
 use lobefit_math::ops;
@@ -16,28 +18,7 @@ impl Tape {
         if let Some(last) = adjoints.last_mut() {
             last.fill(1.0);
         }
-        for (node, op) in self.ops.iter().enumerate().rev() {
-            let (before, rest) = adjoints.split_at_mut(node);
-            let seed = &rest[0];
-            let v = |n: u32| &values[n as usize];
-            match *op {
-                Op::Input(_) | Op::Literal(_) => {}
-                Op::Parameter(p) => gradient[usize::from(p)] = *seed,
-                Op::Unary(code, a) => one(code, v(a), &values[node], seed, &mut before[a as usize]),
-                Op::Binary(BinaryOp::Add, a, b) => spread(before, seed, [a, b], |_| [1.0, 1.0]),
-                Op::Binary(BinaryOp::Subtract, a, b) => spread(before, seed, [a, b], |_| [1.0, -1.0]),
-                Op::Binary(BinaryOp::Multiply, a, b) => spread(before, seed, [a, b], |i| [v(b)[i], v(a)[i]]),
-                Op::Binary(code, a, b) => {
-                    let partials = |i: usize| binary_partials(code, v(a)[i], v(b)[i], values[node][i]);
-                    spread_dear(before, seed, [a, b], partials);
-                }
-                Op::Fma(a, b, c) => spread(before, seed, [a, b, c], |i| [v(b)[i], v(a)[i], 1.0]),
-                Op::Select(c, a, b) => spread(before, seed, [a, b], |i| {
-                    let taken = v(c)[i];
-                    [taken, 1.0 - taken]
-                }),
-            }
-        }
+        sweep(&self.ops, values, adjoints, gradient);
     }
 
     /// Derivatives at one point.
@@ -48,6 +29,34 @@ impl Tape {
         let mut gradient = vec![[0.0; BLOCK]; self.parameters];
         self.reverse(&mut workspace, &mut gradient);
         gradient.iter().map(|lanes| lanes[0]).collect()
+    }
+}
+
+/// The reverse sweep by the instructions that the processor has; as those of the values, the bits are
+/// the same.
+#[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"))]
+fn sweep(ops: &[Op], values: &[Lanes<f64>], adjoints: &mut [Lanes<f64>], gradient: &mut [[f64; BLOCK]]) {
+    for (node, op) in ops.iter().enumerate().rev() {
+        let (before, rest) = adjoints.split_at_mut(node);
+        let seed = &rest[0];
+        let v = |n: u32| &values[n as usize];
+        match *op {
+            Op::Input(_) | Op::Literal(_) => {}
+            Op::Parameter(p) => gradient[usize::from(p)] = *seed,
+            Op::Unary(code, a) => one(code, v(a), &values[node], seed, &mut before[a as usize]),
+            Op::Binary(BinaryOp::Add, a, b) => spread(before, seed, [a, b], |_| [1.0, 1.0]),
+            Op::Binary(BinaryOp::Subtract, a, b) => spread(before, seed, [a, b], |_| [1.0, -1.0]),
+            Op::Binary(BinaryOp::Multiply, a, b) => spread(before, seed, [a, b], |i| [v(b)[i], v(a)[i]]),
+            Op::Binary(code, a, b) => {
+                let partials = |i: usize| binary_partials(code, v(a)[i], v(b)[i], values[node][i]);
+                spread_dear(before, seed, [a, b], partials);
+            }
+            Op::Fma(a, b, c) => spread(before, seed, [a, b, c], |i| [v(b)[i], v(a)[i], 1.0]),
+            Op::Select(c, a, b) => spread(before, seed, [a, b], |i| {
+                let taken = v(c)[i];
+                [taken, 1.0 - taken]
+            }),
+        }
     }
 }
 

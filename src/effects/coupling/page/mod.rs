@@ -22,13 +22,13 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
         title: findings.origin.title("lobefit report", &findings.effect.effect),
         origin: findings.origin.clone(),
         lead: format!(
-            "How much light a specular lobe leaves for the diffuse base below it: the factor by which a white base is multiplied so \
-             that lobe and base together send back exactly all light, every approximation of it with its measured error and its \
-             cost, and what is left of the light in a furnace, which is a white environment: the same light from everywhere, so that what \
-             absorbs nothing is not seen in it. E = A + B is the albedo of the bare lobe where every facet reflects all light, \
-             f0 A + B that with Schlick’s Fresnel of reflectance f0 face on; α is the lobe’s width (by default roughness squared), μ the cosine \
-             of the view. Lobes are named after what multiplies them against the loss 1 − E of light between facets: nothing \
-             (single), 1/E (normalised), or 1 + f0 (1/E − 1) (compensated). Figures in full digits: {}.json, in this folder.",
+            "A specular lobe leaves part of the light for the diffuse base below it. The coupling factor is what a white base is \
+             multiplied by, so that lobe and base together send back exactly all light. This page has every approximation of the factor, \
+             its error and its cost. Figures in full digits: {}.json, in this folder.\n\
+             E = A + B is the albedo of the bare lobe where every facet reflects all light. With Schlick’s Fresnel of reflectance f0 face \
+             on, the albedo is f0 A + B. α is the width of the lobe, by default roughness squared. μ is the cosine of the view. The lobe loses \
+             the light 1 − E between its facets. Its name says which factor makes up for that: none (single), 1/E (normalised), or \
+             1 + f0 (1/E − 1) (compensated).",
             findings.effect.effect
         ),
         sections,

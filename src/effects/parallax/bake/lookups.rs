@@ -2,16 +2,18 @@
 
 use super::{Lobe, code};
 use crate::approximate::{Fit, FitStageError};
-use crate::data::{MipChain, ProbeLookup};
+use crate::data::{Cost, MipChain, ProbeLookup, SurfaceLobe};
 use crate::effects::BakeError;
 use crate::effects::Effect;
 use crate::effects::parallax::Parallax;
 use crate::effects::parallax::probe::{Level, Wanted, arguments};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::{Gives, TapRule, named};
+use crate::effects::preferred;
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header;
 use crate::emit::manifest::CostEntry;
+use crate::report::{Offer, Role};
 use lobefit_truth::quantity::PARALLAX;
 
 /// A lookup with its cost.
@@ -34,6 +36,48 @@ pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<
     };
     lobe.wants.lookups.iter().map(one).collect()
 }
+
+/// Cheaper lookups than the one that is taken before the others, as far as they are not emitted,
+/// for the card of that one.
+pub(super) fn beside(
+    lobe: &Lobe,
+    emitted: &[LookupFunction],
+    identifiers: &[(MipChain, String)],
+) -> Result<Vec<(String, Offer)>, BakeError> {
+    let best = preferred(emitted);
+    let best = best.and_then(|best| lobe.lookups.iter().find(|own| own.wanted.name == best.function));
+    let (Some(best), Some((flow, variation))) = (best, lobe.flow()) else { return Ok(Vec::new()) };
+    let sharp =
+        ProbeLookup { hit: false, planes: None, smooth: false, taps: 1, lobe: SurfaceLobe::default() };
+    let cheaper = [
+        (Role::Cheap, sharp, "\"edges\": \"sharp\"", SHARP),
+        (Role::Cheapest, ProbeLookup { hit: true, smooth: true, ..sharp }, "\"hit\": true", HIT),
+    ];
+    let mut found = Vec::new();
+    for (role, lookup, asked, note) in cheaper {
+        let own = one(lobe, flow, lookup, best.chain.as_ref(), identifiers)?;
+        if own.ops >= best.ops || emitted.iter().any(|known| known.function == own.wanted.name) {
+            continue;
+        }
+        let certificate = &flow.approximation.certificate;
+        let cost = Cost { ops: own.ops, fetches: 1, bytes: 0 };
+        let error = Some([certificate.max_abs, certificate.rms]);
+        let offer = Offer {
+            limited: variation.max(),
+            note: note.into(),
+            asked: format!("\"lookups\": [{{ {asked} }}]"),
+            ..Offer::new(role, &own.wanted.name, None, (cost, error))
+        };
+        found.push((best.wanted.name.clone(), offer));
+    }
+    Ok(found)
+}
+
+/// What is lost by what is cheaper.
+const SHARP: &str =
+    "The width jumps where the ray passes from one wall to the next: a seam in rough reflections.";
+const HIT: &str =
+    "The engine finds the wall itself and passes the distance from the place and the offset from the probe.";
 
 fn one(
     lobe: &Lobe,

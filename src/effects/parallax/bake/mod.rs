@@ -5,12 +5,14 @@ mod entries;
 mod findings;
 mod lookups;
 
+use std::collections::BTreeMap;
+
 use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all, of_chain, variations};
 use crate::approximate::{Dropped, Emission, Fit, FitSet};
 use crate::data::{Arguments, MipChain, Pick, Source};
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
-use crate::effects::{BakeError, Called, Made};
+use crate::effects::{BakeError, Called, Limited, Made};
 use crate::scene::Scene;
 use lobefit_shade::code::Float;
 use lobefit_truth::quantity::footprint;
@@ -78,7 +80,11 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         }
         entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }
+    made.limited = Some(limited(&lobes));
     if context.reports(called.effect) {
+        for lobe in &lobes {
+            made.beside.extend(lookups::beside(lobe, &made.part.entries.lookups, &identifiers)?);
+        }
         let findings = findings::findings(&made.part.finding, &lobes, context)?;
         made.page(super::page::page(&findings)?, &findings)?;
     }
@@ -98,6 +104,18 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry))?;
     }
     Ok(made)
+}
+
+/// What limits of probes are on. A published formula is measured for every lobe: the first result
+/// stands.
+fn limited(lobes: &[Lobe]) -> Limited {
+    let mut errors = BTreeMap::new();
+    for (fit, variation) in lobes.iter().flat_map(|lobe| lobe.measured()) {
+        if let Some(max) = variation.max() {
+            errors.entry(fit.approximation.name.clone()).or_insert(max);
+        }
+    }
+    Limited { metric: "total variation".into(), errors }
 }
 
 /// A probe whose every fetch is saturated has nothing to fit. That of the smallest ratio at the

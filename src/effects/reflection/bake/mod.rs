@@ -35,6 +35,10 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     };
     if let Some(job) = fit {
         made.promised(&job.promises, (&fits, &nearest), "fit", Use::NORMALISATION);
+        if let (Some(last), Some(limit)) = (made.broken.last_mut(), job.goals.max_error) {
+            let table = TableJob::open(context.scene, job.range("roughness")?, job.range("mu")?);
+            *last += &format!("\n{}", table::table_instead(&Dfg, &table, limit, context)?);
+        }
         made.broken.extend(unserved);
         if !made.broken.is_empty() {
             return Ok(made);
