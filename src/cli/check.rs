@@ -215,6 +215,14 @@ impl Found {
             lines.push(format!("note: reports/studies: not checked: {reason}\n"));
         }
         lines.push(self.closing(options));
+        if self.files > 0
+            && self.of_bake.iter().filter(|d| d.kind == bake::Kind::Missing).count() == self.files
+        {
+            let bake = visible(&command("bake", "--out", options, options.pages.no_reports));
+            lines.push(format!(
+                "none of them is there: `--against` names the folder of a bake; `{bake}` makes one here\n"
+            ));
+        }
         if self.names_only {
             let command = command("check", "--against", options, options.pages.no_reports);
             let passes = visible(&format!("{command} --values 0"));

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 use clap::{ArgGroup, Args};
 
 use super::input::Input;
-use super::options::{SceneOption, ThreadsOption, language, positive};
+use super::options::{SceneOption, ThreadsOption, language, positive, vendor};
 use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, external, input};
@@ -100,8 +100,8 @@ pub struct Options {
     #[arg(long, value_name = "BYTES")]
     pub max_bytes: Option<u64>,
     /// Count what functions cost on this vendor's GPUs, by the model of its compiled code
-    #[arg(long, value_name = "VENDOR", value_parser = Vendor::WORDS, requires = "limited")]
-    pub vendor: Option<String>,
+    #[arg(long, value_name = "VENDOR", value_parser = vendor, requires = "limited")]
+    pub vendor: Option<Vendor>,
     /// The language of the snippets: rust, wgsl, hlsl, glsl, msl or c
     #[arg(long, value_name = "LANGUAGE", value_parser = language, default_value = "wgsl", requires = "limited")]
     pub language: Language,

@@ -83,6 +83,12 @@ pub fn smith(text: &str) -> Result<Smith, String> {
         .ok_or_else(|| "`correlated` or `separable` is called for".into())
 }
 
+/// A vendor of GPUs.
+pub fn vendor(text: &str) -> Result<Vendor, String> {
+    let of = Vendor::of(&text.to_ascii_lowercase());
+    of.ok_or_else(|| format!("one of {} is called for", Vendor::WORDS.join(", ")))
+}
+
 /// The word for no vendor: the cost is in operations.
 pub const NEUTRAL: &str = "neutral";
 
@@ -92,17 +98,16 @@ pub struct Gpus(pub Option<Vendor>);
 
 /// A vendor's GPUs, or neutral.
 pub fn gpus(text: &str) -> Result<Gpus, String> {
-    match Vendor::of(text) {
-        None if text != NEUTRAL => {
-            Err(format!("one of {}, {NEUTRAL} is called for", Vendor::WORDS.join(", ")))
-        }
-        vendor => Ok(Gpus(vendor)),
+    match vendor(text) {
+        _ if text.eq_ignore_ascii_case(NEUTRAL) => Ok(Gpus(None)),
+        Ok(vendor) => Ok(Gpus(Some(vendor))),
+        Err(_) => Err(format!("one of {}, {NEUTRAL} is called for", Vendor::WORDS.join(", "))),
     }
 }
 
 /// A language of the emitted code.
 pub fn language(text: &str) -> Result<Language, String> {
-    Language::parse(text).ok_or_else(|| {
+    Language::parse(&text.to_ascii_lowercase()).ok_or_else(|| {
         let names: Vec<&str> = Language::ALL.iter().map(|language| language.name()).collect();
         format!("no such language; the languages are {}", names.join(", "))
     })

@@ -267,6 +267,13 @@ impl Job {
         Emission { role, max_error, ..own }
     }
 
+    /// Who sets the budget, with the field of each: `gold (materials[0].wants.fit)`.
+    pub fn bounded_by(&self) -> String {
+        let bounding = self.demands.iter().filter(|demand| demand.goals.max_ops == self.goals.max_ops);
+        let by: Vec<_> = bounding.map(|demand| (demand.name.clone(), demand.field.clone())).collect();
+        listed(&by)
+    }
+
     /// The materials that set the strictest limit, with the field of each:
     /// `gold (materials[0].wants.tables[0].max_error)`.
     pub fn limited_by(&self) -> String {

@@ -200,16 +200,17 @@ impl Made {
     /// Notes the promises that no emitted fit keeps, with what would.
     pub fn promised(
         &mut self,
-        promises: &[Promise],
+        job: &Job,
         (fits, nearest): (&[Fit], &Option<String>),
         what: &str,
         used_as: Use,
     ) {
-        if let (Some(nearest), []) = (nearest, promises) {
-            self.broken.push(format!("{what}: no formula is within the budget: {nearest}"));
+        if let (Some(nearest), []) = (nearest, job.promises.as_slice()) {
+            let by = job.bounded_by();
+            self.broken.push(format!("{what}: no formula is within the budget of {by}: {nearest}"));
         }
         let nearest = nearest.as_ref().map_or_else(String::new, |nearest| format!("; {nearest}"));
-        let broken = promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as));
+        let broken = job.promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as));
         self.broken.extend(broken.map(|text| text + &nearest));
     }
 

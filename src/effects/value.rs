@@ -93,7 +93,7 @@ impl ValueFits<'_> {
             approximate::fit_all(&self.wanted(job, context.scene, &region), &context.counter)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
-        made.promised(&job.promises, (&fits, &nearest), self.of, Use::VALUE);
+        made.promised(job, (&fits, &nearest), self.of, Use::VALUE);
         if !made.broken.is_empty() {
             return Ok(made);
         }

@@ -132,3 +132,19 @@ fn line_ends_are_named() {
         assert!(found.contains(&words), "`{words}` in\n{found}");
     }
 }
+
+#[test]
+fn a_folder_without_a_bake_is_told_from_one_that_differs() {
+    let empty = tempfile::tempdir().expect("a folder");
+    let (code, text) = check(empty.path(), &[]);
+    assert_eq!(code, 1, "{text}");
+    let last = text.lines().last().expect("a line");
+    assert_eq!(
+        last,
+        "none of them is there: `--against` names the folder of a bake; `lobefit bake -` makes one here"
+    );
+    let folder = baked();
+    std::fs::remove_file(folder.path().join("manifest.json")).expect("removed");
+    let (code, text) = check(folder.path(), &[]);
+    assert!(code == 1 && !text.contains("none of them"), "{text}");
+}

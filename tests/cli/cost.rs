@@ -114,8 +114,12 @@ fn limits_say_what_to_ship_with_the_line_that_calls_it() {
     assert_eq!(formula["snippet"], "let value = ggx_energy_compensation_rgb(roughness, n_dot_v, f0);");
     assert!(formula["code"].as_str().expect("code").contains("fn ggx_energy_compensation(roughness: f32"));
     let error = formula["max_error"].as_f64().expect("an error");
-    assert_eq!(formula["field"], format!("wants.fit.max_error: {error}"));
-    assert!(table["field"].as_str().expect("a field").starts_with("wants.tables[0].size: ["), "{table}");
+    assert_eq!(formula["field"], format!("materials[0].wants.fit.max_error: {error}"));
+    let size = "materials[0].wants.tables[0].size: [";
+    assert!(table["field"].as_str().expect("a field").starts_with(size), "{table}");
+    // The two are of one purpose, of which the function is recommended, as `bake` has it.
+    assert_eq!(table["purpose"], formula["purpose"]);
+    assert_eq!([&table["recommended"], &formula["recommended"]], [&Value::Bool(false), &Value::Bool(true)]);
     // With room alone the most accurate table is taken, and by a stricter limit a dearer formula.
     let (_, _, large) = limited(&["--max-bytes", "4096"]);
     let large = shipped(&large, "ggx_albedo").expect("a table");
@@ -134,7 +138,7 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
         (code, formula["cost"]["ops"].as_u64() <= Some(20), formula.get("price")),
         (Some(0), true, None)
     );
-    let (code, said, dear) = limited(&["--budget", "20", "--vendor", "intel"]);
+    let (code, said, dear) = limited(&["--budget", "20", "--vendor", "Intel"]);
     assert_eq!((code, shipped(&dear, "ggx_albedo")), (Some(1), None), "the arithmetic of a table costs more");
     let unkept = dear["unkept"].to_string();
     assert!(unkept.contains("ggx_albedo (m) is the nearest to the limits: a cost of "), "{unkept}");

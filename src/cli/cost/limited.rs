@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::super::CliError;
-use super::super::calls::table;
+use super::super::calls::{MARK, table};
 use super::super::input;
 use super::super::output::{Outcome, print, print_json, say_each};
 use super::super::progress::Bar;
@@ -16,7 +16,7 @@ use crate::effects::Called;
 use crate::emit::call::Call;
 use crate::emit::header::short;
 use crate::emit::include;
-use crate::emit::manifest::Manifest;
+use crate::emit::manifest::{Entries, Manifest, TableEntry};
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 use crate::scene::{Limits, Scene};
@@ -46,19 +46,22 @@ struct Snippet {
     snippet: String,
     /// What it is called with, as the code declares it.
     parameters: String,
-    /// The field of a material or probe by which `bake` picks it, where a scene has one:
-    /// `wants.fit.max_error: 0.0113`.
+    /// The field of the scene by which `bake` picks it, where there is one:
+    /// `materials[0].wants.fit.max_error: 0.0113`.
     #[serde(skip_serializing_if = "Option::is_none")]
     field: Option<String>,
     /// The code, with all that the job's other functions need.
     code: String,
+    /// The quantity and the one column of it that the call gives or corrects for.
+    #[serde(skip)]
+    gives: Option<(String, String)>,
 }
 
 /// Bakes each job by itself, in memory, under the limits, and says what keeps them.
 pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     let limits = Limits {
         budget: options.budget,
-        vendor: options.vendor.as_deref().and_then(Vendor::of),
+        vendor: options.vendor,
         max_error: options.max_error,
         max_bytes: options.max_bytes,
         language: options.language,
@@ -88,6 +91,7 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     for (plan, baked) in jobs.iter().zip(&baked) {
         shipped.add(plan, baked, &limits)?;
     }
+    shipped.tables_beside_functions();
     if options.json {
         print_json(&shipped)?;
     } else {
@@ -117,6 +121,9 @@ impl Shipped {
         self.unkept.extend(baked.broken.iter().cloned());
         let file = format!("fits/lobefit.{}", limits.language.extension());
         let code = baked.files.get(&file).map(|text| String::from_utf8_lossy(text)).unwrap_or_default();
+        let manifest: Option<Manifest> =
+            baked.files.get(MANIFEST).map(|text| serde_json::from_slice(text)).transpose()?;
+        let entries = manifest.map(|manifest| manifest.entries).unwrap_or_default();
         let mut purposes: Vec<Vec<&Call>> = Vec::new();
         for call in &baked.calls {
             let same = |other: &&Call| !call.purpose.is_empty() && other.purpose == call.purpose;
@@ -142,17 +149,40 @@ impl Shipped {
             let lacks = || BakeError::Internal(format!("{file} does not declare {}", call.function));
             let include::Called { call: snippet, parameters } =
                 include::call(&code, &call.function).ok_or_else(lacks)?;
-            let field = field(plan, baked, call).filter(|_| is_first);
+            let field = field(plan, &entries, call).filter(|_| is_first);
+            let gives = gives(&entries, call);
             let (call, code) = (call.clone(), code.to_string());
-            self.ship.push(Snippet { call, snippet, parameters, field, code });
+            self.ship.push(Snippet { call, snippet, parameters, field, code, gives });
         }
         Ok(())
+    }
+
+    /// Where a table and a function give a material the same, the two are of one purpose, and the
+    /// function is recommended, as in a bake of both.
+    fn tables_beside_functions(&mut self) {
+        let functions: Vec<_> = self.ship.iter().filter(|of| of.call.file.is_none()).collect();
+        let known: Vec<_> = functions
+            .iter()
+            .map(|of| (of.call.of.clone(), of.gives.clone(), of.call.purpose.clone()))
+            .collect();
+        for table in self.ship.iter_mut().filter(|of| of.call.file.is_some() && of.gives.is_some()) {
+            if let Some((.., purpose)) =
+                known.iter().find(|(of, gives, _)| (of, gives) == (&table.call.of, &table.gives))
+            {
+                (table.call.purpose, table.call.recommended) = (purpose.clone(), false);
+            }
+        }
     }
 
     /// A table, and under it the calls.
     fn text(&self, limits: &Limits, scene: &Scene) -> String {
         let calls: Vec<Call> = self.ship.iter().map(|of| of.call.clone()).collect();
         let mut lines = table(&calls, limits.vendor, scene);
+        if calls.iter().any(|call| call.is_preferred(&calls)) {
+            lines.push(format!(
+                "{MARK} is recommended: of a table and a function that serve one material alike, the function"
+            ));
+        }
         if let (Some(unit), Some(vendor), false) = (&self.unit, limits.vendor, lines.is_empty()) {
             lines.push(format!(
                 "cost: {unit}, by the model of {}'s compiled code, fetches not counted",
@@ -180,13 +210,30 @@ impl Shipped {
 
 /// The field of a scene by which `bake` picks what a call is made of: of a table its size, of a
 /// formula its error, which no cheaper one keeps. A probe's limit is on another error.
-fn field(plan: &Plan, baked: &Baked, call: &Call) -> Option<String> {
+fn field(plan: &Plan, entries: &Entries, call: &Call) -> Option<String> {
     let demand = plan.effects.first()?.work.first()?.demands.first()?;
-    let (_, field) = demand.field.split_once('.')?;
-    let Some(file) = &call.file else { return Some(format!("{field}.max_error: {}", call.max_error)) };
-    let manifest: Manifest = serde_json::from_slice(baked.files.get(MANIFEST)?).ok()?;
-    let table = manifest.entries.tables.iter().find(|table| table.files.contains(file))?;
-    Some(format!("{field}.size: {:?}", table.axes.iter().map(|axis| axis.size).collect::<Vec<_>>()))
+    let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
+    if call.file.is_none() {
+        return Some(format!("{field}.max_error: {}", call.max_error));
+    }
+    let sizes = table_of(entries, call)?.axes.iter().map(|axis| axis.size).collect::<Vec<_>>();
+    Some(format!("{field}.size: {sizes:?}"))
+}
+
+/// The table that a call fetches from.
+fn table_of<'a>(entries: &'a Entries, call: &Call) -> Option<&'a TableEntry> {
+    entries.tables.iter().find(|table| call.file.as_ref().is_some_and(|file| table.files.contains(file)))
+}
+
+/// The quantity and the one column of it that a call gives or corrects for.
+fn gives(entries: &Entries, call: &Call) -> Option<(String, String)> {
+    if let Some(table) = table_of(entries, call) {
+        let mut columns = table.decode.keys();
+        let column = columns.next()?;
+        return columns.next().is_none().then(|| (table.quantity.clone(), column.clone()));
+    }
+    let fit = entries.fits.iter().find(|fit| fit.name == call.name)?;
+    Some((fit.quantity.clone(), fit.column.clone()))
 }
 
 /// What a call costs: operations, or by the vendor's model.

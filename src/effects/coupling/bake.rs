@@ -32,7 +32,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let mut made = Made::new(called, worst, metric);
     for (job, lobe) in called.work.iter().zip(&lobes) {
         let what = format!("coupling under a {} lobe", lobe.spec.specular.name());
-        made.promised(&job.promises, (&lobe.fits, &lobe.nearest), &what, COUPLING);
+        made.promised(job, (&lobe.fits, &lobe.nearest), &what, COUPLING);
     }
     if !made.broken.is_empty() {
         return Ok(made);

@@ -27,7 +27,7 @@ const CARD: f64 = 1126.0;
 const GAP: f64 = 16.0;
 
 /// Plotted size of the chart: the whole width of a page.
-const CHART: (f64, f64) = (1080.0, 420.0);
+const CHART: (f64, f64) = (1080.0, 360.0);
 
 /// What the cards are drawn from.
 pub(crate) struct Drawn<'a> {
@@ -55,7 +55,8 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
         let others = cards(others)?;
         blocks.push(Block::Cards(cards(first)?));
         if !others.is_empty() {
-            blocks.push(Block::Text { text: format!("Also {}", answer.also.join(" ")) });
+            let also = format!("Also {}", answer.also.join(" "));
+            blocks.extend((!answer.also.is_empty()).then_some(Block::Text { text: also }));
             let names: Vec<&str> = others.iter().map(|card| card.title.as_str()).collect();
             let summary = format!("Choices and code of {}", names.join(", "));
             blocks.push(Block::Fold { summary, blocks: vec![Block::Cards(others)] });

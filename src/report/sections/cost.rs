@@ -57,11 +57,12 @@ fn conclusion(costs: &Costs) -> String {
     )
 }
 
-/// The least cost of a formula within an error, and its name.
+/// The least cost of a formula within an error, and its name; of several the most accurate.
 fn cheapest(job: &CostJob, of: usize, limit: f64) -> Option<(f64, &str)> {
     let within = job.points.iter().filter(|point| point.error <= limit);
-    let costs = within.filter_map(|point| Some((point.costs[of]?, point.name.as_str())));
-    costs.min_by(|a, b| a.0.total_cmp(&b.0))
+    let costs = within.filter_map(|point| Some((point.costs[of]?, point)));
+    let best = costs.min_by(|(a, p), (b, q)| a.total_cmp(b).then(p.error.total_cmp(&q.error)));
+    best.map(|(cost, point)| (cost, point.name.as_str()))
 }
 
 /// A chart of each job, for each unit.

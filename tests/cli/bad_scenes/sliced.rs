@@ -64,7 +64,7 @@ fn not_a_sliced_table() -> Vec<Case> {
             tables(ANISOTROPIC, "[{\"size\":[64,64]}]"),
             "wants.tables[0].size: 2 numbers where the optimised layout has 3 axes",
         ),
-        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list of at most 3"),
+        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list in brackets, [...], of at most 3"),
         case(tables(ANISOTROPIC, "[{\"size\":[64,64,3]}]"), "wants.tables[0].size[2]: 3 is outside [4, 256]"),
         case(
             tables(ANISOTROPIC, "[{\"size\":[256,256,256]}]"),

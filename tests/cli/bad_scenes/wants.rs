@@ -28,7 +28,7 @@ fn not_a_want() -> Vec<Case> {
         case(wants("{\"fit\":{},\"fit\":{}}"), "duplicate field `fit`"),
         case(
             table("\"size\":32"),
-            "wants.tables[0].size: invalid type: integer `32`, expected a list of at most 3 entries",
+            "wants.tables[0].size: invalid type: integer `32`, expected a list in brackets, [...], of at most 3 entries",
         ),
         case(
             table("\"size\":[32]"),

@@ -34,7 +34,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         None => FitSet::default(),
     };
     if let Some(job) = fit {
-        made.promised(&job.promises, (&fits, &nearest), "fit", Use::NORMALISATION);
+        made.promised(job, (&fits, &nearest), "fit", Use::NORMALISATION);
         if let (Some(last), Some(limit)) = (made.broken.last_mut(), job.goals.max_error) {
             let table = TableJob::open(context.scene, job.range("roughness")?, job.range("mu")?);
             *last += &format!("\n{}", table::table_instead(&Dfg, &table, limit, context)?);
