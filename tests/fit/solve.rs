@@ -472,3 +472,17 @@ fn a_coefficient_beyond_f32_is_refused_by_its_name() {
         optimise(&hypothesis, &samples, &[], &Options::new(Norm::Rms)).expect_err("no f32").to_string();
     assert!(error.contains("`far`") && error.len() < 100, "{error}");
 }
+
+/// The squares of a gradient beyond 1e154 are infinite where its entries and the residual are not:
+/// such coefficients are refused as others are at which a sample is not finite.
+#[test]
+fn a_gradient_without_a_finite_length_is_refused() {
+    let source =
+        "override a: f32 = 1.0; override b: f32 = 500.0; override c: f32 = 1.0; override d: f32 = 1.0;
+        fn f(x: f32) -> f32 { return a * exp(b * x) + c * x * x + d * x; }";
+    let samples = curve(200, |x| (2.0 * x).exp() + 0.5 * x * x - x);
+    let fitted = fit(&parse(source), &samples, Norm::Rms);
+    for (found, truth) in fitted.coefficients.iter().zip([1.0, 2.0, 0.5, -1.0]) {
+        assert!((found - truth).abs() < 1e-9, "{fitted:?}");
+    }
+}

@@ -205,6 +205,10 @@ pub(super) fn correct(bounds: &Bounds, p: &mut Vec<f64>) -> Result<(), Refused> 
         }
         let a = DMatrix::from_fn(rows.len(), n, |i, j| here.jacobian[rows[i] * n + j] * p[j].abs());
         let g = DVector::from_fn(rows.len(), |i, _| -here.values[rows[i]]);
+        // The decomposition of what is not finite has no end.
+        if !a.iter().all(|x| x.is_finite()) {
+            return Ok(());
+        }
         let svd = a.svd(true, true);
         let top = svd.singular_values.iter().copied().fold(0.0, f64::max);
         let Ok(step) = svd.solve(&g, NEGLIGIBLE * top) else { return Ok(()) };

@@ -21,8 +21,8 @@ pub(super) struct Objective<'a> {
     divisors: Vec<Node>,
 }
 
-/// Why a set of coefficients is refused: the residual of a sample is not finite, or a divisor has
-/// the other sign there than at sample 0.
+/// Why a set of coefficients is refused: the residual of a sample or the length of its gradient is
+/// not finite, or a divisor has the other sign there than at sample 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Refused {
     pub sample: usize,
@@ -74,6 +74,13 @@ impl<'a> Objective<'a> {
             return Err(Refused { sample: bad / n.max(1) });
         }
         let triangle = reduce(&jacobian, &residuals, n);
+        // Rows beyond the root of the largest double have no length.
+        if !triangle.is_finite() {
+            let rows = jacobian.chunks_exact(n.max(1)).enumerate();
+            let longest = rows.map(|(i, row)| (i, row.iter().fold(0.0_f64, |top, x| top.max(x.abs()))));
+            let worst = longest.max_by(|a, b| a.1.total_cmp(&b.1));
+            return Err(Refused { sample: worst.map_or(0, |(i, _)| i) });
+        }
         Ok(Linear { residuals, jacobian, triangle })
     }
 

@@ -125,6 +125,11 @@ impl Triangle {
         Some(Triangle { r, q, rest })
     }
 
+    /// Whether all of it is a finite number.
+    pub fn is_finite(&self) -> bool {
+        self.r.iter().chain(&self.q).chain([&self.rest]).all(|x| x.is_finite())
+    }
+
     /// Length of each column of the Jacobian.
     pub fn column_norms(&self) -> Vec<f64> {
         self.r.column_iter().map(|c| c.norm()).collect()
