@@ -405,7 +405,9 @@ fn conclusion(purpose: &Purpose) -> String {
         offer.kept().map_or_else(String::new, |max| format!(", {metric} at most {}", words::max(max)))
     };
     let in_colour = best.coloured.map_or_else(String::new, |ops| format!(" ({ops} for three channels)"));
-    let mut text = format!("{}: {}{in_colour}{}", purpose.name, taken(&best.cost), kept(best));
+    let formula = Some(&best.name).filter(|name| best.cost.fetches == 0 && **name != purpose.name);
+    let formula = formula.map_or_else(String::new, |name| format!(" ({name})"));
+    let mut text = format!("{}{formula}: {}{in_colour}{}", purpose.name, taken(&best.cost), kept(best));
     let published = purpose.measured.iter().filter(|m| m.published && m.ops <= best.cost.ops);
     let error = |m: &Measured| m.limited.unwrap_or(m.error[0]);
     let theirs = published.min_by(|a, b| error(a).total_cmp(&error(b)));

@@ -334,7 +334,7 @@ impl Display for Broken<'_> {
         if let Some((before, (size, after))) =
             self.0.split_once('|').and_then(|(before, rest)| Some((before, rest.split_once('|')?)))
         {
-            let whole = Escaped(size).to_string().replace(' ', "\u{a0}");
+            let whole = Escaped(size).to_string().replace(" - ", " − ").replace(' ', "\u{a0}");
             return write!(f, "{}|{whole}|{}", Words(before), Broken(after));
         }
         Words(self.0).fmt(f)

@@ -58,12 +58,12 @@ fn any_number_of_threads_gives_the_same_bytes() {
     for effect in called_for() {
         assert!(one.contains_key(&format!("reports/{effect}.html")), "{effect} is not baked");
     }
-    for threads in [2, 7] {
-        let other = files(threads);
-        assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
-        for (name, bytes) in one {
-            assert!(bytes == &other[name], "{name} differs between 1 and {threads} threads");
-        }
+    // More threads than most machines of CI have cores; what a bake takes that was not told a number
+    // is compared with the committed files by `lobefit check`.
+    let other = files(7);
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    for (name, bytes) in one {
+        assert!(bytes == &other[name], "{name} differs between 1 and 7 threads");
     }
 }
 

@@ -1,6 +1,8 @@
 //! What keeps a limit that a table does not: larger sizes, other layouts and wider texels,
 //! measured.
 
+use std::iter::successors;
+
 use super::bake::finish;
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
@@ -13,6 +15,10 @@ use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 /// Most texels of a table that is measured to say what keeps a limit: of two axes, and of three.
 /// Larger tables take more seconds than an error message is worth.
 const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
+
+/// How many times smaller the error of a linear lookup gets at most as its cells halve: it goes with
+/// their square. One power of it more than there are sizes left is the doubt that a search allows.
+const FALL: f64 = 4.0;
 
 /// What else was measured, and its error.
 struct Choice {
@@ -44,12 +50,15 @@ pub(super) fn instead(
         while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
             let is_own = job.layout == layout;
             let choice = Choice { is_own, ..measured(family, (&job, &of), but.into(), judge, context)? };
-            let kept = choice.error <= limit;
+            let error = choice.error;
             choices.push(choice);
-            if kept {
+            if error <= limit {
                 return Ok(Some(of));
             }
-            size = Some(grown(&of));
+            let larger = |size: &Vec<usize>| Some(grown(size));
+            let within = |size: &Vec<usize>| size.as_slice() <= most && is_measured(size);
+            let further = successors(larger(&of), larger).take_while(within).count();
+            size = Some(grown(&of)).filter(|_| error <= FALL.powi(further as i32 + 1) * limit);
         }
         Ok::<_, BakeError>(None)
     };
@@ -172,7 +181,9 @@ fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<
         let all = choices.iter().map(each).collect::<Vec<_>>().join("; ");
         lines.push(match choices {
             [] => "a larger size is not measured".into(),
-            _ => format!("measured, and not within it: {all}"),
+            _ => format!(
+                "measured, and not within it: {all}; with twice as many texels a side an error falls to a quarter at best"
+            ),
         });
         lines.push("raise max_error, or narrow `n_dot_v` of the table or the roughness".into());
     }

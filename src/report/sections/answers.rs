@@ -27,7 +27,7 @@ const CARD: f64 = 1126.0;
 const GAP: f64 = 16.0;
 
 /// Plotted size of the chart: the whole width of a page.
-const CHART: (f64, f64) = (1080.0, 330.0);
+const CHART: (f64, f64) = (1080.0, 310.0);
 
 /// What the cards are drawn from.
 pub(crate) struct Drawn<'a> {
@@ -186,7 +186,10 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
             let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
-            calls.push((call.clone(), comment(language.comment(), &lines) + &call));
+            // Of two forms a shader takes one: the second is a comment, so that what is copied compiles.
+            let line =
+                if calls.is_empty() { call.clone() } else { comment(language.comment(), &[call.clone()]) };
+            calls.push((call.clone(), comment(language.comment(), &lines) + &line));
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
         let code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
@@ -265,7 +268,7 @@ fn strip(furnace: &Furnace, width: f64) -> Result<String, ReportError> {
     let factors: Vec<Vec<Vec<f64>>> = furnace.rows.iter().map(of).collect();
     let rows = furnace.rows.iter().zip(&factors);
     let spheres = Spheres {
-        title: format!("furnace, amplified {times} times"),
+        title: format!("furnace, amplified {times} times; grey is exact"),
         column_name: "roughness".into(),
         columns: &roughness,
         mu: &furnace.mu,

@@ -8,7 +8,7 @@ const COLUMNS: [(&str, bool); 7] = [
     ("because", false),
     ("ranges", false),
     ("approximation", false),
-    ("expected error", true),
+    ("error limit", true),
     ("measured error", true),
     ("error of what", false),
 ];
@@ -25,8 +25,7 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         blocks.push(Block::Text { text });
     } else {
         let rows = effects.iter().map(row).collect();
-        let caption = "Maxima are rounded up. The expected error is the limit that the scene sets; a bake that exceeds it \
-                       fails and writes nothing.";
+        let caption = "Maxima are rounded up. The limit is the scene's; a bake that exceeds it fails and writes nothing.";
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
     if !left_out.is_empty() {

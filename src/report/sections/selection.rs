@@ -11,7 +11,9 @@ pub(super) fn shown(
     approximations: &[ApproximationFinding],
 ) -> Vec<Block> {
     let mut texts = Vec::new();
-    if !fits.is_empty() {
+    if let [fit] = fits {
+        texts.push(format!("One fit has pictures: {} ({}).", fit.name, fit.shown_as));
+    } else if !fits.is_empty() {
         texts.push(format!(
             "{} with pictures: {}. First all of these on one colour scale, then the most accurate of the frontier in one chart \
              per roughness, then each by itself on its own scale.{}",

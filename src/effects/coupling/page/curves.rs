@@ -16,9 +16,9 @@ pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
     let charts: Vec<Panel> = charts.collect();
     let caption = format!(
         "True factors at f0 = {}, against 1 − F(μ) (heavy), which sees the macroscopic normal alone and is what a smooth surface \
-         leaves. The rougher the surface, the flatter the factor: facets are never seen at grazing. Above the others lies the factor \
-         under a bare lobe (single), since what that loses between facets is handed to the base: above that under a compensated one by less \
-         than f0 (1 − E), which hides one line behind the other where f0 is small.",
+         leaves. The rougher the surface, the flatter the factor: facets are never seen at grazing. Under a bare lobe \
+         (single) the factor is larger, since the base also gets what that lobe loses between facets: larger than under a compensated one by less \
+         than f0 (1 − E), so that at small f0 the two lines coincide.",
         numbers::place(curves.f0)
     );
     Ok(Section {

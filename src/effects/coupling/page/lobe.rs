@@ -10,6 +10,7 @@ use crate::report::{Block, ReportError, Section, check, numbers};
 pub(super) fn sections(lobe: &CouplingLobe) -> Result<Vec<Section>, ReportError> {
     let mut sections = Vec::new();
     if let Some(mut costs) = approximations::section(&lobe.approximations)? {
+        costs.blocks.push(Block::Heading { text: "At any f0".into() });
         costs.blocks.push(anywhere(lobe)?);
         sections.push(costs);
     }

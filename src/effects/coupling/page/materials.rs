@@ -48,7 +48,7 @@ pub fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
         lead: "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
                material sends back less 1, the largest over roughness and angle; minus loses light, plus makes it. Reciprocity: the \
                largest |f(l, v) − f(v, l)| relative to the mean of their sizes, between 0 and 2, measured for all: 1e−14 and less is rounding. A path \
-               tracer that connects paths from both ends needs that; a game that shades towards one eye does not."
+               tracer that connects paths from both ends needs that; a rasteriser does not."
             .into(),
         blocks,
     })
@@ -61,10 +61,10 @@ pub(super) fn of_lobe(lobe: &CouplingLobe) -> Result<Option<Section>, ReportErro
     let list = |values: &[f64]| values.iter().map(|x| numbers::place(*x)).collect::<Vec<_>>().join(", ");
     let lead = format!(
         "Whole materials as functions f(l, v) of the directions of light and view, integrated over the hemisphere as they are drawn: at \
-         roughness {} and cosine of the view {} alone. Furnace: what a white material sends back less 1, the largest of those places; \
+         roughness {} and cosine of the view {} alone. Furnace: albedo of a white material minus 1, where its magnitude is largest; \
          minus loses light, plus makes it. The tables above look at the whole domain, where errors are larger, at grazing above all. \
          Reciprocity: the largest |f(l, v) − f(v, l)| relative to their mean there, between 0 and 2. A path tracer that connects paths \
-         from both ends needs 0; a game that shades towards one eye does not. All lobes, couplings and places are those of the study, \
+         from both ends needs 0; a rasteriser does not. All lobes, couplings and places are those of the study, \
          “lobefit report --study coupling”.",
         list(&measured.places.roughness),
         list(&measured.places.mu),

@@ -28,7 +28,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
             words::place(&one.at),
         ]
     };
-    let caption = "Errors in levels, in f32: of `mip` against the map itself, of `roughness` of the way there and back, of the others \
+    let caption = "Errors in levels, in f32: of `mip` against the map itself, of `roughness` after the round trip from roughness to mip and back, of the others \
                    against the level that holds the best width, where a fetch is not saturated and the chain holds the roughness.";
     Some(Section {
         id: "levels".into(),

@@ -45,16 +45,19 @@ fn planes(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
     }
     let told = MEASURES.map(|(name, what)| format!("{name}, {what}")).join("; ");
     let caption = format!(
-        "What the best single fetch leaves, a number without unit in each measure: {told}. But for the first plane each ends at its largest that is not \
-         saturated. Rings, in the first: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of α′ helps."
+        "What the best single fetch leaves, a number without unit in each measure: {told}. The colours of all maps but the first end at the largest value that \
+         is not saturated. Rings in the first: saturated, α′ = 1, where a wider lobe is called for than there is, and no choice of α′ helps."
     );
     figures(&maps, &caption)
 }
 
 fn table(lobe: &ParallaxLobe) -> TextTable {
     let mut columns = vec![("name", false)];
-    for first in ["ρ < 1: L2", "ρ > 1: L2"] {
-        columns.extend([first, "max", "largest", "max", "within a radius", "max"].map(|name| (name, true)));
+    for first in ["ρ < 1: L2 mean", "ρ > 1: L2 mean"] {
+        columns.extend(
+            [first, "L2 max", "largest mean", "largest max", "within a radius: mean", "max"]
+                .map(|name| (name, true)),
+        );
     }
     let cells = |row: &Option<VariationRow>| -> Vec<String> {
         let figures = |row: &VariationRow| {
