@@ -34,6 +34,8 @@ pub struct Emission {
     pub every_error: Option<f64>,
     /// The numbers that the functions compute with, and that the fits are measured in.
     pub float: Float,
+    /// Whether a page shows the fits that are not emitted.
+    pub shown: bool,
     /// Operations that a material's call takes beside the formula; the budget covers them.
     pub beside: u32,
     /// What they cost on the vendor's GPUs.
@@ -53,6 +55,7 @@ impl Default for Emission {
             budget: None,
             every_error: None,
             float: Float::F32,
+            shown: true,
             beside: 0,
             beside_price: 0.0,
         }
@@ -138,8 +141,7 @@ impl Emission {
     /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate
     /// where none keeps it, or where a budget alone is stated.
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
-        let free = max_ops.is_none() && self.budget.is_none() && !self.most_accurate;
-        let limit = self.max_error.or(free.then_some(USUAL_ERROR));
+        let limit = self.limit(max_ops);
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
         let keeping = of_norm
             .iter()
@@ -148,6 +150,18 @@ impl Emission {
         let price = |i: &usize| fits[*i].price;
         let cheapest = keeping.min_by(|a, b| price(a).total_cmp(&price(b)).then(least(a, b)));
         cheapest.or_else(|| of_norm.iter().copied().min_by(least))
+    }
+
+    /// The error within which the cheapest is taken; none where the most accurate is.
+    fn limit(&self, max_ops: Option<u32>) -> Option<f64> {
+        let free = max_ops.is_none() && self.budget.is_none() && !self.most_accurate;
+        self.max_error.or(free.then_some(USUAL_ERROR))
+    }
+
+    /// The error at which a search through formulas of growing cost ends: of what is dearer nothing is
+    /// emitted or shown. None where all are asked for.
+    pub(super) fn enough(&self, max_ops: Option<u32>) -> Option<f64> {
+        self.limit(max_ops).filter(|_| self.pick == Pick::Best && !self.shown)
     }
 
     /// The formula as a function of this name with the arguments that are asked for. Its own

@@ -47,7 +47,8 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     // Parse first: a hypothesis that is refused must not cost a bake.
     let squared = wanted.spec.alpha_map == AlphaMap::RoughnessSquared;
     let published = wanted.published.iter().copied().filter(|entry| squared || !entry.takes("roughness"));
-    let published: Vec<&Entry> = published.collect();
+    let enough = wanted.emission.enough(wanted.max_ops);
+    let published: Vec<&Entry> = published.filter(|_| enough.is_none()).collect();
     let float = wanted.emission.float;
     let own = parse(sources(wanted.own), float)?;
     let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())), float)?;
@@ -59,7 +60,10 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     for h in &too_dear {
         dropped.extend(wanted.too_dear(h)?);
     }
-    let (jobs, results) = stage.fits(&own);
+    let (jobs, results) = match enough {
+        Some(limit) => stage.fits_within(own, limit)?,
+        None => stage.fits(&own),
+    };
     let mut fits = kept(&jobs, results, &mut dropped)?;
     stage.pick(&mut fits)?;
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
@@ -169,7 +173,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Each formula in each norm, and its fit.
-    fn fits(&self, formulas: &[Hypothesis]) -> (Vec<Job>, Vec<Result<Fit, FitStageError>>) {
+    fn fits(&self, formulas: &[Hypothesis]) -> Results {
         let norms =
             |h: &Hypothesis| self.wanted.norms.iter().map(|norm| (h.clone(), *norm)).collect::<Vec<_>>();
         let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
@@ -179,6 +183,30 @@ impl<'a> Stage<'a> {
         };
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
+    }
+
+    /// The fits of formulas of growing cost, until one in each norm is within a limit.
+    fn fits_within(&self, formulas: Vec<Hypothesis>, limit: f64) -> Result<Results, FitStageError> {
+        let price = |h: Hypothesis| Ok((self.wanted.emission.price(&h)?, h));
+        let mut priced = formulas.into_iter().map(price).collect::<Result<Vec<_>, FitStageError>>()?;
+        priced.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut jobs, mut results) = (Vec::new(), Vec::new());
+        let keeps = |norm: &Norm, results: &[Result<Fit, FitStageError>]| {
+            let within =
+                |fit: &Fit| fit.norm() == norm.name() && fit.approximation.certificate.max_abs <= limit;
+            results.iter().flatten().any(within)
+        };
+        while !priced.is_empty() && !self.wanted.norms.iter().all(|norm| keeps(norm, &results)) {
+            // Formulas of one price go together: of equals the more accurate is taken.
+            let last = priced[TOGETHER.min(priced.len()) - 1].0;
+            let rest = priced.split_off(priced.partition_point(|(price, _)| *price <= last));
+            let some: Vec<Hypothesis> = priced.into_iter().map(|(_, h)| h).collect();
+            let (more, fits) = self.fits(&some);
+            jobs.extend(more);
+            results.extend(fits);
+            priced = rest;
+        }
+        Ok((jobs, results))
     }
 
     /// Published formulas, measured.
@@ -278,6 +306,13 @@ fn among<'a>(
 
 /// A formula and the norm of its fit.
 type Job = (Hypothesis, Norm);
+
+/// Jobs and what became of them.
+type Results = (Vec<Job>, Vec<Result<Fit, FitStageError>>);
+
+/// Formulas that are fitted side by side where a search through them may end: the number is fixed,
+/// since what is found must not depend on the machine.
+const TOGETHER: usize = 4;
 
 /// Whether a formula of the catalogue has no reliable fit in this domain.
 fn is_unreliable(error: &FitStageError) -> bool {

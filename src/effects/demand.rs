@@ -261,9 +261,10 @@ impl Job {
 
     /// What is emitted of its fits, under the name of their role.
     pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
-        let Output { pick, arguments, cost, budget, every_error, float, .. } = scene.output;
+        let Output { pick, arguments, cost, budget, every_error, float, reports: shown, .. } = scene.output;
         let (role, max_error) = (role.into(), self.goals.max_error);
-        let own = Emission { pick, arguments, cost, budget, every_error, float, ..Emission::default() };
+        let own =
+            Emission { pick, arguments, cost, budget, every_error, float, shown, ..Emission::default() };
         Emission { role, max_error, ..own }
     }
 

@@ -11,8 +11,13 @@ use lobefit_shade::{Hypothesis, Source, Tape};
 use serde_json::Value;
 
 fn baked(fields: &str, materials: &str) -> Baked {
+    baked_with(false, fields, materials)
+}
+
+/// The same, with pages or without.
+fn baked_with(reports: bool, fields: &str, materials: &str) -> Baked {
     let text = format!(
-        r#"{{"schema_version": 1, "name": "test", "reports": false, {fields} "materials": [{materials}]}}"#
+        r#"{{"schema_version": 1, "name": "test", "reports": {reports}, {fields} "materials": [{materials}]}}"#
     );
     let scene = Scene::from_json(text.as_bytes(), "test.json").unwrap_or_else(|e| panic!("{e}\n{text}"));
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
@@ -227,6 +232,23 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
         merging,
         Some("max_ops 5 of `a` and 20 of `b` became 20; max_error 0.3 of `a` and 0.03 of `b` became 0.03")
     );
+}
+
+/// Without pages no formula is fitted beyond the cheapest that keeps the limit: what is emitted is
+/// what a bake with pages emits.
+#[test]
+fn pages_change_no_function() {
+    let steel = metal("steel", r#"{"max_error": 0.08, "norms": ["max", "rms"]}"#);
+    let plastic = r#"{"name": "plastic", "kind": "dielectric", "ior": 1.5, "roughness": [0.3, 0.6],
+        "base": {"albedo": 0.5, "max_error": 0.05}, "wants": {"fit": {}}}"#;
+    let [shown, hidden] = [true, false].map(|reports| {
+        let baked = baked_with(reports, r#""languages": ["wgsl"],"#, &format!("{steel}, {plastic}"));
+        let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+        // The head has the command and the recipe.
+        text.lines().skip(2).map(String::from).collect::<Vec<_>>()
+    });
+    assert!(hidden.iter().any(|line| line.starts_with("fn diffuse_coupling")), "{hidden:?}");
+    assert_eq!(shown, hidden);
 }
 
 /// The form for three channels counts against the budgets of metals, which alone call it: scenes

@@ -58,7 +58,8 @@ pub(super) fn instead(
             let larger = |size: &Vec<usize>| Some(grown(size));
             let within = |size: &Vec<usize>| size.as_slice() <= most && is_measured(size);
             let further = successors(larger(&of), larger).take_while(within).count();
-            size = Some(grown(&of)).filter(|_| error <= FALL.powi(further as i32 + 1) * limit);
+            let reached = (0..=further).fold(limit, |reached, _| FALL * reached);
+            size = Some(grown(&of)).filter(|_| error <= reached);
         }
         Ok::<_, BakeError>(None)
     };

@@ -187,8 +187,11 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             // Of two forms a shader takes one: the second is a comment, so that what is copied compiles.
-            let line =
-                if calls.is_empty() { call.clone() } else { comment(language.comment(), &[call.clone()]) };
+            let line = if calls.is_empty() {
+                call.clone()
+            } else {
+                comment(language.comment(), std::slice::from_ref(&call))
+            };
             calls.push((call.clone(), comment(language.comment(), &lines) + &line));
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
