@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::calls::{MARK, table};
+use super::calls::{MARK, cosines, table};
 use super::check::{FILE_BYTES, for_shaders};
 use super::options::{PagesOption, SceneOption, ThreadsOption, effect, shard};
 use super::output::{Outcome, print, say, say_broken};
@@ -175,6 +175,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
 fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<String> {
     let mut lines = table(&baked.calls, None, scene);
     lines.extend(recommended(&baked.calls));
+    lines.extend(cosines(&baked.calls, scene));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }

@@ -64,6 +64,15 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     lines
 }
 
+/// The cosines over which the errors of the functions of materials hold, where there are any.
+pub(super) fn cosines(calls: &[Call], scene: &Scene) -> Option<String> {
+    let of_material = |call: &Call| scene.materials.iter().any(|material| material.name == call.of);
+    let [low, high] = scene.mu;
+    calls.iter().any(|call| call.file.is_none() && of_material(call)).then(|| {
+        format!("errors of functions without a table hold over n_dot_v {low} to {high}, the scene's `mu`")
+    })
+}
+
 /// `18 dielectrics`, or where that says two things or too little `group 1 (18)`.
 fn label(names: &[&str], scene: &Scene, known: &[(String, &[&str])]) -> String {
     let kind = |name: &&str| {

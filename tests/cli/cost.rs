@@ -114,8 +114,8 @@ fn limits_say_what_to_ship_with_the_line_that_calls_it() {
     assert_eq!(formula["snippet"], "let value = ggx_energy_compensation_rgb(roughness, n_dot_v, f0);");
     assert!(formula["code"].as_str().expect("code").contains("fn ggx_energy_compensation(roughness: f32"));
     let error = formula["max_error"].as_f64().expect("an error");
-    assert_eq!(formula["field"], format!("materials[0].wants.fit.max_error: {error}"));
-    let size = "materials[0].wants.tables[0].size: [";
+    assert_eq!(formula["field"], format!("materials[0].wants.fit: \"max_error\": {error}"));
+    let size = "materials[0].wants.tables[0]: \"size\": [";
     assert!(table["field"].as_str().expect("a field").starts_with(size), "{table}");
     // The two are of one purpose, of which the function is recommended, as `bake` has it.
     assert_eq!(table["purpose"], formula["purpose"]);

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::super::CliError;
-use super::super::calls::{MARK, table};
+use super::super::calls::{MARK, cosines, table};
 use super::super::input;
 use super::super::output::{Outcome, print, print_json, say_each};
 use super::super::progress::Bar;
@@ -46,8 +46,8 @@ struct Snippet {
     snippet: String,
     /// What it is called with, as the code declares it.
     parameters: String,
-    /// The field of the scene by which `bake` picks it, where there is one:
-    /// `materials[0].wants.fit.max_error: 0.0113`.
+    /// The fields of the scene by which `bake` picks it, in place of the limits that stand there, where
+    /// there are any: `materials[0].wants.fit: "max_error": 0.0113`.
     #[serde(skip_serializing_if = "Option::is_none")]
     field: Option<String>,
     /// The code, with all that the job's other functions need.
@@ -183,6 +183,7 @@ impl Shipped {
                 "{MARK} is recommended: of a table and a function that serve one material alike, the function"
             ));
         }
+        lines.extend(cosines(&calls, scene));
         if let (Some(unit), Some(vendor), false) = (&self.unit, limits.vendor, lines.is_empty()) {
             lines.push(format!(
                 "cost: {unit}, by the model of {}'s compiled code, fetches not counted",
@@ -199,7 +200,7 @@ impl Shipped {
         }
         if !snippets.is_empty() {
             lines.push(
-                "picked for these limits; bake picks by the scene, where the field beside a call has it pick the same; --json has the code"
+                "picked for these limits alone; bake picks the same where what stands beside a call takes the place of the scene's limits there; --json has the code"
                     .into(),
             );
         }
@@ -208,16 +209,16 @@ impl Shipped {
     }
 }
 
-/// The field of a scene by which `bake` picks what a call is made of: of a table its size, of a
-/// formula its error, which no cheaper one keeps. A probe's limit is on another error.
+/// The fields of a scene by which `bake` picks what a call is made of: of a table its size and error,
+/// of a formula its error, which no cheaper one keeps. A probe's limit is on another error.
 fn field(plan: &Plan, entries: &Entries, call: &Call) -> Option<String> {
     let demand = plan.effects.first()?.work.first()?.demands.first()?;
     let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
     if call.file.is_none() {
-        return Some(format!("{field}.max_error: {}", call.max_error));
+        return Some(format!("{field}: \"max_error\": {}", call.max_error));
     }
     let sizes = table_of(entries, call)?.axes.iter().map(|axis| axis.size).collect::<Vec<_>>();
-    Some(format!("{field}.size: {sizes:?}"))
+    Some(format!("{field}: \"size\": {sizes:?}, \"max_error\": {}", call.max_error))
 }
 
 /// The table that a call fetches from.

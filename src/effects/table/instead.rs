@@ -171,7 +171,7 @@ fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<
         let Choice { words, error, .. } = most;
         let layout = layout.name();
         lines.push(format!(
-            "layout `{layout}` does not, up to {words} ({error}): keep it by a range `n_dot_v` of the table that your shader clamps to"
+            "layout `{layout}` does not, up to {words} ({error}): narrow `n_dot_v` of the table, and the roughness, to what your shader clamps to"
         ));
     }
     if is_chosen {
