@@ -302,9 +302,11 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     assert_eq!(end(lines[0], "bytes"), end(lines[1], " 128"), "{out}");
     assert!(lines[2].starts_with("* ggx_energy_compensation_rgb  ") && lines[2].ends_with("  m"), "{out}");
     assert!(lines[3].starts_with("* is recommended: the cheapest function within max_error (0.02 "), "{out}");
+    let cosines = "errors of functions without a table hold over n_dot_v 0.01 to 1, the scene's `mu`";
+    assert_eq!(lines[4], cosines, "{out}");
     let read = "; load ./tables/{ggx-dfg-correlated-8x8-plain.exr,ggx-dfg-correlated-8x8-plain.npy}";
-    assert!(lines[4].starts_with("include ./fits/lobefit.") && lines[4].ends_with(read), "{out}");
-    assert!(lines[5].contains(" files written, "), "no older bake to compare with: {out}");
+    assert!(lines[5].starts_with("include ./fits/lobefit.") && lines[5].ends_with(read), "{out}");
+    assert!(lines[6].contains(" files written, "), "no older bake to compare with: {out}");
     assert!(err.lines().count() >= 3 && err.starts_with("[1/"), "{err}");
     assert!(err.contains("] table ggx-dfg-correlated-8x8-plain\n"), "{err}");
     for quiet in ["--quiet", "--json"] {
