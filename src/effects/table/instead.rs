@@ -23,8 +23,7 @@ const FALL: f64 = 4.0;
 /// What else was measured, and its error.
 struct Choice {
     words: String,
-    /// Whether it is in the job's own layout.
-    is_own: bool,
+    layout: Layout,
     bytes: u64,
     error: f64,
 }
@@ -43,13 +42,12 @@ pub(super) fn instead(
     limit: f64,
     context: &Context,
 ) -> Result<Vec<String>, BakeError> {
-    let (mut choices, layout) = (Vec::new(), job.layout);
+    let mut choices = Vec::new();
     // Sizes of one row of choices have one shape: the first number tells which is smaller.
     let mut smallest = |job: TableJob, from: Vec<usize>, (grown, most): (Grown, &[usize]), but: &str| {
         let mut size = Some(from);
         while let Some(of) = size.take().filter(|size| size.as_slice() <= most && is_measured(size)) {
-            let is_own = job.layout == layout;
-            let choice = Choice { is_own, ..measured(family, (&job, &of), but.into(), judge, context)? };
+            let choice = measured(family, (&job, &of), but, judge, context)?;
             let error = choice.error;
             choices.push(choice);
             if error <= limit {
@@ -165,7 +163,8 @@ fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<
     let mut keep: Vec<&Choice> = choices.iter().filter(|choice| choice.error <= limit).collect();
     keep.sort_by_key(|choice| choice.bytes);
     let mut lines: Vec<String> = keep.iter().copied().map(line).collect();
-    if let (false, Some(most)) = (keep.iter().any(|choice| choice.is_own), choices.iter().rfind(|c| c.is_own))
+    let is_own = |choice: &&Choice| choice.layout == layout;
+    if let (false, Some(most)) = (keep.iter().any(is_own), choices.iter().rfind(is_own))
         && !keep.is_empty()
     {
         let Choice { words, error, .. } = most;
@@ -220,7 +219,7 @@ fn is_measured(size: &[usize]) -> bool {
 fn measured(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),
-    but: String,
+    but: &str,
     judge: &Judge,
     context: &Context,
 ) -> Result<Choice, BakeError> {
@@ -233,5 +232,5 @@ fn measured(
         error = error.max(finish(&spec, table, made, (closer, i))?.errors.lookup.max);
     }
     let words = format!("{}{but}", size_text(size));
-    Ok(Choice { words, is_own: true, bytes, error })
+    Ok(Choice { words, layout: job.layout, bytes, error })
 }

@@ -90,14 +90,11 @@ fn card(
     drawn: &Drawn,
     include: Option<&Include>,
 ) -> Result<Card, ReportError> {
+    let about = [&purpose.about, &purpose.caution, lacking(purpose)].into_iter();
     Ok(Card {
         id: purpose.name.clone(),
         title: purpose.name.clone(),
-        about: [&purpose.about, &purpose.caution, lacking(purpose)]
-            .join(" ")
-            .replace("  ", " ")
-            .trim_end()
-            .into(),
+        about: about.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" "),
         link: (format!("All of {effect}"), format!("{effect}.html")),
         choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
         svg: purpose.furnace.as_ref().map(|f| strip(f, room(purpose, paired))).transpose()?,

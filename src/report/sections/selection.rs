@@ -11,20 +11,20 @@ pub(super) fn shown(
     approximations: &[ApproximationFinding],
 ) -> Vec<Block> {
     let mut texts = Vec::new();
-    if let [fit] = fits {
-        texts.push(format!("One fit has pictures: {} ({}).", fit.name, fit.shown_as));
-    } else if !fits.is_empty() {
-        texts.push(format!(
+    let pictured = match fits {
+        [] => None,
+        [fit] => Some(format!("One fit has pictures: {} ({}).", fit.name, fit.shown_as)),
+        fits => Some(format!(
             "{} with pictures: {}. First all of these on one colour scale, then the most accurate of the frontier in one chart \
-             per roughness, then each by itself on its own scale.{}",
+             per roughness, then each by itself on its own scale.",
             words::count(fits.len(), "fit", "fits"),
             reasons(fits).join("; "),
-            averages.map_or_else(String::new, |a| format!(
-                " The fits of {} follow at the end, as curves over roughness.",
-                a.name
-            )),
-        ));
-    }
+        )),
+    };
+    let curves = averages.map_or_else(String::new, |a| {
+        format!(" The fits of {} follow at the end, as curves over roughness.", a.name)
+    });
+    texts.extend(pictured.map(|text| text + &curves));
     let averaged = averages.iter().flat_map(|a| &a.fits).map(|f| &f.name);
     let pictured: Vec<&String> = fits.iter().map(|f| &f.name).chain(averaged).collect();
     let plain = approximations.iter().filter(|a| !a.table && !pictured.contains(&&a.name));

@@ -205,7 +205,7 @@ pub(super) fn correct(bounds: &Bounds, p: &mut Vec<f64>) -> Result<(), Refused> 
         }
         let a = DMatrix::from_fn(rows.len(), n, |i, j| here.jacobian[rows[i] * n + j] * p[j].abs());
         let g = DVector::from_fn(rows.len(), |i, _| -here.values[rows[i]]);
-        // The decomposition of what is not finite has no end.
+        // The decomposition of a matrix that is not finite never ends.
         if !a.iter().all(|x| x.is_finite()) {
             return Ok(());
         }

@@ -39,9 +39,8 @@ impl CatalogueFit {
 
 /// What the catalogue has of at most `most` operations: its formulas fitted as a bake fits them,
 /// for the largest error over the same domain, and published ones with their own constants; those of
-/// the same target are measured at the points given. A
-/// formula without a reliable fit there is left out; nothing where the conventions are others than
-/// the catalogue's.
+/// the same target are measured at the points given. A formula without a reliable fit there is left
+/// out; nothing where the conventions are others than the catalogue's.
 pub(crate) fn fits(
     spec: &TargetSpec,
     (target, measured): (&Target, &Arc<Sampled>),

@@ -60,7 +60,7 @@ fn coupling_factors_are_searched_for_every_specular() {
     }
 }
 
-/// Cloth has no shadowing form, and none is named.
+/// Cloth has no shadowing form: the output names no form.
 #[test]
 fn what_a_quantity_does_not_have_is_not_told() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -114,8 +114,8 @@ fn a_frontier_by_what_a_vendor_pays() {
     assert_eq!((output.status.code(), stderr(&output).contains("adreno")), (Some(2), true));
 }
 
-/// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue
-/// stands beside what is found.
+/// The output says which helpers were tried first, and says nothing of it where they are given; the
+/// catalogue stands beside what is found.
 #[test]
 fn what_was_tried_is_told() {
     let folder = tempfile::tempdir().expect("a folder");

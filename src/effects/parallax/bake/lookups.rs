@@ -75,7 +75,8 @@ pub(super) fn beside(
 
 /// What is lost by what is cheaper.
 const SHARP: &str = "The same width, but it jumps where the ray passes from one wall to the next: a seam in rough reflections.";
-const HIT: &str = "The same width; the engine finds the wall itself, and passes the distance from the place and the offset from the probe.";
+const HIT: &str = "The same width; the engine finds the wall itself, and passes the distance from the place and the offset \
+                   from the probe.";
 
 fn one(
     lobe: &Lobe,
