@@ -25,7 +25,7 @@ pub enum FitStageError {
     #[error(transparent)]
     Target(#[from] TargetError),
     /// The search did not end in a minimum.
-    #[error("{hypothesis}, norm {norm}: the search ended as {termination:?}: no coefficients to rely on")]
+    #[error("{hypothesis}, norm {norm}: no coefficients to rely on: {termination}")]
     NotConverged {
         /// File of the hypothesis.
         hypothesis: String,

@@ -27,10 +27,11 @@ Examples:
 ";
 
 const REMARKS: &str = "\
-alpha 0 is a mirror, or smooth glass. Monte Carlo takes no zeros, but mu where the lobe has a value there. Other columns are kept as they
-are. `error` estimates the largest distance of a value from the truth, from two rules of quadrature of which
-one has twice the nodes: it holds at all but 1 of 1000 points. With Monte Carlo it is four standard errors. Of a kernel's table the truth
-is that of the lobes as they are interpolated: between few widths they may differ by more.";
+alpha = roughness^2 in most engines, and mu is n_dot_v. alpha 0 is a mirror, or smooth glass. Monte Carlo takes no zeros, but mu
+where the lobe has a value there. Other columns are kept as they are. `error` estimates the largest distance of a value from the
+truth, from two rules of quadrature of which one has twice the nodes: it holds at all but 1 of 1000 points. With Monte Carlo it is
+four standard errors. Of a kernel's table the truth is that of the lobes as they are interpolated: between few widths they may
+differ by more.";
 
 /// What the help says after the options: examples, and every quantity with its columns.
 pub(super) fn after_help() -> String {

@@ -130,6 +130,27 @@ fn a_limit_of_a_table_fails_before_the_fits_and_names_what_keeps_it() {
     );
 }
 
+/// A layout that keeps a limit in no size is advised the ranges over which it does, and a bake over
+/// them keeps it, with the error that the advice states.
+#[test]
+fn a_limit_that_no_size_keeps_names_ranges_that_keep_it() {
+    let wants = |range: &str| {
+        format!(r#"{{"tables":[{{"size": [256, 8], "layout": "plain", "max_error": 0.02{range}}}]}}"#)
+    };
+    let text = baked(&metal("[0.02, 1]", &wants(""))).broken.concat();
+    let line = text.lines().find(|line| line.starts_with("keeps it: 256x8 with `n_dot_v` ")).expect(&text);
+    let range = |name: &str| {
+        let from = &line[line.find(name).expect(name) + name.len()..];
+        &from[..=from.find(']').expect("a range")]
+    };
+    let narrow =
+        baked(&metal(range("`roughness` "), &wants(&format!(r#", "n_dot_v": {}"#, range("`n_dot_v` ")))));
+    assert!(narrow.broken.is_empty(), "{line}\n{:?}", narrow.broken);
+    let stated: f64 = line.rsplit(' ').next().and_then(|error| error.parse().ok()).expect("an error");
+    let made = narrow.tables[0].errors.lookup.max;
+    assert!((made / stated - 1.0).abs() < 1e-3, "{made} {stated}");
+}
+
 /// The cosines over which a table is judged stand in the manifest and above its function.
 #[test]
 fn a_table_may_state_the_cosines_that_it_is_judged_over() {

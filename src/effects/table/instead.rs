@@ -9,6 +9,7 @@ use super::{Family, Judge, TableJob};
 use crate::data::{Layout, TexelFormat};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::effects::demand::ROUGHNESS_WIDTH_MIN;
 use crate::emit::header::short;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 
@@ -19,6 +20,9 @@ const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
 /// How many times smaller the error of a linear lookup gets at most as its cells halve: it goes with
 /// their square. One power of it more than there are sizes left is the doubt that a search allows.
 const FALL: f64 = 4.0;
+
+/// Least n_dot_v and roughness from which on a table is measured that keeps its limit in no size.
+const LOWS: [f64; 5] = [0.02, 0.05, 0.1, 0.2, 0.4];
 
 /// What else was measured, and its error.
 struct Choice {
@@ -31,7 +35,8 @@ struct Choice {
 /// Lines that say what keeps the limit of a job whose tables of this size do not, each with its
 /// bytes and its error. Measured are sizes doubled until one keeps it, of a table with slices first
 /// those of the same slices: in the job's own layout, and up to the size that keeps it there in the
-/// other layouts of its kind, and with f32 texels in place of f16. `judge` has the truth of the job.
+/// other layouts of its kind, and with f32 texels in place of f16. Where the own layout keeps it in no
+/// size, the ranges over which a table of the job's own size does. `judge` has the truth of the job.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -81,9 +86,45 @@ pub(super) fn instead(
         let but = format!(", format `{}`", format.name());
         smallest(TableJob { format, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }
-    let square = |size: Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
-    let chosen = job.size.is_some() && kept.is_some_and(square);
-    Ok(said(&choices, limit, job.layout, chosen))
+    let square = |size: &Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
+    let chosen = job.size.is_some() && kept.as_ref().is_some_and(square);
+    let narrowed = match kept {
+        Some(_) => None,
+        None => narrowed(family, (job, own), (judge, limit), context)?,
+    };
+    Ok(said(&choices, (limit, job.layout), narrowed, chosen))
+}
+
+/// The line with the widest ranges of n_dot_v and roughness, from one of [`LOWS`] on, over which a
+/// table of two axes in this size keeps the limit, if any. They end at the centre of the last texel:
+/// beyond it a lookup clamps.
+fn narrowed(
+    family: &dyn Family,
+    (job, size): (&TableJob, &[usize]),
+    (judge, limit): (&Judge, f64),
+    context: &Context,
+) -> Result<Option<String>, BakeError> {
+    let &[columns, rows] = size else { return Ok(None) };
+    for low in LOWS {
+        let within = |[from, to]: [f64; 2], n: usize| {
+            let [from, to] = [from.max(low), to.min(1.0 - 0.5 / n as f64)];
+            (from + ROUGHNESS_WIDTH_MIN <= to).then_some([from, to])
+        };
+        let (Some(mu), Some(roughness)) = (within(job.mu, columns), within(job.roughness, rows)) else {
+            break;
+        };
+        let job = TableJob { mu, roughness, ..job.clone() };
+        let judge = judge.over(family, job.region(), &context.counter)?;
+        let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
+        if error <= limit {
+            return Ok(Some(format!(
+                "keeps it: {} with `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, \
+                 to which the shader clamps: {bytes} bytes, error {error}",
+                size_text(size)
+            )));
+        }
+    }
+    Ok(None)
 }
 
 /// Side from which on f32 texels tell: in smaller tables the errors between texels are larger than
@@ -153,9 +194,14 @@ fn in_place(
     )))
 }
 
-/// A line for each choice that keeps the limit; where none does, what was measured, and what else a
-/// scene can change.
-fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<String> {
+/// A line for each choice that keeps the limit, and for each range; where none does, what was
+/// measured, and what else a scene can change.
+fn said(
+    choices: &[Choice],
+    (limit, layout): (f64, Layout),
+    narrowed: Option<String>,
+    is_chosen: bool,
+) -> Vec<String> {
     let line = |choice: &Choice| {
         let Choice { words, bytes, error, .. } = choice;
         format!("keeps it: {words}: {bytes} bytes, error {error}")
@@ -168,11 +214,9 @@ fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<
         && !keep.is_empty()
     {
         let Choice { words, error, .. } = most;
-        let layout = layout.name();
-        lines.push(format!(
-            "layout `{layout}` does not, up to {words} ({error}): narrow `n_dot_v` of the table, and the roughness, to what your shader clamps to"
-        ));
+        lines.push(format!("layout `{}` does not over these ranges, up to {words} ({error})", layout.name()));
     }
+    lines.extend(narrowed);
     if is_chosen {
         lines.push("keeps it: no `size`: lobefit chooses the smallest square that does".into());
     }
@@ -185,7 +229,7 @@ fn said(choices: &[Choice], limit: f64, layout: Layout, is_chosen: bool) -> Vec<
                 "measured, and not within it: {all}; with twice as many texels a side an error falls to a quarter at best"
             ),
         });
-        lines.push("raise max_error, or narrow `n_dot_v` of the table or the roughness".into());
+        lines.push("raise max_error".into());
     }
     lines
 }

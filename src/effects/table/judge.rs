@@ -54,6 +54,14 @@ impl Judge {
         Ok(Judge { points, truths, made, smith, region, finer })
     }
 
+    /// The judge of the same tables over another region.
+    ///
+    /// # Errors
+    /// As [`Judge::new`].
+    pub fn over(&self, family: &dyn Family, region: Region, counter: &Counter) -> Result<Judge, BuildError> {
+        Judge::new(family, self.smith, region, self.finer, counter)
+    }
+
     /// The truth of side `i`.
     pub fn truth(&self, i: usize) -> Truth<'_> {
         let Albedo { e, b } = &self.truths[i];

@@ -1,5 +1,7 @@
 //! What a search hands back: coefficients, how it ended, and what is known of them.
 
+use std::fmt;
+
 use super::rank;
 
 /// How a fit has ended.
@@ -52,6 +54,47 @@ impl Termination {
                 | Termination::Saddle
                 | Termination::TooFewSamples
         )
+    }
+}
+
+impl fmt::Display for Termination {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = match self {
+            Termination::Converged { cosine } => {
+                return write!(
+                    f,
+                    "a minimum: residuals and derivatives are orthogonal within a cosine of {}",
+                    if *cosine == 0.0 { "0".into() } else { format!("{cosine:.1e}") }
+                );
+            }
+            Termination::RankDeficient { rank } if *rank > 1 => {
+                return write!(f, "a minimum, but only {rank} combinations of the parameters are determined");
+            }
+            Termination::RankDeficient { rank: 1 } => {
+                "a minimum, but only one combination of the parameters is determined"
+            }
+            Termination::RankDeficient { .. } => {
+                "nothing was found: the derivative by every parameter is 0 at every sample"
+            }
+            Termination::Minimax => "a minimum: no change near these coefficients lowers the largest error",
+            Termination::GlobalMinimax => {
+                "the global minimum, by proof to rounding (its bounds are computed in f64)"
+            }
+            Termination::Constrained => {
+                "on the edge of what the constraints allow: no step within them gains anything to first order, and \
+                 searches from beside it, where they leave room, end no lower"
+            }
+            Termination::ZeroResidual => "the formula reproduces the truth",
+            Termination::NoParameters => "the formula has no free parameter: nothing was fitted",
+            Termination::Saddle => {
+                "saddles, left one after the other for lower ground beside them until no more were allowed: not \
+                 known to be a minimum; give other starting values"
+            }
+            Termination::IterationCap => "the iterations were used up",
+            Termination::Stalled => "no step made progress, short of a minimum",
+            Termination::TooFewSamples => "fewer samples than parameters",
+        };
+        f.write_str(words)
     }
 }
 

@@ -77,44 +77,7 @@ fn within(end: Termination, first_order: bool) -> String {
             "no step within the constraints gains anything to first order, and searches from beside it, where they leave room, end no lower"
                 .into()
         }
-        end => termination(end),
-    }
-}
-
-/// How a search ended.
-fn termination(termination: Termination) -> String {
-    match termination {
-        Termination::Converged { cosine } => {
-            format!("a minimum: residuals and derivatives are orthogonal within a cosine of {}", figure(cosine))
-        }
-        Termination::Minimax => {
-            "a minimum: no change near these coefficients lowers the largest error".into()
-        }
-        Termination::GlobalMinimax => "the global minimum, by proof to rounding (its bounds are computed in f64)".into(),
-        Termination::Constrained => {
-            "on the edge of what the constraints allow: no step within them gains anything to first order, and searches from beside it, \
-             where they leave room, end no lower"
-                .into()
-        }
-        Termination::ZeroResidual => "the formula reproduces the truth".into(),
-        Termination::NoParameters => "the formula has no free parameter: nothing was fitted".into(),
-        Termination::RankDeficient { rank: 0 } => {
-            "nothing was found: the derivative by every parameter is 0 at every sample".into()
-        }
-        Termination::RankDeficient { rank: 1 } => {
-            "a minimum, but only one combination of the parameters is determined".into()
-        }
-        Termination::RankDeficient { rank } => {
-            format!("a minimum, but only {rank} combinations of the parameters are determined")
-        }
-        Termination::Saddle => {
-            "saddles, left one after the other for lower ground beside them until no more were allowed: not known to be a minimum; \
-             give other starting values"
-                .into()
-        }
-        Termination::IterationCap => "the iterations were used up".into(),
-        Termination::Stalled => "no step made progress, short of a minimum".into(),
-        Termination::TooFewSamples => "fewer samples than parameters".into(),
+        end => end.to_string(),
     }
 }
 
