@@ -2,6 +2,7 @@
 //! its proof and its certificate. Nothing here knows an effect.
 
 mod certificate;
+mod closer;
 mod emission;
 mod entry;
 mod error;
@@ -14,7 +15,8 @@ mod safe;
 mod search;
 pub mod target;
 
-pub use certificate::{approximation, certificate, formula};
+pub use certificate::{approximation, formula};
+pub use closer::closer;
 pub use emission::Emission;
 pub use entry::Entry;
 pub(crate) use entry::{own, published};

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::certificate::{approximation, certificate, formula, half, worse};
+use super::certificate::{approximation, formula, half, worse};
+use super::closer;
 use super::search::{Searched, searched};
 use super::target::{Sampled, Target};
 use super::{Entry, Fit, FitStageError, Safe, SafeProof, SafeRange};
@@ -127,7 +128,7 @@ impl Prepared {
         source: Source,
     ) -> Result<Fit, FitStageError> {
         let mut form = formula(&hypothesis, coefficients, norm);
-        let mut found = certificate(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
+        let mut found = closer(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
         if hypothesis.float() == Float::F16 {
             let half = half(&hypothesis, coefficients, &self.target, &self.measured)?;
             form.half = Some(Half::from(&half));

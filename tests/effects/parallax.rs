@@ -1,13 +1,21 @@
 //! The published figures of the width of a fetch: mean and largest total variation over nineteen
 //! roughnesses and twenty-nine ratios.
+#![allow(
+    clippy::disallowed_methods,
+    reason = "a test may use the platform's functions: its tolerances allow for them"
+)]
 
 use std::sync::OnceLock;
 
-use lobefit::approximate::{Counter, Emission, Entry};
+use lobefit::approximate::{Counter, Emission, Entry, FitSet, place};
 use lobefit::data::{AlphaMap, Norm};
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, PUBLISHED, ParallaxSpec, Spread, fit_all};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{ParallaxAlpha, Quantity, Variant};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
 
 fn grid() -> &'static Grid {
     static GRID: OnceLock<Grid> = OnceLock::new();
@@ -76,18 +84,59 @@ fn the_rational_form_keeps_its_bars_and_the_optimum_lies_below_it() {
     }
 }
 
+fn fits() -> &'static FitSet {
+    static FITS: OnceLock<FitSet> = OnceLock::new();
+    FITS.get_or_init(|| {
+        let spec = ParallaxSpec {
+            kernel: Kernel::HalfCosine,
+            alpha_map: AlphaMap::RoughnessSquared,
+            roughness: [0.1, 1.0],
+            rho: [1.0 / 16.0, 8.0],
+            max_ops: None,
+            norms: vec![Norm::Max, Norm::Rms],
+            emission: Emission::default(),
+        };
+        fit_all(&spec, &Counter::default()).expect("fits")
+    })
+}
+
+/// Peaks lie between the few points that are measured: at other places no fit errs by more than it
+/// states.
+#[test]
+fn certificates_hold_between_the_points_that_are_measured() {
+    let mut random = Pcg64::seed_from_u64(7);
+    let mut places = Points::default();
+    for _ in 0..1 << 13 {
+        let roughness = (0.1 + 0.9 * random.random::<f64>()) as f32;
+        let rho = (2_f64.powf(-4.0 + 7.0 * random.random::<f64>())) as f32;
+        let alpha = f64::from(AlphaMap::RoughnessSquared.alpha_f32(roughness));
+        places.push([("roughness", f64::from(roughness)), ("alpha", alpha), ("rho", f64::from(rho))]);
+    }
+    // The worst place that an attack on the sampled certificates found.
+    places.push([("roughness", 0.739_202_3), ("alpha", 0.54642), ("rho", 1.36741)]);
+    let asked = Points::new(["alpha", "rho"].map(|name| (name, places.column(name).expect(name).to_vec())));
+    let tolerance = ParallaxAlpha.tolerance_of_many(&Variant::default());
+    let truth = ParallaxAlpha
+        .truth(&Variant::default(), &asked, &["alpha_adjusted", "saturated"], tolerance)
+        .expect("widths");
+    for fit in &fits().fits {
+        let inputs: Vec<Vec<f32>> =
+            fit.hypothesis.inputs().iter().map(|name| places.column_f32(name).expect(name)).collect();
+        let values = fit.hypothesis.tape().evaluate(&inputs, &fit.coefficients()).expect("finite");
+        let errors =
+            values.iter().zip(&truth.columns[0]).map(|(f, truth)| (f64::from(*f) / truth - 1.0).abs());
+        let open = errors.zip(&truth.columns[1]).enumerate().filter(|(_, (_, saturated))| **saturated == 0.0);
+        let (at, worst) = open.map(|(i, (e, _))| (i, e)).max_by(|a, b| a.1.total_cmp(&b.1)).expect("open");
+        println!("{:?} {tolerance}", place(&places, at));
+        let Certified { max, .. } = certified(fit);
+        println!("{}: {worst} of {max} {:?}", fit.approximation.name, fit.approximation.certificate.at);
+        assert!(worst <= max && worst > 0.5 * max, "{}: {worst} {max}", fit.approximation.name);
+    }
+}
+
 #[test]
 fn fits_are_no_worse_than_the_constants_that_were_rounded() {
-    let spec = ParallaxSpec {
-        kernel: Kernel::HalfCosine,
-        alpha_map: AlphaMap::RoughnessSquared,
-        roughness: [0.1, 1.0],
-        rho: [1.0 / 16.0, 8.0],
-        max_ops: None,
-        norms: vec![Norm::Max, Norm::Rms],
-        emission: Emission::default(),
-    };
-    let set = fit_all(&spec, &Counter::default()).expect("fits");
+    let set = fits();
     assert!(set.dropped.is_empty(), "{:?}", set.dropped);
     for fit in &set.fits {
         let widths = grid().widths(&fit.hypothesis, &fit.coefficients()).expect("widths");

@@ -2,7 +2,7 @@
 
 use super::spec::{ROUGHNESS, Span};
 use crate::approximate::{Region, certification, edged, layer_mu, uniform};
-use crate::data::AlphaMap;
+use crate::data::{AlphaMap, Place};
 use lobefit_math::chebyshev;
 use lobefit_math::recurrence::Recurrence;
 use lobefit_truth::points::Points;
@@ -121,6 +121,23 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
     let mut points = of(axes, alpha, &places);
     points.uniform = uniform;
     points
+}
+
+/// Points in a box about a place, as wide as a part of each axis and cut at its ends, and the place
+/// itself.
+pub(super) fn near(
+    axes: &[Span],
+    alpha: Option<AlphaMap>,
+    place: &Place,
+    (width, count): (f64, usize),
+) -> Points {
+    let sequence = Recurrence::new(axes.len());
+    let centre: Vec<f64> = axes.iter().map(|axis| axis.part(place[&axis.name])).collect();
+    let part = |i: usize, k: usize| (centre[k] + width * (sequence.coordinate(i, k) - 0.5)).clamp(0.0, 1.0);
+    let about =
+        |i: usize| -> Vec<f64> { axes.iter().enumerate().map(|(k, axis)| axis.at(part(i, k))).collect() };
+    let itself = axes.iter().map(|axis| place[&axis.name]).collect();
+    of(axes, alpha, &std::iter::once(itself).chain((0..count).map(about)).collect::<Vec<_>>())
 }
 
 /// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort

@@ -2,8 +2,8 @@
 
 use super::f0::{self, Choice};
 use super::points;
-use super::{Target, TargetError};
-use crate::data::AlphaMap;
+use super::{Span, Target, TargetError};
+use crate::data::{AlphaMap, Place};
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
 use lobefit_truth::points::Points;
@@ -123,6 +123,22 @@ impl Target {
         })
     }
 
+    /// Whether truths are so dear that the largest error lies between the points to certify at.
+    pub fn is_sparse(&self) -> bool {
+        self.f0.is_none() && self.is_sought()
+    }
+
+    /// `count` points in a box about a place, as wide as this part of each axis, and the place itself.
+    ///
+    /// # Errors
+    /// As [`Target::even`].
+    pub fn near(&self, place: &Place, width: f64, count: usize) -> Result<Sampled, TargetError> {
+        let mut points = points::near(&self.axes, self.map(), place, (width, count));
+        points.uniform = points.len();
+        let (points, truth) = self.open(points)?;
+        Ok(self.used(points, &truth, &[None]))
+    }
+
     fn spread(&self, points: Points, choice: Choice) -> Result<Sampled, TargetError> {
         let (points, truth) = self.open(points)?;
         let f0 = self.f0.as_ref().map(|span| f0::values(span, self.affine, choice));
@@ -171,6 +187,28 @@ impl Target {
 }
 
 impl Sampled {
+    /// The points by cells of the axes, so many along each; cells without a point are left out.
+    pub(in crate::approximate) fn cells(&self, axes: &[Span], along: usize) -> Vec<Sampled> {
+        let mut cell = vec![0; self.points.len()];
+        for axis in axes {
+            let column = self.points.column(&axis.name).unwrap_or_default();
+            for (cell, x) in cell.iter_mut().zip(column) {
+                *cell = *cell * along + ((axis.part(*x) * along as f64) as usize).min(along - 1);
+            }
+        }
+        let all = along.pow(axes.len() as u32);
+        let of = |i: usize| self.marked(&cell.iter().map(|c| *c == i).collect::<Vec<bool>>());
+        (0..all).map(of).filter(|cell| !cell.points.is_empty()).collect()
+    }
+
+    /// The points with these marks, all of them uniform.
+    fn marked(&self, marks: &[bool]) -> Sampled {
+        let of = |values: &[f64]| values.iter().zip(marks).filter(|(_, m)| **m).map(|(x, _)| *x).collect();
+        let mut points = self.points.marked(marks);
+        points.uniform = points.len();
+        Sampled { points, scale: of(&self.scale), target: of(&self.target), integrals: 0 }
+    }
+
     fn extend(&mut self, more: Sampled) {
         self.points.extend(more.points);
         self.scale.extend(more.scale);

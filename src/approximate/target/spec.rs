@@ -97,6 +97,14 @@ impl Span {
         self.value(low + (high - low) * part)
     }
 
+    /// The part of the way from the lower end to the upper one at which a value stands: the inverse of
+    /// [`Span::at`], 0 on an axis of one value.
+    pub(super) fn part(&self, x: f64) -> f64 {
+        let [low, high] = self.coordinates();
+        let x = if self.is_ratio { ops::log(x) } else { x };
+        if low < high { ((x - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 }
+    }
+
     /// Whether there is more than one value.
     pub fn is_spanned(&self) -> bool {
         self.range[0] < self.range[1]

@@ -58,6 +58,11 @@ impl Target {
         self.effort() == DEAR
     }
 
+    /// Whether a truth takes a thousand microseconds or more.
+    pub(super) fn is_sought(&self) -> bool {
+        self.effort().log2 <= SOUGHT.log2
+    }
+
     /// A bound on the error of the truths.
     pub fn truth_error(&self) -> f64 {
         self.asked().0.tolerance_of_many(&self.variant)

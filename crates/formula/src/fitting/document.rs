@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::CatalogueFit;
 use super::{Certified, Demand, Fitting, FittingError, Job, Proof, catalogue, pictures, printed, words};
 use crate::report::{self, FitCard, FitPage};
-use lobefit::approximate::target::Target;
+use lobefit::approximate::target::{Target, TargetError};
 use lobefit::data::Certificate;
 use lobefit::emit::header::Recipe;
 use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
@@ -126,7 +126,7 @@ pub(crate) fn as_object(value: &impl Serialize) -> Result<serde_json::Map<String
     serde_json::from_str(&serde_json::to_string(value)?)
 }
 
-fn failed(precision: Precision, error: &lobefit_shade::ShadeError) -> Value {
+fn failed(precision: Precision, error: &TargetError) -> Value {
     json!({"precision": precision.name(), "error": error.to_string()})
 }
 

@@ -181,7 +181,7 @@ impl FittingError {
     }
 
     /// The measurement that failed, and the proof if it failed before.
-    fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &ShadeError) -> FittingError {
+    fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &TargetError) -> FittingError {
         let reason = match proof {
             Proof::NotProven(pole) => format!("not proven finite in its domain: {pole}; measured, {error}"),
             Proof::Regular => format!("no certificate: {error}"),

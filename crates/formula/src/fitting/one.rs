@@ -5,8 +5,8 @@ use super::poles::{Searched, Task, kept_out};
 use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
-use lobefit::approximate::target::{Sampled, Target};
-use lobefit::approximate::{self, certificate, named_for, runaways};
+use lobefit::approximate::target::{Sampled, Target, TargetError};
+use lobefit::approximate::{self, closer, named_for, runaways};
 use lobefit::data::{Approximation, Certificate, Formula, Source};
 use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
@@ -52,7 +52,7 @@ pub struct Certified {
     /// Whether it is finite everywhere.
     pub proof: Proof,
     /// Certificates in every arithmetic, or why there is none.
-    pub certificates: Vec<(Precision, Result<Certificate, ShadeError>)>,
+    pub certificates: Vec<(Precision, Result<Certificate, TargetError>)>,
     /// What its author may want to change in the formula, each a sentence.
     pub notes: Vec<String>,
     /// Why it cannot be relied on, each a sentence; none if it can.
@@ -94,10 +94,10 @@ pub(super) fn fit_one(
     let weighted = weight.map(|weight| weighted(&hypothesis, &exact, target, weight)).transpose()?;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
-    let certificates: Vec<(Precision, Result<Certificate, ShadeError>)> = job
+    let certificates: Vec<(Precision, Result<Certificate, TargetError>)> = job
         .precisions
         .iter()
-        .map(|p| (*p, certificate(&hypothesis, &coefficients, target, measured, *p)))
+        .map(|p| (*p, closer(&hypothesis, &coefficients, target, measured, *p)))
         .collect();
     // Without the main certificate there is nothing to tell.
     let main = match &certificates[0].1 {

@@ -13,8 +13,8 @@ use std::sync::Arc;
 
 use crate::fitting::catalogue::{self, CatalogueFit};
 use crate::fitting::{Demand, FittingError};
-use lobefit::approximate::certificate;
-use lobefit::approximate::target::{Sampled, Target, TargetSpec};
+use lobefit::approximate::closer;
+use lobefit::approximate::target::{Sampled, Target, TargetError, TargetSpec};
 use lobefit::data::{Certificate, Model, Vendor, WeightsError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Found, Progress, search};
@@ -180,6 +180,6 @@ fn certified(
     coefficients: &[f32],
     target: &Target,
     measured: &Sampled,
-) -> Result<Certificate, ShadeError> {
-    certificate(hypothesis, coefficients, target, measured, Precision::F32)
+) -> Result<Certificate, TargetError> {
+    closer(hypothesis, coefficients, target, measured, Precision::F32)
 }

@@ -1,0 +1,53 @@
+//! The largest error of a formula where truths are dear: few points are measured, and the largest
+//! error lies between them. Boxes about the worst point of each cell close in on it.
+
+use super::certificate::{certificate, worse};
+use super::target::{Sampled, Target, TargetError};
+use crate::data::Certificate;
+use lobefit_shade::{Hypothesis, Precision, ShadeError};
+
+/// Cells along each axis, from each of which one search starts.
+const CELLS: usize = 16;
+
+/// Part of the largest error from which on the worst point of a cell starts a search.
+const FOLLOWED: f64 = 0.9;
+
+/// Widths of the boxes, as parts of the axes, and the points in each.
+const WIDTHS: [f64; 5] = [0.06, 0.03, 0.015, 0.007, 0.003];
+const NEAR: usize = 64;
+
+/// The certificate at the points measured, its largest errors searched from the worst of these
+/// where truths are dear. RMS and mean are those of the points alone.
+///
+/// # Errors
+/// As [`certificate`]; a truth that cannot be integrated.
+pub fn closer(
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    target: &Target,
+    measured: &Sampled,
+    precision: Precision,
+) -> Result<Certificate, TargetError> {
+    let at = |sampled: &Sampled| -> Result<Certificate, ShadeError> {
+        certificate(hypothesis, coefficients, target, sampled, precision)
+    };
+    let mut first = at(measured)?;
+    if !target.is_sparse() {
+        return Ok(first);
+    }
+    for cell in measured.cells(&target.axes, CELLS) {
+        let mut peak = at(&cell)?;
+        if peak.max_abs < FOLLOWED * first.max_abs {
+            continue;
+        }
+        for width in WIDTHS {
+            let near = at(&target.near(&peak.at, width, NEAR)?)?;
+            first.points += near.points;
+            first.max_rel = first.max_rel.max(near.max_rel);
+            peak = worse(peak, near);
+        }
+        let Certificate { max_abs, at, .. } = worse(first.clone(), peak);
+        first = Certificate { max_abs, at, ..first };
+    }
+    Ok(first)
+}
