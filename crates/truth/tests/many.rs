@@ -1,11 +1,12 @@
 //! The truth of every quantity at many points against its value at each, which has a bound of its
 //! own.
 
+use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::Specular;
-use lobefit_truth::quantity::{GgxAverage, QUANTITIES, Quantity, Variant};
+use lobefit_truth::quantity::{GgxAverage, QUANTITIES, Quantity, Variant, find};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -102,5 +103,23 @@ fn a_missing_column_is_refused() {
             "{quantity:?}"
         );
         assert!(truth(&points(quantity, 2), "colour").is_err(), "{quantity:?}");
+    }
+}
+
+#[test]
+fn every_quantity_has_a_name_of_its_own_and_an_error() {
+    for quantity in QUANTITIES {
+        assert!(find(quantity.name()).is_some_and(|found| found == quantity), "{quantity:?}");
+        assert_eq!(quantity.outputs().last(), Some(&"error"), "{quantity:?}");
+    }
+}
+
+#[test]
+fn a_variant_that_leaves_a_choice_open_is_refused() {
+    for quantity in QUANTITIES {
+        let x: Vec<f64> = quantity.inputs().iter().map(|input| input.domain[1].min(1.0)).collect();
+        let open = quantity.at(&Variant::default(), &x, 1e-3);
+        let asked = quantity.choices().iter().any(|choice| !choice.is_optional());
+        assert_eq!(matches!(open, Err(IntegrateError::Variant { .. })), asked, "{quantity:?}");
     }
 }

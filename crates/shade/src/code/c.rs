@@ -2,8 +2,8 @@
 
 use super::c_table;
 use super::family::{Family, Lacks};
-use super::names::plain;
 use super::printer::Facts;
+use super::spelling::plain;
 use super::words::Words;
 use crate::Builtin;
 

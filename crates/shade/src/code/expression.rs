@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::lines::lines;
-use super::names::free;
 use super::printer::Printer;
+use super::spelling::free;
 use crate::{Binary, Builtin, Expr, ExprKind, Function, Kind, Statement, Unary, power_steps};
 
 /// How tightly an expression binds: it needs parentheses where more is asked for.

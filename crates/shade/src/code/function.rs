@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::expression::Writer;
-use super::names::{Names, free};
+use super::names::Names;
 use super::printer::Printer;
+use super::spelling::free;
 use super::{CodeError, comment, helpers};
 use crate::{Formula, Function, Kind};
 

@@ -119,16 +119,3 @@ impl Language {
         self.facts().words.takes(name)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_read_back() {
-        for language in Language::ALL {
-            assert_eq!(Language::parse(language.name()), Some(language));
-        }
-        assert_eq!(Language::parse("HLSL"), None);
-    }
-}

@@ -42,6 +42,7 @@ mod names;
 mod printer;
 mod rust;
 mod rust_table;
+mod spelling;
 mod table;
 mod wgsl;
 mod words;

@@ -1,8 +1,8 @@
 //! The Metal Shading Language.
 
 use super::family::{Family, Lacks};
-use super::names::plain;
 use super::printer::Facts;
+use super::spelling::plain;
 use super::table::Textures;
 use super::words::Words;
 use crate::Builtin;

@@ -2,9 +2,9 @@
 
 use super::expression::{Level, Text, Writer};
 use super::helpers::power;
-use super::names::ascii;
 use super::printer::{Facts, Printer};
 use super::rust_table;
+use super::spelling::ascii;
 use super::table::TableLookup;
 use super::words::Words;
 use crate::{Builtin, Expr, ExprKind, Fetches, Function, Kind, Statement};

@@ -390,26 +390,3 @@ pub static QUANTITIES: [&dyn Quantity; 8] = [
 pub fn find(name: &str) -> Option<&'static dyn Quantity> {
     QUANTITIES.iter().copied().find(|quantity| quantity.name() == name)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_quantity_has_a_name_of_its_own_and_an_error() {
-        for quantity in QUANTITIES {
-            assert!(find(quantity.name()).is_some_and(|found| found == quantity), "{quantity:?}");
-            assert_eq!(quantity.outputs().last(), Some(&"error"), "{quantity:?}");
-        }
-    }
-
-    #[test]
-    fn a_variant_that_leaves_a_choice_open_is_refused() {
-        for quantity in QUANTITIES {
-            let x: Vec<f64> = quantity.inputs().iter().map(|input| input.domain[1].min(1.0)).collect();
-            let open = quantity.at(&Variant::default(), &x, 1e-3);
-            let asked = quantity.choices().iter().any(|choice| !choice.is_optional());
-            assert_eq!(matches!(open, Err(IntegrateError::Variant { .. })), asked, "{quantity:?}");
-        }
-    }
-}

@@ -114,20 +114,3 @@ impl<D: Distribution, F: Fn(f64) -> f64> Integrand for Azimuth<'_, D, F> {
         out
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_form_for_this_processor_gives_the_bits_of_the_plain_one() {
-        let effort = &Effort::ladder()[0];
-        for smith in [Smith::Correlated, Smith::Separable] {
-            for (alpha, mu) in [(1e-4, 1.0), (0.01, 1e-3), (0.2, 0.3), (1.0, 0.9)] {
-                let plain = reflected(smith, alpha, mu, effort, &fresnel::schlick_weight);
-                let view = View::new(smith, Ggx(alpha), mu);
-                assert_eq!(bias(&view, effort).to_bits(), plain.to_bits(), "{alpha} {mu}");
-            }
-        }
-    }
-}
