@@ -5,12 +5,11 @@ use crate::common;
 use crate::sliced_support;
 
 use std::path::Path;
-use std::sync::OnceLock;
 
-use common::{lobefit, stderr};
+use common::{lobefit_with, shared_cache, stderr};
 use lobefit::bake::{BUILD_FILE, sign};
 use lobefit::store::Files;
-use sliced_support::{ANISO, baked, entry, manifest, small};
+use sliced_support::{ANISO, entry, manifest, small, small_baked};
 use tempfile::TempDir;
 
 #[path = "../../build/sources.rs"]
@@ -20,13 +19,14 @@ const FORMATS: &str = r#""formats":["exr","dds","ktx2","npy","raw"],"#;
 
 /// The full bake of the small scene, in memory.
 fn full() -> &'static Files {
-    static BAKED: OnceLock<Files> = OnceLock::new();
-    BAKED.get_or_init(|| baked(&small("")).files)
+    &small_baked().files
 }
 
-/// Runs a bake of a scene in a folder; its exit code, and standard error.
+/// Runs a bake of a scene in a folder; its exit code, and standard error. What one run has made of
+/// an effect the others take: which parts go into a folder is what is looked at here.
 fn bake(folder: &Path, scene: &str, options: &[&str]) -> (i32, String) {
-    let output = lobefit(folder, &[&["bake", "-", "--quiet"], options].concat(), scene.as_bytes());
+    let arguments = [&["bake", "-", "--quiet"], options].concat();
+    let output = lobefit_with(shared_cache(), folder, &arguments, scene.as_bytes());
     assert!(output.stdout.is_empty());
     (output.status.code().expect("a code"), stderr(&output))
 }

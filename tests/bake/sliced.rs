@@ -4,29 +4,22 @@
 
 use crate::sliced_support;
 
-use std::sync::OnceLock;
-
 use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::effects::table::{Lookup, Point};
 use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use sliced_support::{
-    ANISO, AZIMUTH, GLASS, Read, aspect, baked, lerp, manifest, small, spread, true_aniso, true_glass,
+    ANISO, AZIMUTH, GLASS, Read, aspect, baked, lerp, manifest, small_baked, spread, true_aniso, true_glass,
 };
 
 /// Points of each table.
 const POINTS: u32 = 48;
 
-fn bake() -> &'static Baked {
-    static BAKED: OnceLock<Baked> = OnceLock::new();
-    BAKED.get_or_init(|| baked(&small("")))
-}
-
 /// The lookup that errors are measured with agrees with the one of this test to the rounding of f32
 /// coordinates.
 fn as_measured(name: &str, point: Point, found: f64) {
-    let tables = &bake().tables;
+    let tables = &small_baked().tables;
     let baked = tables.iter().find(|v| v.approximation.name == name).expect("the table");
     let lookup = Lookup::new(baked.table().expect("texels"), baked.decode).expect("three axes");
     let measured = f64::from(lookup.at(&point).e);
@@ -42,7 +35,7 @@ fn judged(name: &str, worst: f64, promise: f64) {
 
 #[test]
 fn the_mean_over_the_azimuth_keeps_its_promise() {
-    let table = Read::of(&bake().files, ANISO);
+    let table = Read::of(&small_baked().files, ANISO);
     assert_eq!(table.warp(0), "u = sqrt(mu * (1 + alpha) / (mu + alpha))");
     assert_eq!(table.warp(1), "u = (roughness - 0.5) / (0.8 - 0.5)");
     assert!(table.warp(2).starts_with("u = (sqrt(1 - 0.9 * 0.3) - sqrt(1 - 0.9 * anisotropy)) / "));
@@ -69,7 +62,7 @@ fn the_mean_over_the_azimuth_keeps_its_promise() {
 
 #[test]
 fn the_table_with_the_azimuth_keeps_its_promise() {
-    let table = Read::of(&bake().files, AZIMUTH);
+    let table = Read::of(&small_baked().files, AZIMUTH);
     assert_eq!(
         table.warp(0),
         "u = sqrt(mu * (1 + l) / (mu + l)), l = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), q = 1 - 0.9 * anisotropy"
@@ -105,7 +98,7 @@ fn the_table_with_the_azimuth_keeps_its_promise() {
 #[test]
 fn both_sides_of_glass_keep_their_promises() {
     for (name, side) in GLASS {
-        let table = Read::of(&bake().files, name);
+        let table = Read::of(&small_baked().files, name);
         assert_eq!(table.warp(0), "u = sqrt(mu * (1 + l) / (mu + l)), l = alpha + 3 * sqrt(ior - 1)");
         assert_eq!(table.warp(2), "u = (ior - 1.3) / (1.7 - 1.3)");
         assert_eq!(table.entry["decode"], serde_json::json!({ "E": "1 - loss" }));
@@ -191,7 +184,7 @@ fn the_path_tracers_glass_is_the_truth_at_its_nodes() {
 
 #[test]
 fn the_index_links_every_effect_and_lists_every_table() {
-    let files = &bake().files;
+    let files = &small_baked().files;
     let page = String::from_utf8_lossy(&files["reports/index.html"]).into_owned();
     for effect in ["reflection", "anisotropy", "glass"] {
         assert!(page.contains(&format!("href=\"{effect}.html\"")), "a link to the page of {effect}");

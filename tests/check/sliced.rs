@@ -13,7 +13,7 @@ use lobefit::emit::exr;
 use sliced_support::baked;
 
 /// Sizes that differ, so that a transposition shows.
-const SCENE: &str = r#"{"schema_version":1,"materials":[
+const SCENE: &str = r#"{"schema_version":1,"reports":false,"languages":["wgsl"],"materials":[
 {"name":"frosted","kind":"glass","ior":[1.4,1.6],"roughness":[0.5,0.6],"wants":{"tables":[{"size":[8,6,4],"format":"f32"}]}},
 {"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[
  {"size":[8,6,4]},{"layout":"azimuth","size":[8,6,4]}]}}]}"#;

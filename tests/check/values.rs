@@ -5,13 +5,18 @@ use crate::common;
 
 use std::path::Path;
 
-use common::{lobefit, stderr};
+use common::{lobefit, lobefit_with, shared_cache, stderr};
 
 /// A scene whose bake takes little: a small table of samples.
 const SCENE: &[u8] =
     br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
     "wants":{"tables":[{"size":[32,32],"layout":"plain","format":"f32"}]}}]}"#;
 const TABLE: &str = "tables/ggx-dfg-correlated-32x32-f32-plain.exr";
+
+fn bake(folder: &Path) {
+    let output = lobefit_with(shared_cache(), folder, &["bake", "-", "--quiet"], SCENE);
+    assert_eq!(output.status.code(), Some(0));
+}
 
 fn check(folder: &Path, options: &[&str]) -> (i32, String) {
     let output = lobefit(folder, &[&["check", "-"], options].concat(), SCENE);
@@ -31,7 +36,7 @@ fn flip(path: &Path, from_end: usize) {
 #[test]
 fn values_pass_within_the_tolerance_while_the_promise_is_kept() {
     let folder = tempfile::tempdir().expect("a folder");
-    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    bake(folder.path());
     let table = folder.path().join(TABLE);
     flip(&table, 4);
     let (code, text) = check(folder.path(), &[]);
@@ -74,7 +79,7 @@ fn rewrite(folder: &Path, edit: impl Fn(String) -> String) {
 #[test]
 fn another_version_with_the_same_numbers_passes_by_its_values() {
     let folder = tempfile::tempdir().expect("a folder");
-    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    bake(folder.path());
     let text = std::fs::read_to_string(folder.path().join("manifest.json")).expect("a manifest");
     let manifest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let recipe = manifest["recipe"].as_str().expect("a hash").to_owned();
@@ -95,7 +100,7 @@ fn another_version_with_the_same_numbers_passes_by_its_values() {
 #[test]
 fn parts_of_a_bake_are_checked_alone() {
     let folder = tempfile::tempdir().expect("a folder");
-    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    bake(folder.path());
     std::fs::remove_file(folder.path().join("reports/index.html")).expect("a page");
     std::fs::write(folder.path().join("tables/mine.exr"), "mine").expect("written");
     let (code, text) = check(folder.path(), &["--only", "fits,manifest"]);

@@ -12,6 +12,10 @@ const SCENE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [{"name
   "probes": [{"name": "p", "norms": ["max"], "max_ops": 9,
     "lookups": [{"taps": 3}, {"lobe": "fitted"}, {"taps": 3, "lobe": "fitted"}]}]}"#;
 
+/// What is measured of any scene, and next to nothing else.
+const NARROW: &str = r#"{"schema_version": 1, "materials": [],
+  "probes": [{"name": "p", "roughness": 0.5, "rho": 1, "norms": ["max"], "max_ops": 3}]}"#;
+
 /// A scene that calls for no effect.
 const SMOOTH: &[u8] = include_bytes!("../../examples/mirrors.json");
 
@@ -56,11 +60,14 @@ fn it_writes_positive_times_beside_a_bake_and_nothing_else() {
     );
     positive(&lookups.iter().map(|one| one["nanoseconds"].clone()).collect());
 
+    std::fs::write(folder.path().join("scene.json"), SMOOTH).expect("written");
     assert!(run("bake", &["--out", "out", "--quiet"]).is_empty());
-    assert!(run("cost", &["--out", "out", "--quiet"]).is_empty());
-    assert!(names(&reports).contains(&"timings.json".to_string()), "the bake leaves the timings");
+    assert_eq!(std::fs::read(reports.join("timings.json")).expect("the bake leaves the timings"), printed);
     let text = String::from_utf8(run("check", &["--against", "out"])).expect("text");
     assert!(text.contains("follow from their recipe"), "{text}");
+    std::fs::write(folder.path().join("scene.json"), NARROW).expect("written");
+    assert!(run("cost", &["--out", "out", "--quiet"]).is_empty());
+    assert_ne!(std::fs::read(reports.join("timings.json")).expect("written"), printed);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Smith;
@@ -39,6 +40,12 @@ pub const GLASS: [(&str, Side); 2] = [
 pub fn baked(scene: &str) -> Baked {
     let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+}
+
+/// The bake of the small scene, once per test binary.
+pub fn small_baked() -> &'static Baked {
+    static BAKED: OnceLock<Baked> = OnceLock::new();
+    BAKED.get_or_init(|| baked(&small("")))
 }
 
 /// The manifest among files.
