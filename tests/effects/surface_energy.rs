@@ -1,25 +1,22 @@
 //! A whole material in a furnace, and with its directions exchanged.
 
-use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
 use lobefit::data::Smith;
 use lobefit::effects::coupling::surface::measure::{self, Rules, TOLERANCE};
 use lobefit::effects::coupling::surface::{
-    Albedos, Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material, Surface, SurfaceError,
+    Albedos, Base, Coupling, Factor, FactorAt, Lobe, Material, Surface, SurfaceError,
 };
-use lobefit_math::gauss::Gauss;
-use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection;
-use lobefit_truth::optics::{fresnel, ggx};
+use lobefit_truth::optics::fresnel;
 use lobefit_truth::quantity::coupling::{self, Specular};
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
-fn surface(smith: Smith, alpha: f64, fresnel: Fresnel, lobe: Lobe, coupling: Coupling) -> Material {
-    Material { smith, alpha, fresnel, lobe, base: Some(Base { albedo: [1.0; 3], coupling }) }
+fn surface(smith: Smith, alpha: f64, f0: [f64; 3], lobe: Lobe, coupling: Coupling) -> Material {
+    Material { smith, alpha, f0, lobe, base: Some(Base { albedo: [1.0; 3], coupling }) }
 }
 
 /// The interpolants hold what they promise: 1e-7, the loss relative to itself.
@@ -28,7 +25,7 @@ fn albedos_between_the_nodes_are_the_integrals() {
     let sobol = Sobol::new([3, 5, 7]);
     for smith in SMITHS {
         for alpha in [1e-3, 0.03, 0.4, 1.0] {
-            let albedos = Albedos::new(smith, alpha, None).unwrap();
+            let albedos = Albedos::new(smith, alpha).unwrap();
             let average = reflection::average(smith, alpha, 1e-9).unwrap();
             assert!((albedos.average.e - average.e_avg).abs() < 1e-8, "{smith:?} {alpha}");
             let off = albedos.average.loss / average.loss_avg - 1.0;
@@ -48,82 +45,12 @@ fn albedos_between_the_nodes_are_the_integrals() {
     }
 }
 
-/// Albedo with exact Fresnel by another road: over the facet's normal h instead of the light, int
-/// D(h) F(v.h) G2(v, l) (v.h)/mu_v dh with tan^2 of its angle = alpha^2 u/(1 - u), so that D cos dh
-/// is du dphi/(2 pi); lights below the horizon are cut off where they begin, at v.h = mu_v/(2 cos).
-/// `nodes` a side.
-fn by_facets(alpha: f64, mu: f64, ior: f64, nodes: usize) -> f64 {
-    let rule = Gauss::new(nodes);
-    let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
-    // smooth at both ends
-    let eased = |t: f64| (t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
-    let facets = |u: f64| {
-        let tangent = alpha * (u / (1.0 - u)).sqrt();
-        let h = 1.0 / (1.0 + tangent * tangent).sqrt();
-        // v.h = mu h + sine h tangent cos(phi) above both 0 and mu/(2 h)
-        let c = (mu / (2.0 * h) - mu * h) / (sine * h * tangent);
-        if c >= 1.0 {
-            return 0.0;
-        }
-        let end = if c <= -1.0 { PI } else { ops::acos(c) };
-        rule.integrate(0.0, 1.0, |t| {
-            let (part, slope) = eased(t);
-            let vh = mu * h + sine * h * tangent * ops::cos(end * part);
-            let light = 2.0 * vh * h - mu;
-            if vh <= 0.0 || light <= 0.0 {
-                return 0.0;
-            }
-            let shadowing = 1.0 / (1.0 + ggx::lambda(alpha, mu) + ggx::lambda(alpha, light));
-            end * slope / PI * fresnel::dielectric(ior, vh) * shadowing * vh / (mu * h)
-        })
-    };
-    // the angle at which lights behind the view's plane begin to fall below the horizon cuts the
-    // range of u
-    let limit = |cosine_half: f64| {
-        let tangent = ((1.0 - cosine_half) * (1.0 + cosine_half)).sqrt() / cosine_half;
-        let x = tangent * tangent / (alpha * alpha);
-        x / (1.0 + x)
-    };
-    // all lights are above while the facet leans less than half the elevation of the view, none
-    // where it leans more than 90 degrees less half of it
-    let angle = ops::acos(mu);
-    let cuts = [
-        0.0,
-        limit(ops::cos((0.5 * PI - angle) / 2.0)),
-        limit(ops::cos((0.5 * PI + angle) / 2.0).max(1e-300)),
-    ];
-    let panel = |low: f64, high: f64| {
-        rule.integrate(0.0, 1.0, |t| {
-            let (part, slope) = eased(t);
-            (high - low) * slope * facets(low + (high - low) * part)
-        })
-    };
-    panel(cuts[0], cuts[1]) + panel(cuts[1], cuts[2])
-}
-
-/// The albedo with exact Fresnel over the index of refraction, to the 1e-7 that are promised,
-/// against that other road.
-#[test]
-fn albedos_with_exact_fresnel_are_the_integrals() {
-    for ior in [1.1, 1.33, 1.5, 2.0, 3.0] {
-        for alpha in [0.1, 0.3, 1.0] {
-            let albedos = Albedos::new(Smith::Correlated, alpha, Some(ior)).unwrap();
-            for mu in [0.05, 0.2, 0.45, 0.8, 0.99] {
-                let [coarse, fine] = [120, 200].map(|nodes| by_facets(alpha, mu, ior, nodes));
-                assert!((coarse - fine).abs() < 2e-8, "ior {ior}, alpha {alpha}, mu {mu}: {coarse} {fine}");
-                let found = albedos.at(mu).exact;
-                assert!((found - fine).abs() < 1e-7, "ior {ior}, alpha {alpha}, mu {mu}: {found} {fine}");
-            }
-        }
-    }
-}
-
 /// A value that is not a number at one direction of the first rule alone is named, and not taken
 /// for a rule that has settled.
 #[test]
 fn a_rule_that_meets_nan_is_refused() {
     let met = Arc::new(Mutex::new(Vec::new()));
-    let albedos = Arc::new(Albedos::new(Smith::Correlated, 0.4, None).unwrap());
+    let albedos = Arc::new(Albedos::new(Smith::Correlated, 0.4).unwrap());
     let surface = |factor| {
         let material = Material::white(0.4, 0.04, Lobe::Single, Coupling::Symmetrised(factor));
         Surface::with(&material, albedos.clone()).unwrap()
@@ -150,14 +77,14 @@ fn a_rule_that_meets_nan_is_refused() {
 fn exact_couplings_close_the_furnace() {
     for smith in SMITHS {
         for (alpha, mu) in [(0.02, 0.015), (0.02, 0.7), (0.3, 0.1), (0.8, 0.95), (1.0, 0.01)] {
-            let albedos = Arc::new(Albedos::new(smith, alpha, Some(1.5)).unwrap());
+            let albedos = Arc::new(Albedos::new(smith, alpha).unwrap());
             let rules = Rules::new(alpha, mu);
-            for fresnel in [Fresnel::Schlick([0.0, 0.04, 0.7]), Fresnel::Dielectric(1.5)] {
+            for f0 in [[0.0, 0.04, 0.7], [0.04; 3]] {
                 for lobe in Lobe::ALL {
                     for coupling in
                         [Coupling::OneMinusOwnSpecular, Coupling::Kelemen, Coupling::Interreflected]
                     {
-                        let material = surface(smith, alpha, fresnel, lobe, coupling);
+                        let material = surface(smith, alpha, f0, lobe, coupling);
                         let surface = Surface::with(&material, albedos.clone()).unwrap();
                         let albedo = rules.albedo(&surface).unwrap();
                         let closed = surface.specular_albedo(mu);
@@ -214,12 +141,12 @@ fn reciprocal_materials_measure_zero() {
     let pairs = measure::pairs();
     assert_eq!(pairs.len(), 66 * 6);
     for smith in SMITHS {
-        let albedos = Arc::new(Albedos::new(smith, 0.4, Some(1.5)).unwrap());
-        for fresnel in [Fresnel::Schlick([0.02, 0.04, 0.2]), Fresnel::Dielectric(1.5)] {
+        let albedos = Arc::new(Albedos::new(smith, 0.4).unwrap());
+        for f0 in [[0.02, 0.04, 0.2], [0.04; 3]] {
             for lobe in Lobe::ALL {
                 for coupling in Coupling::ALL {
                     let reciprocal = lobe.is_reciprocal() && coupling.is_reciprocal();
-                    let material = surface(smith, 0.4, fresnel, lobe, coupling);
+                    let material = surface(smith, 0.4, f0, lobe, coupling);
                     let surface = Surface::with(&material, albedos.clone()).unwrap();
                     let found = measure::reciprocity(&surface, &pairs).unwrap().unwrap();
                     if reciprocal {
@@ -258,9 +185,7 @@ fn bad_materials_are_refused_by_name() {
     let mut dark = Material::white(0.1, 0.04, Lobe::Single, Coupling::None);
     dark.base.as_mut().unwrap().albedo[2] = -0.1;
     assert!(refused(&dark).contains("base albedo = -0.1"));
-    dark.fresnel = Fresnel::Dielectric(0.9);
-    assert!(refused(&dark).contains("ior = 0.9"));
-    let albedos = Arc::new(Albedos::new(Smith::Correlated, 0.2, None).unwrap());
+    let albedos = Arc::new(Albedos::new(Smith::Correlated, 0.2).unwrap());
     let material = Material::metal(0.1, [1.0; 3], Lobe::Single);
     let error = Surface::with(&material, albedos).unwrap_err();
     assert!(error.to_string().contains("alpha 0.1"), "{error}");

@@ -13,4 +13,3 @@ mod oracles;
 mod sheen;
 mod slant;
 mod walk;
-mod window;

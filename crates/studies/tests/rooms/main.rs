@@ -6,4 +6,3 @@ mod proxies;
 mod rooms;
 mod surface_report;
 mod surface_tables;
-mod viewpoints;

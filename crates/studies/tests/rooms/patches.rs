@@ -1,8 +1,9 @@
 //! Lobes integrated by the edges of patches.
 
+use crate::rooms::lobe;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, scaled};
 use lobefit_studies::study::parallax::room::{
-    Fan, Fetch, Fineness, Patches, Room, Tap, octagon, practice, room_a, room_b,
+    Fetch, Fineness, Patches, Rays, Room, Tap, octagon, practice, room_a, room_b,
 };
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -30,13 +31,13 @@ const MANY: u32 = 1 << 17;
 
 #[test]
 fn a_lobe_by_edges_is_the_lobe_by_directions() {
-    let fan = Fan::new(&Kernel::HalfCosine, MANY, 3);
-    for room in rooms() {
-        let patches = Patches::new(&room);
-        for place in [room.probe, [0.83, -0.41, 0.37]] {
-            for axis in &axes()[..4] {
-                for alpha in [1e-3, 0.0225, 0.1, 0.35, 0.8, 1.0] {
-                    let slow = fan.lobe(&room, place, *axis, None, alpha);
+    for alpha in [1e-3, 0.0225, 0.1, 0.35, 0.8, 1.0] {
+        let rays = Rays::new(&Kernel::HalfCosine, alpha, MANY, 3);
+        for room in rooms() {
+            let patches = Patches::new(&room);
+            for place in [room.probe, [0.83, -0.41, 0.37]] {
+                for axis in &axes()[..4] {
+                    let slow = lobe(&room, place, *axis, None, &rays);
                     let fast = patches.lobe(place, *axis, alpha);
                     let off = length(minus(slow, fast)) / length(slow);
                     assert!(off < 2e-3, "{} {place:?} {axis:?} {alpha}: {slow:?} {fast:?}", room.name);
@@ -65,7 +66,8 @@ fn a_finer_division_agrees() {
 /// A surface hides what is below its plane: the floor itself, or what is under a table.
 #[test]
 fn what_is_below_a_plane_is_left_out() {
-    let fan = Fan::new(&Kernel::HalfCosine, MANY, 5);
+    let widths = [0.0225, 0.35, 1.0];
+    let widths = widths.map(|alpha| (alpha, Rays::new(&Kernel::HalfCosine, alpha, MANY, 5)));
     let up = [0.0, 0.0, 1.0];
     for room in rooms() {
         let floor = -room.exit(room.probe, [0.0, 0.0, -1.0]).0 + room.probe[2];
@@ -73,16 +75,16 @@ fn what_is_below_a_plane_is_left_out() {
             let place = [0.7, 0.4, height];
             let patches = Patches::above(&room, place, up);
             for axis in [[0.9, 0.1, 0.2], [-0.2, 0.5, 0.9], [0.3, -0.8, 0.05]].map(normalise) {
-                for alpha in [0.0225, 0.35, 1.0] {
-                    let slow = fan.lobe(&room, place, axis, Some(up), alpha);
-                    let fast = patches.lobe(place, axis, alpha);
+                for (alpha, rays) in &widths {
+                    let slow = lobe(&room, place, axis, Some(up), rays);
+                    let fast = patches.lobe(place, axis, *alpha);
                     let off = length(minus(slow, fast)) / length(slow);
                     assert!(off < 2e-3, "{} {height} {axis:?} {alpha}: {slow:?} {fast:?}", room.name);
-                    let below = patches.lobe(place, minus(axis, scaled(up, 2.0 * dot(axis, up))), alpha);
-                    let slow =
-                        fan.lobe(&room, place, minus(axis, scaled(up, 2.0 * dot(axis, up))), Some(up), alpha);
+                    let axis = minus(axis, scaled(up, 2.0 * dot(axis, up)));
+                    let below = patches.lobe(place, axis, *alpha);
+                    let slow = lobe(&room, place, axis, Some(up), rays);
                     let off = length(minus(slow, below)) / length(slow);
-                    assert!(alpha < 0.3 || off < 0.02, "{} below {axis:?}: {slow:?} {below:?}", room.name);
+                    assert!(*alpha < 0.3 || off < 0.02, "{} below {axis:?}: {slow:?} {below:?}", room.name);
                 }
             }
         }

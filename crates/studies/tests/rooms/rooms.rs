@@ -1,11 +1,11 @@
-//! Fast fetches against slow ones, lookups at the ends of their ranges, what a GGX surface
+//! Rooms from a place, lookups at the ends of their ranges, what a GGX surface
 //! reflects.
 
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
 use lobefit_studies::study::parallax::room::proxies::{Body, Eased};
 use lobefit_studies::study::parallax::room::{
-    Fan, Fetch, GgxRays, Lookup, Outlook, Patches, Rays, Room, Seen, octagon, practice, room_a, room_b,
+    Fetch, GgxRays, Lookup, Outlook, Patches, Rays, Room, Seen, octagon, practice, room_a, room_b,
 };
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -28,57 +28,6 @@ pub(crate) fn lobe(room: &Room, place: Vec3, axis: Vec3, normal: Option<Vec3>, r
 /// Directions and places of no symmetry.
 fn axes() -> [Vec3; 4] {
     [[0.3, -0.5, 0.8], [-0.9, 0.2, -0.1], [0.1, 0.7, -0.6], [0.02, -0.07, -1.0]].map(normalise)
-}
-
-#[test]
-fn a_fan_holds_the_directions_of_every_width() {
-    for kernel in Kernel::ALL {
-        let most = if kernel == Kernel::Ndf { 5e-5 } else { 1e-5 };
-        let fan = Fan::new(&kernel, COUNT, 5);
-        for alpha in [1e-6, 1e-4, 0.003, 0.0225, 0.07, 0.11, 0.37, 0.6, 0.93, 0.999, 1.0] {
-            let rays = Rays::new(&kernel, alpha, COUNT, 5);
-            let mut fast = Vec::new();
-            fan.directions(alpha, |ray| fast.push(ray));
-            assert_eq!(fast.len(), rays.directions().len());
-            for (a, b) in fast.iter().zip(rays.directions()) {
-                assert!((length(*a) - 1.0).abs() < 1e-14, "{alpha}");
-                let sine = (b[0] * b[0] + b[1] * b[1]).sqrt();
-                assert!(length(minus(*a, *b)) < most * sine, "{kernel:?} {alpha}: {a:?} {b:?}");
-            }
-        }
-    }
-}
-
-/// A direction that meets another square or panel for being 1e-5 of itself off is rare and not too
-/// bright.
-#[test]
-fn a_fast_fetch_is_the_slow_one() {
-    let fan = Fan::new(&Kernel::HalfCosine, COUNT, 9);
-    for room in rooms() {
-        for towards in axes() {
-            for alpha in [0.01, 0.1, 0.5, 1.0] {
-                let rays = Rays::new(&Kernel::HalfCosine, alpha, COUNT, 9);
-                let slow = lobe(&room, room.probe, towards, None, &rays);
-                let fast = fan.lobe(&room, room.probe, towards, None, alpha);
-                let off = length(minus(slow, fast)) / length(slow);
-                assert!(off < 0.01, "{}: {alpha}: {slow:?} {fast:?}", room.name);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_lobe_cut_off_at_a_surface_has_what_is_above_alone() {
-    let (room, normal) = (room_a(), [0.0, 0.0, 1.0]);
-    let place = [0.7, 0.4, -1.5];
-    let axis = normalise([0.9, 0.1, 0.2]);
-    let fan = Fan::new(&Kernel::HalfCosine, COUNT, 3);
-    let rays = Rays::new(&Kernel::HalfCosine, 0.4, COUNT, 3);
-    let fast = fan.lobe(&room, place, axis, Some(normal), 0.4);
-    let slow = lobe(&room, place, axis, Some(normal), &rays);
-    assert!(length(minus(fast, slow)) < 0.01 * length(slow), "{fast:?} {slow:?}");
-    let whole = fan.lobe(&room, place, axis, None, 0.4);
-    assert!(length(minus(fast, whole)) > 0.02 * length(slow), "directions below see the floor");
 }
 
 #[test]
@@ -213,7 +162,7 @@ fn fitted_lobes_are_lobes() {
 #[test]
 fn more_fetches_are_nearer_to_a_slanted_lobe() {
     let room = room_b();
-    let fan = Fan::new(&Kernel::HalfCosine, 1024, 2);
+    let rays = Rays::new(&Kernel::HalfCosine, 0.12, 1024, 2);
     let exact = Patches::new(&room);
     let error = |rule: TapRule| -> f64 {
         let lookup = corrected(&room, Shading::Mirror, rule, Width::Rational);
@@ -221,7 +170,7 @@ fn more_fetches_are_nearer_to_a_slanted_lobe() {
             let place = [-5.0 + 0.25 * f64::from(i), 0.6 - 0.03 * f64::from(i), -0.9];
             let mirror = normalise([0.9, 0.3, -0.25]);
             let seen = Seen { place, normal: mirror, view: mirror, alpha: 0.12 };
-            let truth = fan.lobe(&room, place, mirror, None, 0.12);
+            let truth = lobe(&room, place, mirror, None, &rays);
             length(minus(exact.sum(&lookup.taps(&seen)), truth))
         });
         each.sum()

@@ -1,7 +1,7 @@
 //! The sections of whole materials.
 
 use lobefit::report::{Block, Origin, Page, Section, TextTable, html};
-use lobefit_studies::study::coupling::page::surfaces::sections as surface_sections;
+use lobefit_studies::study::coupling::page::surfaces as surface_sections;
 use lobefit_studies::study::coupling::surface::table::Grid;
 use lobefit_studies::study::coupling::surface::{Coupling, SurfaceRows, Wanted};
 use lobefit_truth::integrate::walk::Walks;
@@ -36,11 +36,9 @@ fn every_row_is_told() {
     let rows = rows();
     let sections = surface_sections(&rows).unwrap();
     let ids: Vec<&str> = sections.iter().map(|s| s.id.as_str()).collect();
-    assert_eq!(ids, ["reciprocity", "colour", "walk", "fresnel", "darker"]);
+    assert_eq!(ids, ["reciprocity", "colour", "walk"]);
     let all: usize = tables(&sections[0]).iter().map(|t| t.rows.len()).sum();
     assert_eq!(all, rows.reciprocity.len());
-    assert_eq!(tables(&sections[3])[0].rows.len(), rows.schlick.len());
-    assert_eq!(tables(&sections[4])[0].rows.len(), rows.darker.len());
     for table in sections.iter().flat_map(tables) {
         assert!(table.rows.iter().all(|row| row.len() == table.columns.len()), "{table:?}");
         assert_eq!(table.muted.len(), table.rows.len());
@@ -78,10 +76,7 @@ fn what_is_not_a_number_is_refused_by_its_row() {
     let mut bad = good.clone();
     bad.colour[2].albedo[1] = f64::NAN;
     assert!(surface_sections(&bad).unwrap_err().to_string().contains("gold"));
-    let mut bad = good.clone();
+    let mut bad = good;
     bad.bounces[0].kulla_conty.pop();
     assert!(surface_sections(&bad).unwrap_err().to_string().contains("walk"));
-    let mut bad = good;
-    bad.schlick.clear();
-    assert!(surface_sections(&bad).unwrap_err().to_string().contains("fresnel"));
 }

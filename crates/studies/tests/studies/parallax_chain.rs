@@ -16,35 +16,24 @@ fn named<'a>(rows: &'a Value, key: &str, name: &str) -> &'a Value {
 }
 
 /// What is known of the figures whatever the size of the study.
-pub fn is_measured(chain: &Value) {
-    for parts in list(&chain["parts"]) {
-        let of = |part: &str| numbers(&parts[part]);
-        // 11 bits of mantissa
-        assert!(of("half").iter().all(|&off| off > 0.0 && off < 1.0 / 2048.0), "{parts}");
-        assert!(of("total").iter().zip(of("half")).all(|(total, half)| *total > 10.0 * half), "{parts}");
-        assert_ne!(of("total"), of("clamped"), "{parts}");
-    }
+pub fn is_measured(results: &Value) {
+    let gains = &results["chain"]["gains"];
     let gain = |row: &Value, key: &str| row[key].as_f64().expect("a number");
-    let frostbite = named(&chain["gains"], "method", "Frostbite");
+    let frostbite = named(gains, "method", "Frostbite");
     assert!((gain(frostbite, "gain_exact") - 1.0).abs() < 1e-12, "{frostbite}");
     assert!((gain(frostbite, "gain_chain") - 1.0).abs() < 1e-12, "{frostbite}");
-    assert!(gain(named(&chain["gains"], "method", "no parallax"), "gain_chain") < 1.0);
-    // the same lookup and bake by two ways
-    for (method, policy) in [
-        ("rational, areas", "angular, ratio of areas"),
-        ("rational, distances", "angular, ratio of distances"),
-    ] {
-        let gains = named(&chain["gains"], "method", method);
-        let policy = named(&chain["policies"], "policy", policy);
-        for (a, b) in [("exact", "whole"), ("chain", "chain")] {
-            let pairs = numbers(&gains[a]).into_iter().zip(numbers(&policy[b]));
-            assert!(pairs.into_iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{gains} {policy}");
-        }
-    }
-    // two walls' perpendicular viewpoints disagree at their edge
-    for floor in list(&chain["seams"]) {
-        let edge = |policy: &str| gain(named(&floor["pictures"], "policy", policy), "edge");
-        assert!(edge("perpendicular, ratio of areas") > edge("angular, ratio of areas"), "{floor}");
-        assert!(edge("sliding, ratio of areas") < edge("perpendicular, ratio of areas"), "{floor}");
+    assert!(gain(named(gains, "method", "no parallax"), "gain_chain") < 1.0);
+    // the same lookup at the same points by two ways
+    let random = &results["rooms"]["random"][0];
+    let at = |roughness: &Value| {
+        let place = list(roughness).iter().position(|r| r.as_f64() == Some(0.7));
+        place.expect("roughness 0.7")
+    };
+    let places = [at(&results["chain"]["roughness"]), at(&random["roughness"])];
+    for row in list(gains).iter().filter(|row| row["room"] == random["room"]) {
+        let other = named(&random["references"][0]["rows"], "name", row["method"].as_str().expect("a name"));
+        let [here, there] = [numbers(&row["exact"])[places[0]], numbers(&other["l2"])[places[1]]];
+        assert!((here / there - 1.0).abs() < 1e-3, "{row} {other}");
+        assert!(numbers(&row["chain"])[places[0]] != here, "{row}");
     }
 }

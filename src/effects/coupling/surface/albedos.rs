@@ -14,10 +14,6 @@ use lobefit_truth::optics::fresnel;
 /// Range of alpha of a surface. At 0 the lobe is a mirror, which has no BRDF.
 pub const ALPHA: [f64; 2] = [1e-4, 1.0];
 
-/// Range of the index of refraction with exact Fresnel; below it the reflectance changes within
-/// 1e-2 of grazing, which the rules do not resolve.
-pub const IOR: [f64; 2] = [1.0001, 4.0];
-
 /// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less
 /// than 1e-7 alpha.
 pub(super) const FIRST_PANEL: f64 = 1e-6;
@@ -30,11 +26,9 @@ pub struct Albedos {
     pub smith: Smith,
     /// GGX alpha.
     pub alpha: f64,
-    /// Index of refraction for which `exact` is made.
-    pub ior: Option<f64>,
     /// Average of E over the hemisphere, 2 int E mu dmu, and of the loss.
     pub average: Column,
-    columns: Piecewise<4>,
+    columns: Piecewise<3>,
 }
 
 /// Albedos at one cosine.
@@ -46,36 +40,30 @@ pub struct Column {
     pub loss: f64,
     /// Schlick's bias B.
     pub b: f64,
-    /// The albedo with exact Fresnel at [`Albedos::ior`]; 0 without one.
-    pub exact: f64,
 }
 
 impl Column {
-    fn of([e, loss, b, exact]: [f64; 4]) -> Column {
-        Column { e, loss, b, exact }
+    fn of([e, loss, b]: [f64; 3]) -> Column {
+        Column { e, loss, b }
     }
 }
 
 impl Albedos {
-    /// Integrates the lobe of alpha in [1e-4, 1], with exact Fresnel for an `ior` in [1.0001, 4]
-    /// beside Schlick's.
+    /// Integrates the lobe of alpha in [1e-4, 1].
     ///
     /// # Errors
     /// An input outside its range; an integral that is not finite.
-    pub fn new(smith: Smith, alpha: f64, ior: Option<f64>) -> Result<Albedos, SurfaceError> {
+    pub fn new(smith: Smith, alpha: f64) -> Result<Albedos, SurfaceError> {
         check("alpha", alpha, ALPHA)?;
-        if let Some(ior) = ior {
-            check("ior", ior, IOR)?;
-        }
         let cuts = panels::from_zero(1.0, FIRST_PANEL * alpha);
         let nodes = piecewise::nodes(&cuts);
-        let values: Vec<[f64; 4]> = nodes.par_iter().map(|mu| integrated(smith, alpha, *mu, ior)).collect();
+        let values: Vec<[f64; 3]> = nodes.par_iter().map(|mu| integrated(smith, alpha, *mu)).collect();
         if let Some(i) = values.iter().position(|v| !v.iter().all(|x| x.is_finite())) {
             return Err(SurfaceError::NotFinite { what: "albedo", alpha, mu: nodes[i] });
         }
         let columns = Piecewise::new(cuts, &values);
         let average = Column::of(average(&columns, |_, at| at));
-        Ok(Albedos { smith, alpha, ior, average, columns })
+        Ok(Albedos { smith, alpha, average, columns })
     }
 
     /// Albedos at mu in [0, 1].
@@ -89,17 +77,15 @@ impl Albedos {
     }
 }
 
-fn integrated(smith: Smith, alpha: f64, mu: f64, ior: Option<f64>) -> [f64; 4] {
+fn integrated(smith: Smith, alpha: f64, mu: f64) -> [f64; 3] {
     let effort = &Effort::ladder()[1];
     let e = reflection::albedo(smith, alpha, mu, &effort.outer);
     let loss = reflection::loss(smith, alpha, mu, &effort.outer);
-    let reflected = |f: &(dyn Fn(f64) -> f64 + Sync)| reflection::reflected(smith, alpha, mu, effort, &f);
-    let b = reflected(&fresnel::schlick_weight);
-    let exact = ior.map_or(0.0, |ior| reflected(&|complement| fresnel::dielectric(ior, 1.0 - complement)));
-    [e, loss, b, exact]
+    let b = reflection::reflected(smith, alpha, mu, effort, &fresnel::schlick_weight);
+    [e, loss, b]
 }
 
-fn average<const N: usize>(columns: &Piecewise<4>, f: impl Fn(f64, [f64; 4]) -> [f64; N]) -> [f64; N] {
+fn average<const N: usize>(columns: &Piecewise<3>, f: impl Fn(f64, [f64; 3]) -> [f64; N]) -> [f64; N] {
     let rule = Gauss::new(12);
     let mut total = [0.0; N];
     for cut in columns.cuts().windows(2) {

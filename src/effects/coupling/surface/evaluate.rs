@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::SurfaceError;
 use super::albedos::{Albedos, Column};
-use super::material::{Base, Coupling, FactorAt, Fresnel, Lobe, Material};
+use super::material::{Base, Coupling, FactorAt, Lobe, Material};
 use lobefit_math::vector::dot;
 use lobefit_truth::optics::ggx::{self, Vec3};
 use lobefit_truth::optics::multiscatter::{self, Bounces};
@@ -16,8 +16,6 @@ use lobefit_truth::optics::{diffuse, fresnel};
 pub struct Surface {
     material: Material,
     albedos: Arc<Albedos>,
-    /// Reflectance at normal incidence.
-    f0: [f64; 3],
     /// Whether all channels have the same f0 and albedo, and so the same of everything.
     grey: bool,
     /// Colour of the second lobe, and what it absorbs; 0 and 1 without one.
@@ -84,22 +82,19 @@ impl Surface {
     /// A property outside its range; an integral that is not finite.
     pub fn new(material: &Material) -> Result<Surface, SurfaceError> {
         material.check()?;
-        let albedos = Albedos::new(material.smith, material.alpha, material.ior())?;
+        let albedos = Albedos::new(material.smith, material.alpha)?;
         Surface::with(material, Arc::new(albedos))
     }
 
-    /// A surface with albedos that were integrated before, of the same shadowing and alpha, and of
-    /// the same index of refraction if the material has one.
+    /// A surface with albedos that were integrated before, of the same shadowing and alpha.
     ///
     /// # Errors
     /// A property outside its range; albedos of another lobe.
     pub fn with(material: &Material, albedos: Arc<Albedos>) -> Result<Surface, SurfaceError> {
         material.check()?;
         fits(material, &albedos)?;
-        let (f0, f_avg) = match material.fresnel {
-            Fresnel::Schlick(f0) => (f0, f0.map(fresnel::schlick_average)),
-            Fresnel::Dielectric(ior) => ([fresnel::f0_of_ior(ior); 3], [fresnel::dielectric_average(ior); 3]),
-        };
+        let f0 = material.f0;
+        let f_avg = f0.map(fresnel::schlick_average);
         let (e, loss) = (albedos.average.e, albedos.average.loss);
         let bounces = match material.lobe {
             Lobe::KullaConty => Some(Bounces::FromSecond),
@@ -114,7 +109,7 @@ impl Surface {
         let same = |x: &[f64; 3]| x.iter().all(|y| *y == x[0]);
         let grey = same(&f0) && material.base.as_ref().is_none_or(|base| same(&base.albedo));
         let mut surface =
-            Surface { material, albedos, f0, grey, series, absorbed, left_avg: none, factor_avg: none };
+            Surface { material, albedos, grey, series, absorbed, left_avg: none, factor_avg: none };
         surface.left_avg = surface.albedos.average_of(|_, column| surface.left(column));
         if let Some(Base { coupling: Coupling::Symmetrised(_), .. }) = surface.material.base {
             surface.factor_avg = surface.albedos.average_of(|mu, _| surface.factor(mu, &none));
@@ -151,7 +146,7 @@ impl Surface {
     pub fn side(&self, mu: f64) -> Side {
         let column = self.albedos.at(mu);
         let left = self.left(&column);
-        let boost = self.f0.map(|f0| match self.material.lobe {
+        let boost = self.material.f0.map(|f0| match self.material.lobe {
             Lobe::Normalised => 1.0 / column.e,
             Lobe::Compensated => multiscatter::compensation(f0, column.e, column.loss),
             Lobe::Single | Lobe::KullaConty | Lobe::KullaContyOnce => 1.0,
@@ -176,7 +171,7 @@ impl Surface {
     pub fn specular(&self, light: &Side, view: &Side, facet: &Facet) -> [f64; 3] {
         let lobe = ggx::distribution(self.material.alpha, facet.half)
             * ggx::visibility(self.material.smith, view.mu, view.stretched, light.mu, light.stretched);
-        let reflectance = self.reflectance(facet.cosine, facet.complement);
+        let reflectance = self.reflectance(facet.complement);
         let second =
             multiscatter::kulla_conty(light.column.loss, view.column.loss, self.albedos.average.loss);
         self.channels(|i| lobe * reflectance[i] * view.boost[i] + second * self.series[i])
@@ -202,27 +197,21 @@ impl Surface {
         self.left_avg
     }
 
-    /// Reflectance of a facet at a cosine and its complement 1 - cosine.
-    fn reflectance(&self, cosine: f64, complement: f64) -> [f64; 3] {
-        match self.material.fresnel {
-            Fresnel::Schlick(f0) => self.channels(|i| fresnel::schlick(f0[i], complement)),
-            Fresnel::Dielectric(ior) => [fresnel::dielectric(ior, cosine); 3],
-        }
+    /// Reflectance of a facet at the complement of a cosine, 1 - cosine.
+    fn reflectance(&self, complement: f64) -> [f64; 3] {
+        self.channels(|i| fresnel::schlick(self.material.f0[i], complement))
     }
 
     /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the
-    /// bare lobe (g A with Schlick's Fresnel): single loss + k; normalised k/E; compensated
+    /// bare lobe, g A: single loss + k; normalised k/E; compensated
     /// k + loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
     fn left(&self, at: &Column) -> [f64; 3] {
         self.channels(|i| {
-            let kept = match self.material.fresnel {
-                Fresnel::Schlick(f0) => (1.0 - f0[i]) * (at.e - at.b),
-                Fresnel::Dielectric(_) => at.e - at.exact,
-            };
+            let kept = (1.0 - self.material.f0[i]) * (at.e - at.b);
             match self.material.lobe {
                 Lobe::Single => at.loss + kept,
                 Lobe::Normalised => kept / at.e,
-                Lobe::Compensated => kept + at.loss * (1.0 - self.f0[i] * (1.0 - kept / at.e)),
+                Lobe::Compensated => kept + at.loss * (1.0 - self.material.f0[i] * (1.0 - kept / at.e)),
                 Lobe::KullaConty | Lobe::KullaContyOnce => kept + at.loss * self.absorbed[i],
             }
         })
@@ -233,18 +222,20 @@ impl Surface {
         let Some(base) = &self.material.base else { return [0.0; 3] };
         let alpha = self.material.alpha;
         let roughness = alpha.sqrt();
-        let reflectance = self.reflectance(mu, 1.0 - mu);
+        let reflectance = self.reflectance(1.0 - mu);
         self.channels(|i| match &base.coupling {
             Coupling::None => 1.0,
-            Coupling::OneMinusF0 => 1.0 - self.f0[i],
+            Coupling::OneMinusF0 => 1.0 - self.material.f0[i],
             Coupling::OneMinusFresnel => 1.0 - reflectance[i],
-            Coupling::SchlickRoughness => diffuse::schlick_roughness(self.f0[i], roughness, mu),
-            Coupling::Pesce => diffuse::pesce(self.f0[i], reflectance[i], roughness),
+            Coupling::SchlickRoughness => diffuse::schlick_roughness(self.material.f0[i], roughness, mu),
+            Coupling::Pesce => diffuse::pesce(self.material.f0[i], reflectance[i], roughness),
             Coupling::OneMinusOwnSpecular => left[i],
-            Coupling::Factor(factor) => factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] }),
+            Coupling::Factor(factor) => {
+                factor.at(&FactorAt { roughness, alpha, mu, f0: self.material.f0[i] })
+            }
             Coupling::Symmetrised(factor) => {
                 let mu = mu.max(factor.least_mu());
-                factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] })
+                factor.at(&FactorAt { roughness, alpha, mu, f0: self.material.f0[i] })
             }
             Coupling::FresnelProduct
             | Coupling::HalfVector
@@ -258,10 +249,9 @@ impl Surface {
     /// The base. Only a coupling that [`Surface::knows_facets`] depends on the facet.
     pub fn base(&self, light: &Side, view: &Side, facet: &Facet) -> [f64; 3] {
         let Some(base) = &self.material.base else { return [0.0; 3] };
-        let reflectance =
-            if self.knows_facets() { self.reflectance(facet.cosine, facet.complement) } else { [0.0; 3] };
+        let reflectance = if self.knows_facets() { self.reflectance(facet.complement) } else { [0.0; 3] };
         self.channels(|i| {
-            let (f0, rho) = (self.f0[i], base.albedo[i]);
+            let (f0, rho) = (self.material.f0[i], base.albedo[i]);
             let factor = match &base.coupling {
                 Coupling::FresnelProduct => diffuse::fresnel_product(f0, light.mu, view.mu),
                 Coupling::HalfVector => 1.0 - reflectance[i],
@@ -296,10 +286,5 @@ fn fits(material: &Material, albedos: &Albedos) -> Result<(), SurfaceError> {
     if material.alpha != albedos.alpha {
         return refuse("alpha", format!("{:?}", material.alpha), format!("{:?}", albedos.alpha));
     }
-    match material.ior() {
-        Some(ior) if albedos.ior != Some(ior) => {
-            refuse("ior", format!("{ior:?}"), albedos.ior.map_or("none".into(), |ior| format!("{ior:?}")))
-        }
-        _ => Ok(()),
-    }
+    Ok(())
 }

@@ -8,16 +8,7 @@ use crate::data::Smith;
 use lobefit_shade::Hypothesis;
 
 use super::SurfaceError;
-use super::albedos::{ALPHA, IOR, check};
-
-/// What a facet reflects, by channel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fresnel {
-    /// Schlick's, from the reflectance at normal incidence of each channel, in [0, 1].
-    Schlick([f64; 3]),
-    /// Exact, of a dielectric of an index of refraction in [1.0001, 4].
-    Dielectric(f64),
-}
+use super::albedos::{ALPHA, check};
 
 /// What becomes of the specular lobe of single scattering. E is the lobe's albedo for F = 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -318,8 +309,8 @@ pub struct Material {
     pub smith: Smith,
     /// GGX alpha, in [1e-4, 1].
     pub alpha: f64,
-    /// What a facet reflects.
-    pub fresnel: Fresnel,
+    /// Reflectance of a facet at normal incidence by channel, in [0, 1]; Schlick's Fresnel beyond.
+    pub f0: [f64; 3],
     /// What becomes of the lobe.
     pub lobe: Lobe,
     /// The base.
@@ -329,29 +320,18 @@ pub struct Material {
 impl Material {
     /// A metal: no base, Schlick's Fresnel, correlated shadowing.
     pub fn metal(alpha: f64, f0: [f64; 3], lobe: Lobe) -> Material {
-        Material { smith: Smith::Correlated, alpha, fresnel: Fresnel::Schlick(f0), lobe, base: None }
+        Material { smith: Smith::Correlated, alpha, f0, lobe, base: None }
     }
 
     /// A white base under Schlick's Fresnel with one f0, correlated shadowing.
     pub fn white(alpha: f64, f0: f64, lobe: Lobe, coupling: Coupling) -> Material {
         let base = Some(Base { albedo: [1.0; 3], coupling });
-        Material { smith: Smith::Correlated, alpha, fresnel: Fresnel::Schlick([f0; 3]), lobe, base }
-    }
-
-    /// The index of refraction of exact Fresnel.
-    pub fn ior(&self) -> Option<f64> {
-        match self.fresnel {
-            Fresnel::Schlick(_) => None,
-            Fresnel::Dielectric(ior) => Some(ior),
-        }
+        Material { smith: Smith::Correlated, alpha, f0: [f0; 3], lobe, base }
     }
 
     pub(super) fn check(&self) -> Result<(), SurfaceError> {
         check("alpha", self.alpha, ALPHA)?;
-        match self.fresnel {
-            Fresnel::Schlick(f0) => f0.iter().try_for_each(|f0| check("f0", *f0, [0.0, 1.0]))?,
-            Fresnel::Dielectric(ior) => check("ior", ior, IOR)?,
-        }
+        self.f0.iter().try_for_each(|f0| check("f0", *f0, [0.0, 1.0]))?;
         let albedo = self.base.iter().flat_map(|base| &base.albedo);
         albedo.into_iter().try_for_each(|rho| check("base albedo", *rho, [0.0, 1.0]))
     }

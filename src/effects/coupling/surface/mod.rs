@@ -17,8 +17,8 @@ pub mod measure;
 mod row;
 pub mod table;
 
-pub use albedos::{ALPHA, Albedos, Column, IOR};
+pub use albedos::{ALPHA, Albedos, Column};
 pub use cost::{cost, formula, source};
 pub use error::SurfaceError;
 pub use evaluate::{Facet, Parts, Side, Surface};
-pub use material::{Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material};
+pub use material::{Base, Coupling, Factor, FactorAt, Lobe, Material};

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::cost::cost;
 use super::measure::{self, Pair, Rules};
 pub use super::row::{ExchangeAt, FurnaceRow, ReciprocityRow};
-use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
+use super::{Albedos, Base, Coupling, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
 use lobefit_truth::integrate::Estimate;
 
@@ -47,7 +47,7 @@ impl Grid {
     /// The albedos of every roughness.
     pub fn albedos(&self, smith: Smith) -> Result<Vec<Arc<Albedos>>, SurfaceError> {
         let alphas = self.roughness.iter().map(|r| AlphaMap::RoughnessSquared.alpha(*r));
-        alphas.map(|alpha| Ok(Arc::new(Albedos::new(smith, alpha, None)?))).collect()
+        alphas.map(|alpha| Ok(Arc::new(Albedos::new(smith, alpha)?))).collect()
     }
 }
 
@@ -136,8 +136,8 @@ fn surface(
     coupling: Option<&Coupling>,
 ) -> Result<Surface, SurfaceError> {
     let base = coupling.map(|coupling| Base { albedo: [1.0; 3], coupling: coupling.clone() });
-    let (smith, alpha, fresnel) = (albedos.smith, albedos.alpha, Fresnel::Schlick(f0));
-    Surface::with(&Material { smith, alpha, fresnel, lobe, base }, albedos.clone())
+    let (smith, alpha) = (albedos.smith, albedos.alpha);
+    Surface::with(&Material { smith, alpha, f0, lobe, base }, albedos.clone())
 }
 
 /// The f0 whose furnace a row has.

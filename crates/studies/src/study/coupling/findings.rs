@@ -25,7 +25,7 @@ pub struct CouplingStudy {
     pub rankings: Vec<Ranking>,
     /// What the names of lobes and couplings mean.
     pub meanings: Vec<Meaning>,
-    /// Reciprocity, colour, Fresnel and bases below white.
+    /// Reciprocity, and rough metals by lobes and random walks.
     pub surfaces: SurfaceRows,
 }
 

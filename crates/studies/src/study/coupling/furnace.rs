@@ -21,7 +21,7 @@ pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<Fur
         under().map(|(c, f0)| empty(furnace, c, f0, shown(c.lobe, f0, compared[0].lobe, furnace))).collect();
     for &roughness in &furnace.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
-        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
+        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha)?);
         let rules: Vec<Rules> = furnace.mu.par_iter().map(|&mu| Rules::new(alpha, mu)).collect();
         for (strip, (Compared { lobe, candidates }, f0)) in strips.iter_mut().zip(under()) {
             let columns: Vec<Result<Vec<f64>, StudyError>> = candidates

@@ -23,7 +23,7 @@ pub(super) fn strips(lit: &Lit, compared: &[Compared]) -> Result<Vec<LitStrip>, 
         under().map(|(c, f0)| empty(lit, c, f0, lit.shown_of(c.lobe, f0).is_some())).collect();
     for &roughness in &lit.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
-        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
+        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha)?);
         for (strip, (compared, _)) in strips.iter_mut().zip(under()) {
             column(strip, lit, compared, roughness, &albedos)?;
         }

@@ -78,7 +78,7 @@ struct Exchange {
 impl Exchange {
     fn of(lit: &Lit) -> Result<Exchange, StudyError> {
         let alphas = lit.roughness.iter().map(|r| AlphaMap::RoughnessSquared.alpha(*r));
-        let albedos = alphas.map(|alpha| Ok(Arc::new(Albedos::new(Smith::Correlated, alpha, None)?)));
+        let albedos = alphas.map(|alpha| Ok(Arc::new(Albedos::new(Smith::Correlated, alpha)?)));
         let albedos = albedos.collect::<Result<_, StudyError>>()?;
         Ok(Exchange { albedos, f0: lit.ranked_f0.clone(), pairs: measure::pairs() })
     }

@@ -4,30 +4,14 @@
 use lobefit_math::vector::{Vec3, dot, minus};
 use lobefit_math::{ops, sum};
 
-/// Root of the sum of squares of the differences of a and b over that of the truth, over channels
-/// and points: relative L2. NaN of no points.
-pub(super) fn off(a: &[Vec3], b: &[Vec3], truth: &[Vec3]) -> f64 {
-    ratio(a.iter().zip(b).zip(truth).map(|((a, b), truth)| (minus(*a, *b), *truth)))
-}
-
-/// The same of what is found from the truth.
+/// Root of the sum of squares of the differences of what is found from the truth over that of the
+/// truth, over channels and points: relative L2. NaN of no points.
 pub(super) fn relative(found: &[Vec3], truth: &[Vec3]) -> f64 {
-    off(found, truth, truth)
-}
-
-/// The same over the points that are wanted; 0 where none is.
-pub(super) fn relative_where(found: &[Vec3], truth: &[Vec3], wanted: impl Fn(usize) -> bool) -> f64 {
-    let kept: Vec<usize> = (0..truth.len()).filter(|i| wanted(*i)).collect();
-    if kept.is_empty() {
-        return 0.0;
-    }
-    ratio(kept.into_iter().map(|i| (minus(found[i], truth[i]), truth[i])))
-}
-
-/// Of differences and what they are relative to.
-fn ratio(pairs: impl Iterator<Item = (Vec3, Vec3)>) -> f64 {
-    let (errors, sizes): (Vec<f64>, Vec<f64>) =
-        pairs.map(|(off, truth)| (dot(off, off), dot(truth, truth))).unzip();
+    let pair = |(found, truth): (&Vec3, &Vec3)| {
+        let off = minus(*found, *truth);
+        (dot(off, off), dot(*truth, *truth))
+    };
+    let (errors, sizes): (Vec<f64>, Vec<f64>) = found.iter().zip(truth).map(pair).unzip();
     (sum::pairwise(&errors) / sum::pairwise(&sizes)).sqrt()
 }
 

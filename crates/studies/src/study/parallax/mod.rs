@@ -10,7 +10,6 @@ mod page;
 mod parameters;
 pub mod room;
 mod rooms;
-mod seed;
 mod slant;
 
 use serde_json::Value;
@@ -56,11 +55,10 @@ impl Study for ProbeLookups {
 /// Runs it.
 fn results(size: Size, origin: Origin, progress: &dyn Progress) -> Result<ParallaxStudy, StudyError> {
     let parameters = Parameters::of(size);
-    let seed = seed::findings(&parameters.seed, progress)?;
     let slant = slant::findings(&parameters.slant, progress)?;
     let rooms = rooms::findings(&parameters.rooms, progress)?;
     let chain = chain::findings(&parameters.chain, progress)?;
     let reduced = size == Size::Reduced;
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(ParallaxStudy { origin, reduced, parameters, seed, slant, rooms, chain })
+    Ok(ParallaxStudy { origin, reduced, parameters, slant, rooms, chain })
 }

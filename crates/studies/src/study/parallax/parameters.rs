@@ -2,14 +2,13 @@
 
 use serde::Serialize;
 
-use super::{chain, rooms, seed, slant};
+use super::{chain, rooms, slant};
 use crate::study::Size;
 
 /// Everything that the recipe covers beside the tool's version and the formulas, a field for each
 /// part.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Parameters {
-    pub seed: seed::Parameters,
     pub slant: slant::Parameters,
     pub rooms: rooms::Parameters,
     pub chain: chain::Parameters,
@@ -19,7 +18,6 @@ impl Parameters {
     /// Those of a size.
     pub fn of(size: Size) -> Parameters {
         Parameters {
-            seed: seed::Parameters::of(size),
             slant: slant::Parameters::of(size),
             rooms: rooms::Parameters::of(size),
             chain: chain::Parameters::of(size),

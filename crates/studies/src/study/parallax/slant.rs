@@ -6,8 +6,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::study::parallax::findings::{
-    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
-    SlantLobe, SlantRow,
+    PlacedTaps, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantLobe, SlantRow,
 };
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
@@ -15,7 +14,6 @@ use lobefit::effects::parallax::taps::best::{Found, best_taps};
 use lobefit::effects::parallax::taps::expected::expected;
 use lobefit::effects::parallax::taps::fit::{Situation, fit, situations};
 use lobefit::effects::parallax::{RuleTap, TapRule};
-use lobefit::report::{Field, Ruler};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::quantity::footprint::slant::{Case, Nearest, Resolution, Slant, best_width};
@@ -30,10 +28,6 @@ pub(super) struct Parameters {
     counts: Vec<usize>,
     search: Resolution,
     fine: Resolution,
-    /// Widths and degrees of the footprints drawn.
-    drawn: Vec<(f64, f64)>,
-    /// Pixels of a footprint along the tilt and across it.
-    pixels: [usize; 2],
     rules: [TapRule; 2],
     spread: Spread,
     fitted: Fitted,
@@ -68,8 +62,6 @@ impl Parameters {
             counts: if full { vec![2, 3, 4, 8] } else { vec![2, 3] },
             search: if full { Resolution { step: 0.12, angles: 80 } } else { Resolution::COARSE },
             fine: if full { Resolution::FINE } else { Resolution::COARSE },
-            drawn: if full { vec![(0.1, 60.0), (0.1, 72.0), (0.3, 72.0)] } else { vec![(0.1, 72.0)] },
-            pixels: if full { [112, 64] } else { [28, 16] },
             rules: [TapRule::two(), TapRule::three()],
             spread: Spread {
                 alphas: pick(&[0.01, 0.03, 0.08, 0.18, 0.35, 0.6], &[0.1]),
@@ -94,11 +86,8 @@ pub(super) fn findings(
     progress.stage("slant");
     let lobes = parameters.alphas.par_iter().map(|alpha| lobe(parameters, *alpha));
     let (refits, expectations) = refits(parameters)?;
-    let footprints = parameters.drawn.iter().map(|(alpha, psi)| footprints(parameters, *alpha, *psi));
     Ok(SlantFindings {
         lobes: lobes.collect::<Result<_, IntegrateError>>()?,
-        footprints: footprints.collect::<Result<_, _>>()?,
-        rules: parameters.rules.iter().flat_map(curves).collect(),
         spread: spread(parameters)?,
         refits,
         expectations,
@@ -148,64 +137,6 @@ fn variation(case: &Case, taps: &[RuleTap]) -> Result<f64, IntegrateError> {
 fn nothing(case: &Case) -> IntegrateError {
     let place = format!("alpha = {}, {:?}", case.alpha, case.slant);
     IntegrateError::NotFinite { quantity: "fetches of a slanted wall", place }
-}
-
-/// Along the tilt, in widths of the lobe at right angles, towards the shading point and away from
-/// it; across it.
-const ALONG: [f64; 2] = [-0.6, 0.8];
-const ACROSS: f64 = 0.5;
-
-/// The lobe's footprint beside those of one fetch and of the rules.
-fn footprints(parameters: &Parameters, alpha: f64, psi: f64) -> Result<SlantFootprints, IntegrateError> {
-    let case = in_front(parameters, alpha, psi, parameters.fine)?;
-    let [columns, rows] = parameters.pixels;
-    // a footprint is kappa times as long as the lobe is wide
-    let long = 4.0 * case.stretch.kappa;
-    let x = Ruler::even("along", ALONG[0] * long, ALONG[1] * long, columns);
-    let y = Ruler::even("across", -ACROSS * long, ACROSS * long, rows);
-    let places: Vec<[f64; 2]> =
-        y.values.iter().flat_map(|b| x.values.iter().map(move |a| [a * alpha, b * alpha])).collect();
-    let target = case.target_at(&places);
-    let peak = target.iter().copied().fold(0.0, f64::max);
-    let field = |name: &str, values: &[f64]| Field {
-        name: name.into(),
-        unit: String::new(),
-        signed: false,
-        x: x.clone(),
-        y: y.clone(),
-        values: values.iter().map(|v| (v / peak).sqrt() as f32).collect(),
-    };
-    let mut maps = vec![field("lobe", &target)];
-    let mut names = vec![("lobe".to_string(), 0.0)];
-    let [two, three] = parameters.rules;
-    for (name, rule) in [("one fetch", TapRule::one()), ("two", two), ("three", three)] {
-        let taps = rule.taps(&case.stretch, alpha);
-        maps.push(field(name, &case.fetched_at(&taps, &places)));
-        names.push((name.into(), variation(&case, &taps)?));
-    }
-    Ok(SlantFootprints { alpha, slant: psi, names, maps })
-}
-
-/// Slants in degrees of the rules' curves.
-const CURVE: u32 = 82;
-
-/// Widths whose curves are drawn.
-const CURVES: [f64; 3] = [0.01, 0.1, 0.4];
-
-fn curves(rule: &TapRule) -> Vec<RuleCurves> {
-    let of = |alpha: f64| {
-        let stretches =
-            (1..=CURVE).filter_map(|psi| Slant::in_front(f64::from(psi) * PI / 180.0).stretch(alpha));
-        let (kappa, taps) = stretches
-            .map(|stretch| {
-                let mut taps = rule.taps(&stretch, alpha);
-                taps.iter_mut().for_each(|tap| tap.tilt /= alpha);
-                (stretch.kappa, taps)
-            })
-            .unzip();
-        RuleCurves { count: rule.count(), alpha, kappa, taps }
-    };
-    CURVES.map(of).to_vec()
 }
 
 fn spread(parameters: &Parameters) -> Result<Vec<RuleSpread>, IntegrateError> {

@@ -2,17 +2,16 @@
 
 use super::walks::SHOWN;
 use crate::study::coupling::surface::colour::{ColourRow, WALK_EXACT, WALK_SCHLICK};
-use crate::study::coupling::surface::random_walk::ViewRow;
 use crate::study::page;
+use lobefit::report::figures;
 use lobefit::report::numbers::{bound, brief, significant};
 use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, TextTable, check};
-use lobefit::report::{figures, words};
 
 /// The channel whose albedo is drawn.
 const GREEN: usize = 1;
 
-/// The section of the averages over the hemisphere and of single views; the averages must be there.
-pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, ReportError> {
+/// The section of the averages over the hemisphere; rows must be there.
+pub(super) fn section(rows: &[ColourRow]) -> Result<Section, ReportError> {
     check::filled("colour", "rows", rows.len())?;
     for row in rows {
         let field = format!("{} {} at roughness {}", row.metal, row.model, row.roughness);
@@ -32,7 +31,6 @@ pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, 
                    errors either way, which are shorter than the marks where they are not seen.";
     let mut blocks = vec![figures(&charts, caption)?];
     blocks.extend(metals.iter().map(|metal| Block::Table(table(metal, rows))));
-    blocks.extend(of_views(views)?);
     Ok(Section {
         id: "colour".into(),
         title: "The colour of rough metals".into(),
@@ -102,41 +100,4 @@ fn distinct<'a>(names: impl Iterator<Item = &'a String>) -> Vec<&'a String> {
         }
     }
     found
-}
-
-/// Albedo over the cosine of the view.
-fn of_views(rows: &[ViewRow]) -> Result<Option<Block>, ReportError> {
-    if rows.is_empty() {
-        return Ok(None);
-    }
-    let mut places: Vec<(&String, f64)> = Vec::new();
-    let mut error: f64 = 0.0;
-    for row in rows {
-        check::values("views", &format!("{} at roughness {}", row.metal, row.roughness), &row.walk)?;
-        error = error.max(row.standard_error[GREEN]);
-        if !places.contains(&(&row.metal, row.roughness)) {
-            places.push((&row.metal, row.roughness));
-        }
-    }
-    let charts: Vec<Curves> =
-        places.iter().map(|(metal, roughness)| view_chart(metal, *roughness, rows)).collect();
-    let caption = format!(
-        "Green albedo over the cosine of the view. Discs: the random walk, with bars of two standard errors either way, {} at most.",
-        bound(SHOWN * error, 1)
-    );
-    figures(&charts, &caption).map(Some)
-}
-
-fn view_chart(metal: &str, roughness: f64, rows: &[ViewRow]) -> Curves {
-    let here: Vec<&ViewRow> =
-        rows.iter().filter(|row| row.metal == metal && row.roughness == roughness).collect();
-    let lobes = here.first().map(|row| row.lobes.len()).unwrap_or_default();
-    let series = (0..lobes).map(|i| {
-        let points = here.iter().filter_map(|row| Some((row.mu, row.lobes.get(i)?.1[GREEN])));
-        page::line(&here[0].lobes[i].0, points.collect(), Style::Line(i))
-    });
-    let walked = here.iter().map(|row| (row.mu, (row.walk[GREEN], row.standard_error[GREEN]))).collect();
-    let walk = with_bars(WALK_SCHLICK, walked, Style::Measured);
-    let title = format!("{metal}, roughness {}: green albedo", brief(roughness, 3));
-    page::chart(title, [&words::axis("mu"), "albedo"], series.chain(walk).collect(), (400.0, 260.0))
 }

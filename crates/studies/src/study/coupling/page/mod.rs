@@ -5,10 +5,11 @@ mod furnace;
 mod lit;
 mod metals;
 mod ranking;
-pub mod surfaces;
 mod walks;
 
 use crate::study::coupling::findings::CouplingStudy;
+use crate::study::coupling::surface::SurfaceRows;
+use lobefit::effects::coupling::page::materials;
 use lobefit::report::words;
 use lobefit::report::{Block, Page, ReportError, Section, check};
 
@@ -23,7 +24,7 @@ pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
     let mut sections = vec![ranking::section(study)?, names(study)?];
     sections.push(lit::section(study)?);
     sections.push(furnace::section(study)?);
-    sections.extend(surfaces::sections(&study.surfaces)?);
+    sections.extend(surfaces(&study.surfaces)?);
     Ok(Page {
         title: "lobefit study: coupling".into(),
         origin: study.origin.clone(),
@@ -34,6 +35,18 @@ pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
         ),
         sections,
     })
+}
+
+/// The sections of what is measured on whole materials, in the order of a page.
+///
+/// # Errors
+/// Data that cannot be shown, by section and field.
+pub fn surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    Ok(vec![
+        materials::section(&rows.reciprocity)?,
+        metals::section(&rows.colour)?,
+        walks::section(&rows.bounces)?,
+    ])
 }
 
 /// What the names of lobes and couplings mean.

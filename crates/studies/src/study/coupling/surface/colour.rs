@@ -9,8 +9,7 @@ use lobefit::data::AlphaMap;
 use lobefit_truth::integrate::walk::{CHANNELS, Walked, Walks, walk};
 use lobefit_truth::optics::fresnel;
 
-/// A metal by its complex index of refraction in red, green and blue; k = 0 is a dielectric, of
-/// which only the reflected part is followed.
+/// A metal by its complex index of refraction in red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Metal {
     /// Its name.
@@ -27,9 +26,6 @@ pub const METALS: [Metal; 2] = [
     Metal { name: "gold", eta: [0.143, 0.375, 1.442], k: [3.983, 2.386, 1.603] },
     Metal { name: "copper", eta: [0.200, 0.924, 1.102], k: [3.912, 2.452, 2.142] },
 ];
-
-/// A dielectric of index 1.5.
-pub const DIELECTRIC: Metal = Metal { name: "dielectric of ior 1.5", eta: [1.5; 3], k: [0.0; 3] };
 
 impl Metal {
     /// Reflectance at normal incidence.

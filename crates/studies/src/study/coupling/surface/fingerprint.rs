@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
+use super::{Albedos, Base, Coupling, Lobe, Material, Surface, SurfaceError};
 use lobefit::data::Smith;
 use lobefit::effects::coupling::surface::source;
 use lobefit_truth::optics::ggx::Vec3;
@@ -37,11 +37,11 @@ pub struct Fingerprint {
 /// # Errors
 /// A surface that cannot be made.
 pub fn fingerprint(couplings: &[Coupling]) -> Result<Vec<Fingerprint>, SurfaceError> {
-    let albedos = Arc::new(Albedos::new(Smith::Correlated, ALPHA, None)?);
+    let albedos = Arc::new(Albedos::new(Smith::Correlated, ALPHA)?);
     let one = |lobe: Lobe, coupling: &Coupling| {
         let base = Some(Base { albedo: [ALBEDO; 3], coupling: coupling.clone() });
-        let (smith, alpha, fresnel) = (Smith::Correlated, ALPHA, Fresnel::Schlick(F0));
-        let surface = Surface::with(&Material { smith, alpha, fresnel, lobe, base }, albedos.clone())?;
+        let (smith, alpha) = (Smith::Correlated, ALPHA);
+        let surface = Surface::with(&Material { smith, alpha, f0: F0, lobe, base }, albedos.clone())?;
         let values = PAIRS.iter().flat_map(|[l, v]| surface.evaluate(*l, *v));
         Ok(Fingerprint {
             lobe: lobe.name(),

@@ -1,19 +1,15 @@
-//! The random walk beside the lobes, at single views: bounce by bounce, where the light goes, and
-//! the albedo of gold.
+//! The random walk beside the lobes, at single views: bounce by bounce, and where the light goes.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::colour::Metal;
-use super::{Albedos, Lobe, Material, Surface, SurfaceError};
-use lobefit::data::{AlphaMap, Smith};
+use super::{Lobe, Material, Surface, SurfaceError};
+use lobefit::data::AlphaMap;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
-use lobefit_truth::integrate::walk::{BINS, BOUNCES, Walked, Walks, walk};
-use lobefit_truth::optics::fresnel;
+use lobefit_truth::integrate::walk::{BINS, BOUNCES, Walks, walk};
 
 /// A walk of white facets from one view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,23 +42,6 @@ pub struct BounceRow {
     pub kulla_conty_off: f64,
     /// The same of the multiplied lobe.
     pub multiplied_off: f64,
-}
-
-/// The albedo of a metal at one view.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ViewRow {
-    /// The metal.
-    pub metal: String,
-    /// Roughness; alpha is its square.
-    pub roughness: f64,
-    /// Cosine of the view.
-    pub mu: f64,
-    /// Albedo by the walk, with Schlick's Fresnel.
-    pub walk: [f64; 3],
-    /// Standard errors.
-    pub standard_error: [f64; 3],
-    /// Name and albedo of every lobe.
-    pub lobes: Vec<(String, [f64; 3])>,
 }
 
 /// Bounces of white facets at every (roughness, mu).
@@ -146,41 +125,4 @@ impl<'a> Spread<'a> {
 fn moved(x: &[f64], truth: &[f64]) -> f64 {
     let apart: f64 = x.iter().zip(truth).map(|(x, truth)| (x - truth).abs()).sum();
     0.5 * apart / truth.iter().sum::<f64>()
-}
-
-/// The albedo of a metal at every roughness and cosine, by the walk and by every lobe.
-///
-/// # Errors
-/// As of [`bounce_table`].
-pub fn view_table(
-    metal: &Metal,
-    roughness: &[f64],
-    mus: &[f64],
-    walks: Walks,
-) -> Result<Vec<ViewRow>, SurfaceError> {
-    let rows: Vec<Result<Vec<ViewRow>, SurfaceError>> =
-        roughness.par_iter().map(|roughness| views(metal, *roughness, mus, walks)).collect();
-    Ok(rows.into_iter().collect::<Result<Vec<_>, _>>()?.concat())
-}
-
-fn views(metal: &Metal, roughness: f64, mus: &[f64], walks: Walks) -> Result<Vec<ViewRow>, SurfaceError> {
-    let (alpha, f0) = (AlphaMap::RoughnessSquared.alpha(roughness), metal.f0());
-    let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
-    let surface = |lobe: &Lobe| Surface::with(&Material::metal(alpha, f0, *lobe), albedos.clone());
-    let surfaces: Vec<Surface> = Lobe::ALL.iter().map(surface).collect::<Result<_, _>>()?;
-    let at = |mu: &f64| {
-        let Walked { albedo, .. } =
-            walk(alpha, [*mu; 2], walks, &|c| f0.map(|f0| fresnel::schlick(f0, 1.0 - c)))?;
-        let of_lobe =
-            |(lobe, surface): (&Lobe, &Surface)| (lobe.name().to_string(), surface.specular_albedo(*mu));
-        Ok(ViewRow {
-            metal: metal.name.into(),
-            roughness,
-            mu: *mu,
-            walk: albedo.map(|x| x.value),
-            standard_error: albedo.map(|x| x.standard_error),
-            lobes: Lobe::ALL.iter().zip(&surfaces).map(of_lobe).collect(),
-        })
-    };
-    mus.iter().map(at).collect()
 }

@@ -2,18 +2,13 @@
 
 use serde::Serialize;
 
-use super::absorbing::{AbsorbingRow, absorbing_table};
-use super::colour::{ColourRow, DIELECTRIC, METALS, colour_table};
-use super::interface::{IORS, SchlickRow, schlick_table};
-use super::random_walk::{BounceRow, ViewRow, bounce_table, view_table};
+use super::colour::{ColourRow, METALS, colour_table};
+use super::random_walk::{BounceRow, bounce_table};
 use super::table::{Grid, ReciprocityRow, rows_with};
 use super::{Coupling, Factor, Lobe, SurfaceError};
 use lobefit::data::Smith;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::walk::Walks;
-
-/// f0 of the dielectric whose base is darkened: that of an index of refraction of 1.5.
-const DARK_F0: f64 = 0.04;
 
 /// (1 - f0)(1 - b) with b = ((1 - roughness)(1 - mu)^2)^2 for B/E, a formula without constants: a
 /// factor of one side that costs little and knows no texel, as it is and made reciprocal.
@@ -24,14 +19,10 @@ const SEVEN: &str = "fn seven(roughness: f32, mu: f32, f0: f32) -> f32 {\n    le
 /// two thirds.
 const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0, 0.9)];
 
-/// Single views.
-const VIEW_ROUGHNESS: [f64; 2] = [0.6, 1.0];
-const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
-
 /// What is measured, and how finely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// Form of the shadowing of furnace, reciprocity and Fresnel rows; the walk is correlated by
+    /// Form of the shadowing of furnace and reciprocity rows; the walk is correlated by
     /// nature.
     pub smith: Smith,
     /// Couplings under every lobe; formulas may be among them.
@@ -75,16 +66,10 @@ pub struct SurfaceRows {
     pub grid: Grid,
     /// Lobes and couplings.
     pub reciprocity: Vec<ReciprocityRow>,
-    /// Schlick's Fresnel against the exact one.
-    pub schlick: Vec<SchlickRow>,
-    /// Bases below white.
-    pub darker: Vec<AbsorbingRow>,
     /// Rough metals.
     pub colour: Vec<ColourRow>,
     /// The random walk of white facets.
     pub bounces: Vec<BounceRow>,
-    /// The random walk of gold, and of the reflected part of a dielectric, at single views.
-    pub views: Vec<ViewRow>,
 }
 
 impl SurfaceRows {
@@ -97,15 +82,8 @@ impl SurfaceRows {
         Ok(SurfaceRows {
             grid: grid.clone(),
             reciprocity: rows_with(*smith, &Lobe::ALL, couplings, own, grid)?,
-            schlick: schlick_table(*smith, &IORS, &grid.roughness)?,
-            darker: absorbing_table(*smith, DARK_F0, grid)?,
             colour: colour_table(&METALS, &grid.roughness, *walks)?,
             bounces: bounce_table(&BOUNCE_VIEWS, *walks)?,
-            views: [METALS[0], DIELECTRIC]
-                .iter()
-                .map(|metal| view_table(metal, &VIEW_ROUGHNESS, &VIEW_COSINES, *walks))
-                .collect::<Result<Vec<_>, _>>()?
-                .concat(),
         })
     }
 }

@@ -2,7 +2,6 @@
 
 mod chain;
 mod rooms;
-mod seed;
 mod slant;
 
 use serde::Serialize;
@@ -11,7 +10,6 @@ use serde_json::Value;
 pub use chain::*;
 use lobefit::report::Origin;
 pub use rooms::*;
-pub use seed::*;
 pub use slant::*;
 
 /// Lookups of the cubemap of a probe.
@@ -24,12 +22,10 @@ pub struct ParallaxStudy {
     pub reduced: bool,
     /// What was asked: everything that the recipe hash covers beside the formulas.
     pub parameters: Value,
-    /// The experiment that the idea comes from.
-    pub seed: SeedFindings,
     /// Several fetches on slanted walls.
     pub slant: SlantFindings,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
-    /// Real chains, and bakes for the proxy.
+    /// Lookups from a real chain of levels.
     pub chain: ChainFindings,
 }

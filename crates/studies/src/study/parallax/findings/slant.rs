@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use lobefit::report::Field;
 use lobefit_truth::optics::footprint::RuleTap;
 
 /// One fetch and more on slanted walls.
@@ -10,10 +9,6 @@ use lobefit_truth::optics::footprint::RuleTap;
 pub struct SlantFindings {
     /// Walls that the probe stands in front of, by the width of the lobe.
     pub lobes: Vec<SlantLobe>,
-    /// Footprints side by side.
-    pub footprints: Vec<SlantFootprints>,
-    /// The shared rules in front of the probe.
-    pub rules: Vec<RuleCurves>,
     /// The shared rules at slants to both, by the width of the lobe.
     pub spread: Vec<RuleSpread>,
     /// The rules' constants against a fit from them on.
@@ -57,33 +52,6 @@ pub struct PlacedTaps {
     pub settled: bool,
     /// From near to far.
     pub taps: Vec<RuleTap>,
-}
-
-/// Energy per area on a wall.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SlantFootprints {
-    /// Width of the lobe.
-    pub alpha: f64,
-    /// In degrees.
-    pub slant: f64,
-    /// Names with their total variations; the lobe itself first.
-    pub names: Vec<(String, f64)>,
-    /// The energy per area of each over the lobe's largest.
-    #[serde(skip)]
-    pub maps: Vec<Field>,
-}
-
-/// The fetches of a rule over the slant of a wall in front of the probe.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct RuleCurves {
-    /// How many fetches.
-    pub count: usize,
-    /// Width of the lobe.
-    pub alpha: f64,
-    /// The stretch.
-    pub kappa: Vec<f64>,
-    /// The fetches at each; tilts over alpha.
-    pub taps: Vec<Vec<RuleTap>>,
 }
 
 /// Total variation over walls at slants to both.

@@ -2,7 +2,6 @@
 
 mod chain;
 mod rooms;
-mod seed;
 mod slant;
 
 use crate::study::parallax::findings::ParallaxStudy;
@@ -14,12 +13,8 @@ use lobefit::report::{Page, ReportError, folded_after};
 /// Data that cannot be shown, by section and field.
 pub fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
     // the answers first and open, then what they rest on
-    let rest = [
-        rooms::basis(&study.rooms)?,
-        seed::sections(&study.seed)?,
-        slant::sections(&study.slant)?,
-        chain::sections(&study.chain)?,
-    ];
+    let rest =
+        [rooms::basis(&study.rooms)?, slant::sections(&study.slant)?, vec![chain::section(&study.chain)?]];
     let mut sections = rooms::answers(&study.rooms)?;
     sections.extend(rest.into_iter().flatten().map(|section| folded_after(0, section)));
     Ok(Page {

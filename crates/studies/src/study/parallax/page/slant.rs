@@ -2,17 +2,15 @@
 
 use crate::study::page;
 use crate::study::parallax::findings::{
-    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
-    SlantLobe, SlantRow,
+    PlacedTaps, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantLobe, SlantRow,
 };
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, Curves, HeatMap, ReportError, Section, Shade, Spread, Style, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Style, check};
 use lobefit::report::{figures, words};
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
     check::filled("slant", "lobes", slant.lobes.len())?;
-    check::filled("slant", "footprints", slant.footprints.len())?;
-    Ok(vec![variation(slant)?, rules(slant)?])
+    Ok(vec![variation(slant)?, rules(slant)])
 }
 
 fn variation(slant: &SlantFindings) -> Result<Section, ReportError> {
@@ -23,9 +21,6 @@ fn variation(slant: &SlantFindings) -> Result<Section, ReportError> {
     for lobe in &slant.lobes {
         blocks.push(Block::Heading { text: format!("α {}", place(lobe.alpha)) });
         blocks.push(Block::Table(table(lobe)));
-    }
-    for drawn in &slant.footprints {
-        blocks.push(maps(drawn)?);
     }
     Ok(Section {
         id: "slant".into(),
@@ -88,38 +83,7 @@ fn tv(x: f64) -> String {
     format!("{x:.3}")
 }
 
-fn maps(drawn: &SlantFootprints) -> Result<Block, ReportError> {
-    check::size("footprints", "maps", drawn.maps.len(), drawn.names.len())?;
-    let title = |(name, off): &(String, f64)| {
-        if *off == 0.0 { name.clone() } else { format!("{name}: total variation {}", tv(*off)) }
-    };
-    let maps: Vec<HeatMap> = drawn
-        .maps
-        .iter()
-        .zip(&drawn.names)
-        .map(|(field, name)| HeatMap {
-            shade: Shade::Magnitude { min: 0.0, max: 1.0, spread: Spread::Linear },
-            size: (300.0, 171.0),
-            ..HeatMap::of(&title(name), field)
-        })
-        .collect();
-    let caption = format!(
-        "Root of the energy per area over the largest of the lobe’s shown, α {} at {}°; lengths in α times the distance, the shading point to the left. The lobe, \
-         one fetch by the ratio of areas, the rules of two and three.",
-        place(drawn.alpha),
-        place(drawn.slant)
-    );
-    figures(&maps, &caption)
-}
-
-fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
-    let charts: Vec<Curves> = slant.rules.iter().flat_map(functions).collect();
-    let caption = format!(
-        "Tilts over α, widths over the lobe’s, and weights over the stretch κ, before a probe in front of the wall; near is the side of the shading \
-         point. Tilts and widths are drawn where a fetch weighs {} % or more: as κ nears 1 the outer ones of three go far out while they \
-         lose their weight.",
-        place(100.0 * DRAWN)
-    );
+fn rules(slant: &SlantFindings) -> Section {
     let columns = [
         ("α", true),
         ("walls", true),
@@ -149,10 +113,10 @@ fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
          the distances 0.15 to 2; none of these walls is one that the constants were fitted on. Expected within: root mean square error of the \
          total variation that the choice of the fewest fetches expects of one, two and three.",
     );
-    let mut blocks = vec![figures(&charts, &caption)?, Block::Table(table)];
+    let mut blocks = vec![Block::Table(table)];
     blocks.extend(slant.refits.iter().map(|refit| Block::Text { text: refitted(refit) }));
     blocks.extend(slant.expectations.iter().map(|of| Block::Text { text: expectation(of) }));
-    Ok(Section {
+    Section {
         id: "rules".into(),
         title: "One rule for every wall".into(),
         lead: "The fetches lie along the long axis of the footprint. Where they go depends on the length over the width of the footprint as the probe sees \
@@ -161,25 +125,7 @@ fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
                grows, κ of 1 leaves several. On few walls a rule is worse than one fetch: “worse than one” counts them."
             .into(),
         blocks,
-    })
-}
-
-/// Least weight of a fetch whose tilt and width are drawn.
-const DRAWN: f64 = 0.02;
-
-fn functions(rule: &RuleCurves) -> Vec<Curves> {
-    let names: &[&str] = if rule.count == 2 { &["near", "far"] } else { &["near", "middle", "far"] };
-    let chart = |what: &str, of: &dyn Fn(&lobefit_truth::optics::footprint::RuleTap) -> f64| {
-        let line = |(i, name): (usize, &&str)| {
-            let drawn = rule.kappa.iter().zip(&rule.taps);
-            let drawn = drawn.filter(|(_, taps)| what == "weight" || taps[i].weight >= DRAWN);
-            page::line(*name, drawn.map(|(k, taps)| (*k, of(&taps[i]))).collect(), Style::Line(i))
-        };
-        let title = format!("{} fetches, α {}: {what}", rule.count, place(rule.alpha));
-        let lines = names.iter().enumerate().map(line).collect();
-        Curves { x: ("κ".into(), Spread::Log), ..page::chart(title, ["κ", ""], lines, (290.0, 140.0)) }
-    };
-    vec![chart("tilt", &|tap| tap.tilt), chart("width", &|tap| tap.width), chart("weight", &|tap| tap.weight)]
+    }
 }
 
 fn refitted(refit: &RuleRefit) -> String {

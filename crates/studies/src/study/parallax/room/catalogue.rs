@@ -47,8 +47,8 @@ pub fn octagon() -> Room {
     Room { name: "octagon".into(), probe: [0.4, -0.3, 0.0], walls: planes.enumerate().map(wall).collect() }
 }
 
-/// 5 x 4.4 x 2.8, none of the study's: the constants of lobes and the law of sliding viewpoints are
-/// fitted here and judged in the others.
+/// 5 x 4.4 x 2.8, none of the study's: the constants of lobes are fitted here and judged in the
+/// others.
 pub fn practice() -> Room {
     let shape = Convex::cuboid([-2.1, -2.5, -1.2], [2.9, 1.9, 1.6]);
     let walls = shape.planes.into_iter().enumerate().map(|(i, plane)| wall((5 - i, plane))).collect();

@@ -3,18 +3,16 @@
 //! A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from
 //! anywhere inside in any direction is known in closed form. [`Patches`] integrates lobes
 //! from the probe, which are the fetches of a [`Lookup`] without texels, and from shading points,
-//! [`Fan`] the same by samples, and [`GgxRays`] what a whole GGX surface reflects.
+//! and [`GgxRays`] what a whole GGX surface reflects.
 
 mod catalogue;
 pub mod cubemap;
 mod exact;
-mod faded;
 mod fetch;
 mod light;
 
 pub use catalogue::{octagon, practice, room_a, room_b};
-pub use exact::{Fan, Fineness, GgxRays, Outlook, Patches};
-pub use faded::{Faded, Slant};
+pub use exact::{Fineness, GgxRays, Outlook, Patches};
 pub use fetch::Rays;
 pub use light::{Checker, Panel, Room, Wall};
 pub use lobefit::effects::parallax::room::{

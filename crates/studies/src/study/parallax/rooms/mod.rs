@@ -58,7 +58,6 @@ pub(super) fn findings(
     progress.stage("rooms");
     let Parameters { rooms, methods, random, lobes, images, .. } = parameters;
     let lobes = lobes::fitted(lobes)?;
-    let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let rays = random::halves(random.directions);
     let random = rooms.iter().map(|room| random::measured(room, methods, random, &rays));
     let random = random.collect::<Result<_, StudyError>>()?;
@@ -67,5 +66,5 @@ pub(super) fn findings(
     let costs = costs::costs(OCTAGON)?;
     let rival = methods[methods::FROSTBITE].name.clone();
     let chosen = methods.iter().filter(|method| method.chosen).map(|method| method.name.clone()).collect();
-    Ok(RoomsFindings { geometry, costs, lobes, random, pictures, rival, chosen })
+    Ok(RoomsFindings { costs, lobes, random, pictures, rival, chosen })
 }

@@ -5,12 +5,10 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use crate::study::Size;
-use crate::study::parallax::findings::RoomGeometry;
 use crate::study::parallax::room::{Convex, Room};
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
-use lobefit_math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};
-use lobefit_truth::optics::footprint::{Hit, Stretch};
+use lobefit_math::vector::{Vec3, plus, scaled, tangents, turned};
 
 /// Which points.
 #[derive(Clone, Debug, Serialize)]
@@ -96,34 +94,4 @@ fn bounds(shape: &Convex, inside: Vec3) -> [Vec3; 2] {
         }
     }
     [low, high]
-}
-
-/// How points and probe lie to the walls.
-pub(in crate::study::parallax) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
-    let (mut rho, mut stretch) = (Vec::new(), Vec::new());
-    for Point { place, mirror, .. } in points(room, parameters) {
-        let (distance, wall) = room.exit(place, mirror);
-        let hit = Hit { place: plus(place, scaled(mirror, distance)), normal: room.walls[wall].plane.normal };
-        if let Some(seen) = Stretch::of(place, hit, room.probe) {
-            rho.push(distance / length(minus(hit.place, room.probe)));
-            stretch.push(seen.kappa);
-        }
-    }
-    RoomGeometry {
-        room: room.name.clone(),
-        walls: room.walls.len(),
-        panels: room.walls.iter().map(|wall| wall.panels.len()).sum(),
-        points: rho.len(),
-        rho: [0.05, 0.5, 0.95].map(|share| quantile(&rho, share)),
-        stretch: [0.05, 0.5, 0.95].map(|share| quantile(&stretch, share)),
-    }
-}
-
-/// The value that a share of others is below, the nearest of those there are; 0 where there are
-/// none.
-fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let last = sorted.len().saturating_sub(1);
-    sorted.get((share * last as f64).round() as usize).copied().unwrap_or(0.0)
 }

@@ -16,7 +16,6 @@
 mod best;
 mod measures;
 pub mod slant;
-pub mod window;
 
 pub use best::{Adjusted, adjusted, best};
 pub use measures::{Measures, measures};

@@ -10,10 +10,8 @@ mod verdict;
 
 pub(super) use verdict::conclusion;
 
-use crate::study::parallax::findings::{RoomGeometry, RoomsFindings};
-use lobefit::report::numbers::significant;
-use lobefit::report::words;
-use lobefit::report::{Block, ReportError, Section, check, folded_after};
+use crate::study::parallax::findings::RoomsFindings;
+use lobefit::report::{ReportError, Section, folded_after};
 
 /// What came of it.
 pub(super) fn answers(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
@@ -28,38 +26,5 @@ pub(super) fn answers(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError
 
 /// What is compared, where, and at what price.
 pub(super) fn basis(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
-    Ok(vec![compared::section(), geometry(&rooms.geometry)?, lobes::section(rooms)?, costs::section(rooms)?])
-}
-
-/// The rooms, and how points at random lie in them.
-fn geometry(rooms: &[RoomGeometry]) -> Result<Section, ReportError> {
-    check::filled("rooms", "geometry", rooms.len())?;
-    let columns = [
-        ("room", false),
-        ("walls", true),
-        ("panels", true),
-        ("points", true),
-        ("ρ: 5 %", true),
-        ("50 %", true),
-        ("95 %", true),
-        ("stretch: 5 %", true),
-        ("50 %", true),
-        ("95 %", true),
-    ];
-    let row = |room: &RoomGeometry| {
-        let mut cells = vec![room.room.clone()];
-        cells.extend([room.walls, room.panels, room.points].map(|n| n.to_string()));
-        cells.extend(room.rho.iter().chain(&room.stretch).map(|&x| significant(x, 3)));
-        cells
-    };
-    let caption = "Places evenly inside, directions evenly over the sphere. ρ: distance of the point from where its ray meets a wall over that \
-                   of the probe from there. Stretch: longer over shorter axis of a round lobe, seen from the probe.";
-    Ok(Section {
-        id: "rooms".into(),
-        title: "The rooms".into(),
-        lead: "Convex rooms of checker walls with a bright panel on each. A is a box about its probe, B a long low box with the probe off its \
-               centre, the octagon a hall with a sloping roof. Lengths are metres."
-            .into(),
-        blocks: vec![Block::Table(words::table(&columns, rooms.iter().map(row).collect(), caption))],
-    })
+    Ok(vec![compared::section(), lobes::section(rooms)?, costs::section(rooms)?])
 }

@@ -1,7 +1,6 @@
 //! Directions and places on the faces of a cube, in the order and orientation of Direct3D, Vulkan
 //! and OpenGL: +x, -x, +y, -y, +z, -z.
 
-use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
 /// Of every face the direction to its centre, and those in which its coordinates s and t grow
@@ -30,18 +29,6 @@ pub fn face_of(towards: Vec3) -> (usize, [f64; 2]) {
 pub fn direction(face: usize, [s, t]: [f64; 2]) -> Vec3 {
     let [centre, along_s, along_t] = FACES[face];
     normalise(plus(centre, plus(scaled(along_s, s), scaled(along_t, t))))
-}
-
-/// Solid angle of a rectangle of a face by its ends in s and t: that from the centre to a corner is
-/// atan(s t/sqrt(1 + s^2 + t^2)).
-pub fn solid_angle(s: [f64; 2], t: [f64; 2]) -> f64 {
-    let corner = |s: f64, t: f64| ops::atan(s * t / (1.0 + s * s + t * t).sqrt());
-    corner(s[1], t[1]) - corner(s[0], t[1]) - corner(s[1], t[0]) + corner(s[0], t[0])
-}
-
-/// Places of `n` equal intervals of [-1, 1]: the ends of interval `i`.
-pub(super) fn interval(i: usize, n: usize) -> [f64; 2] {
-    [i, i + 1].map(|end| 2.0 * end as f64 / n as f64 - 1.0)
 }
 
 /// Centre of texel `i` of `n`, which may be -1 or `n`: a texel's width outside of the face.

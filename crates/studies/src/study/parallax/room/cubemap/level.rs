@@ -6,42 +6,9 @@ use super::CubemapError;
 use super::faces::{centre, direction, face_of};
 use lobefit_math::vector::Vec3;
 
-/// What a channel of a texel is stored in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Format {
-    /// 16 bits: 11 of mantissa, 65504 at most.
-    Half,
-    /// 32 bits.
-    Single,
-}
-
-impl Format {
-    fn stored(self, value: f64) -> f32 {
-        match self {
-            Format::Half => f16::from_f64(value).to_f32(),
-            Format::Single => value as f32,
-        }
-    }
-
-    fn bits(self) -> u32 {
-        if self == Format::Half { 16 } else { 32 }
-    }
-}
-
-/// What interpolation reads beyond the edge of a face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Edges {
-    /// The texels of the next face, and at a corner of the cube the mean of the three that meet
-    /// there: seamless filtering.
-    Seamless,
-    /// Nothing: the outermost texels reach to the edge.
-    Clamped,
-}
-
 /// Texels of six faces, row by row of t and in a row by s, each face with a border of one texel of
-/// its neighbours.
+/// its neighbours, which interpolation reads beyond an edge: seamless filtering. At a corner of the
+/// cube the border is the mean of the three texels that meet there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     size: usize,
@@ -49,11 +16,11 @@ pub struct Level {
 }
 
 impl Level {
-    /// A level from the texels of its faces, in order.
+    /// A level from the texels of its faces, in order, stored in 16 bits a channel.
     ///
     /// # Errors
-    /// Another number of texels than 6 `size`^2; a value that is not finite in the format.
-    pub fn new(size: usize, texels: &[[f64; 3]], format: Format) -> Result<Level, CubemapError> {
+    /// Another number of texels than 6 `size`^2; a value that is not finite in 16 bits.
+    pub fn new(size: usize, texels: &[[f64; 3]]) -> Result<Level, CubemapError> {
         let wanted = 6 * size * size;
         if size == 0 || texels.len() != wanted {
             let found = texels.len();
@@ -63,27 +30,16 @@ impl Level {
         }
         let mut stored = Vec::with_capacity(wanted);
         for (texel, values) in texels.iter().enumerate() {
-            let rounded = values.map(|value| format.stored(value));
+            let rounded = values.map(|value| f16::from_f32(value as f32).to_f32());
             if let Some(channel) = rounded.iter().position(|x| !x.is_finite()) {
-                let (value, bits) = (values[channel], format.bits());
+                let value = values[channel];
                 return Err(CubemapError(format!(
-                    "texel {texel} of a level of {size} texels a side: {value} is no finite number in {bits} bits; scale the light"
+                    "texel {texel} of a level of {size} texels a side: {value} is no finite number in 16 bits; scale the light"
                 )));
             }
             stored.push(rounded);
         }
         Ok(Level { size, bordered: bordered(size, &stored) })
-    }
-
-    /// The same texels in another format.
-    ///
-    /// # Errors
-    /// A value that is not finite in the format.
-    pub fn rounded(&self, format: Format) -> Result<Level, CubemapError> {
-        let n = self.size;
-        let texels: Vec<[f64; 3]> =
-            (0..6 * n * n).map(|k| self.texel(k / (n * n), k % n, k / n % n)).collect();
-        Level::new(n, &texels, format)
     }
 
     /// Texels along a side of a face.
@@ -97,15 +53,14 @@ impl Level {
     }
 
     /// Bilinear interpolation between the four texels around a direction.
-    pub fn fetch(&self, towards: Vec3, edges: Edges) -> [f64; 3] {
+    pub fn fetch(&self, towards: Vec3) -> [f64; 3] {
         let (face, place) = face_of(towards);
         let n = self.size as f64;
         let [x, y] = place.map(|c| {
             let x = 0.5 * (c + 1.0) * n - 0.5;
             // a direction whose largest coordinate is found may be a rounding error outside of its
             // face
-            let [low, high] = if edges == Edges::Seamless { [-0.5, n - 0.5] } else { [0.0, n - 1.0] };
-            x.clamp(low, high)
+            x.clamp(-0.5, n - 0.5)
         });
         // the border is texel -1
         let [i, j] = [x, y].map(|x| (x.floor() + 1.0) as usize);

@@ -3,9 +3,6 @@
 use super::super::light::{Panel, Room, Wall};
 use lobefit_math::vector::{Vec3, dot, length, plus, scaled};
 
-/// Directions that are met at once.
-pub(super) const LANES: usize = 8;
-
 /// Least distance to a wall, in metres: a place on a wall or beyond it sees the wall there in every
 /// direction towards it.
 const NEAREST: f64 = 1e-12;
@@ -47,10 +44,29 @@ impl<'a> Outlook<'a> {
         Outlook { walls: room.walls.iter().map(seen).collect() }
     }
 
-    /// Radiance from a direction, of any length but 0. A room is bounded, so that every direction
-    /// meets a wall.
+    /// Radiance from a direction, of any length but 0.
     #[inline]
     pub fn seen(&self, towards: Vec3) -> [f64; 3] {
+        let (Seen { wall, .. }, _, at) = self.met(towards);
+        wall.at(at)
+    }
+
+    /// Radiance from a direction of unit length, and how many points per solid angle are there of
+    /// `count` spread evenly over every panel; 0 where no panel is.
+    pub(super) fn among(&self, towards: Vec3, count: f64) -> ([f64; 3], f64) {
+        let (Seen { wall, normal, .. }, nearness, at) = self.met(towards);
+        match wall.panel(at) {
+            None => (wall.at(at), 0.0),
+            Some((_, panel)) => {
+                (panel.radiance, density(panel, 1.0 / nearness, nearness / length(*normal), count))
+            }
+        }
+    }
+
+    /// The wall that a direction meets, 1 over the distance to it along the direction, and where. A
+    /// room is bounded, so that every direction meets a wall.
+    #[inline(always)]
+    fn met(&self, towards: Vec3) -> (&Seen<'a>, f64, [f64; 2]) {
         let (mut nearness, mut met) = (0.0, 0);
         for (i, wall) in self.walls.iter().enumerate() {
             let near = dot(wall.normal, towards);
@@ -58,43 +74,9 @@ impl<'a> Outlook<'a> {
                 (nearness, met) = (near, i);
             }
         }
-        self.radiance(met, nearness, towards)
-    }
-
-    /// 1 over the distance to the wall that each of many directions meets, and which it is.
-    #[inline(always)]
-    pub(super) fn met(&self, [x, y, z]: &[[f64; LANES]; 3]) -> ([f64; LANES], [usize; LANES]) {
-        let (mut nearness, mut met) = ([0.0; LANES], [0; LANES]);
-        for (i, wall) in self.walls.iter().enumerate() {
-            let [a, b, c] = wall.normal;
-            for l in 0..LANES {
-                let near = a * x[l] + b * y[l] + c * z[l];
-                met[l] = if near > nearness[l] { i } else { met[l] };
-                nearness[l] = if near > nearness[l] { near } else { nearness[l] };
-            }
-        }
-        (nearness, met)
-    }
-
-    /// Radiance from where a direction meets a wall.
-    #[inline(always)]
-    pub(super) fn radiance(&self, met: usize, nearness: f64, towards: Vec3) -> [f64; 3] {
-        let Seen { wall, foot, axes, .. } = &self.walls[met];
+        let seen = &self.walls[met];
         let distance = 1.0 / nearness;
-        wall.at([0, 1].map(|i| foot[i] + distance * dot(axes[i], towards)))
-    }
-
-    /// Radiance from a direction of unit length, and how many points per solid angle are there of
-    /// `count` spread evenly over every panel; 0 where no panel is.
-    pub(super) fn among(&self, towards: Vec3, count: f64) -> ([f64; 3], f64) {
-        let ([nearness, ..], [met, ..]) = self.met(&towards.map(|x| [x; LANES]));
-        let Seen { wall, foot, axes, normal } = &self.walls[met];
-        let distance = 1.0 / nearness;
-        let at = [0, 1].map(|i| foot[i] + distance * dot(axes[i], towards));
-        match wall.panel(at) {
-            None => (wall.at(at), 0.0),
-            Some((_, panel)) => (panel.radiance, density(panel, distance, nearness / length(*normal), count)),
-        }
+        (seen, nearness, [0, 1].map(|i| seen.foot[i] + distance * dot(seen.axes[i], towards)))
     }
 
     /// What is seen of every panel at some of its points, given in [0, 1)^2: the direction, the

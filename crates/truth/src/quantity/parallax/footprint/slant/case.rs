@@ -3,7 +3,7 @@
 use super::QUANTITY;
 use super::geometry::{OUTWARD, Slant};
 use super::normal::Normal;
-use super::wall::{Footprint, Resolution, Wall, per_area};
+use super::wall::{Footprint, Resolution, Wall};
 use crate::integrate::IntegrateError;
 use crate::optics::footprint::{Hit, RuleTap, Stretch, width};
 use crate::optics::kernel::Kernel;
@@ -106,29 +106,6 @@ impl Case {
             }
         }
         self.normalised(sum)
-    }
-
-    /// Energy per wall area of the lobe at some (x, y), x away from the shading point; its
-    /// footprint's integral is 1.
-    pub fn target_at(&self, places: &[[f64; 2]]) -> Vec<f64> {
-        let (from, axis, lobe) = (self.slant.place(), self.slant.ray(), self.kernel.lobe(self.alpha));
-        let whole = self.wall.whole(&self.wall.footprint(&lobe, from, axis));
-        places.iter().map(|place| per_area(&lobe, from, axis, *place) / whole).collect()
-    }
-
-    /// The same of the fetches of a rule.
-    pub fn fetched_at(&self, taps: &[RuleTap], places: &[[f64; 2]]) -> Vec<f64> {
-        let probe = self.slant.probe_place();
-        let (mut sum, mut whole) = (vec![0.0; places.len()], 0.0);
-        for tap in taps {
-            let Some((axis, alpha)) = self.fetch(tap) else { continue };
-            let lobe = self.kernel.lobe(alpha);
-            whole += tap.weight * self.wall.whole(&self.wall.footprint(&lobe, probe, axis));
-            let here = places.iter().map(|place| tap.weight * per_area(&lobe, probe, axis, *place));
-            sum.iter_mut().zip(here).for_each(|(s, v)| *s += v);
-        }
-        sum.iter_mut().for_each(|s| *s /= whole);
-        sum
     }
 
     /// A footprint over its integral; `None` of nothing.

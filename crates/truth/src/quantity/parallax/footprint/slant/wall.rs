@@ -59,7 +59,7 @@ pub struct Footprint {
 
 /// Energy per area that a lobe about an axis from a place before the wall leaves at (x, y): K
 /// cos(psi)/dist^2, cos(psi) = height/dist.
-pub(super) fn per_area(lobe: &Lobe, from: Vec3, axis: Vec3, [x, y]: [f64; 2]) -> f64 {
+fn per_area(lobe: &Lobe, from: Vec3, axis: Vec3, [x, y]: [f64; 2]) -> f64 {
     let v = [x - from[0], y - from[1], -from[2]];
     let square = dot(v, v);
     let distance = square.sqrt();
