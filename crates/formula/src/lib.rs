@@ -3,9 +3,8 @@
 //! | module | purpose |
 //! |---|---|
 //! | [`perceptual`] | how much of an error is seen, and the light that it is seen under |
-//! | [`fitting`] | one formula: samples, solver, proof, certificates, code, document |
+//! | [`fitting`] | one formula: samples, solver, proof, certificates, code, document, page |
 //! | [`search`] | forms of the inputs, from the cheapest to the most accurate |
-//! | [`report`] | the pages of both |
 //! | [`run`] | the verb |
 //!
 //! The program `lobefit` runs the binary of this package for its verb `fit`. A bake fits the
@@ -14,7 +13,6 @@
 mod cli;
 pub mod fitting;
 pub mod perceptual;
-pub mod report;
 pub mod search;
 
 pub use cli::run;

@@ -1,20 +1,21 @@
 //! `lobefit fit`: a formula of the user's, fitted and certified.
 
 mod options;
-mod search;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::fitting::{self, Fitting, Job};
+use crate::fitting::{self, Certified};
+use crate::search;
 use lobefit::cli::CliError;
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
 use lobefit::data::Use;
 use lobefit::scene::escape::visible;
-use lobefit::store::{Folder, Written};
+use lobefit::store::{Files, Folder, Written};
+use lobefit_fit::search::Progress;
 
 use options::Options;
 
@@ -65,31 +66,74 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn verb(options: &Options) -> Result<Outcome, CliError> {
-    if options.search {
-        return search::run(options, &options.search_job()?);
-    }
+    if options.search { searched(options) } else { fitted(options) }
+}
+
+/// A fit of the user's formula.
+fn fitted(options: &Options) -> Result<Outcome, CliError> {
     let job = options.job()?;
+    publish(options, "integrating and fitting", |_, written| {
+        let fitting = fitting::fit(&job)?;
+        let problem =
+            |fit: &Certified, problem: &String| visible(&format!("{}: {problem}", fit.approximation.name));
+        let problems = fitting.fits.iter().flat_map(|fit| fit.problems.iter().map(move |p| problem(fit, p)));
+        let problems: Vec<String> = problems.collect();
+        let wanted = written && problems.is_empty();
+        let files = if wanted { fitting::files(&job, &fitting)? } else { Files::new() };
+        let shown = if options.json {
+            fitting::document(&job, &fitting)?
+        } else {
+            lines(&fitting::summary(&job, &fitting, written)?)
+        };
+        Ok(Made { shown, problems, files })
+    })
+}
+
+/// A search for formulas.
+fn searched(options: &Options) -> Result<Outcome, CliError> {
+    let job = options.search_job()?;
+    publish(options, "integrating", |spinner, written| {
+        let searched = search::run(&job, &|at| spinner.stage(&told(at)))?;
+        let problems: Vec<String> = searched.problem(job.limit).into_iter().collect();
+        let wanted = written && problems.is_empty();
+        let files = if wanted { search::files(&job, &searched)? } else { Files::new() };
+        let shown = if options.json {
+            search::document(&job, &searched)?
+        } else {
+            lines(&search::summary(&searched, written))
+        };
+        Ok(Made { shown, problems, files })
+    })
+}
+
+/// What a fit or a search came to.
+struct Made {
+    /// The document, or the words.
+    shown: Vec<u8>,
+    /// Why it cannot be relied on, each a sentence.
+    problems: Vec<String>,
+    /// What is written, where a folder is given and there are no problems.
+    files: Files,
+}
+
+/// Makes, prints and writes; the work hears whether its files are wanted.
+fn publish(
+    options: &Options,
+    stage: &str,
+    make: impl FnOnce(&Spinner, bool) -> Result<Made, CliError> + Send,
+) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let spinner = Spinner::new(options.quiet || options.json);
-    spinner.stage("integrating and fitting");
-    let (fitting, files) = options.threads.install(|| {
-        let fitting = fitting::fit(&job)?;
-        let files = if folder.is_some() && reliable(&fitting) {
-            fitting::files(&job, &fitting)?
-        } else {
-            Default::default()
-        };
-        Ok((fitting, files))
-    })?;
+    spinner.stage(stage);
+    let made = options.threads.install(|| make(&spinner, folder.is_some()));
     drop(spinner);
-    show(options, &job, &fitting)?;
-    for fit in &fitting.fits {
-        for problem in &fit.problems {
-            say(&visible(&format!("{}: {problem}", fit.approximation.name)));
-        }
+    let Made { shown, problems, files } = made?;
+    if options.json || !options.quiet {
+        print(&shown)?;
     }
-    if !reliable(&fitting) {
+    if !problems.is_empty() {
+        problems.iter().for_each(|problem| say(problem));
         if folder.is_some() {
             say("nothing written");
         }
@@ -104,6 +148,21 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
+/// A text line by line, without what a terminal would obey.
+fn lines(text: &str) -> Vec<u8> {
+    text.lines().map(|line| visible(line) + "\n").collect::<String>().into_bytes()
+}
+
+/// How far a search is.
+fn told(at: &Progress) -> String {
+    let Progress { trial, sweep, sweeps, ops, max_ops, forms, best, .. } = at;
+    let trial = trial.map_or(String::new(), |[k, count]| format!("what pays ({k} of {count}): "));
+    format!(
+        "{trial}sweep {} of at most {sweeps}, {ops} of {max_ops} operations, {forms} forms tried, error {best:.5} so far",
+        sweep + 1
+    )
+}
+
 /// What lies in the output folder now.
 fn written_files(options: &Options, written: &Written) -> String {
     let folder = options.out.iter().map(|out| visible(&out.display().to_string())).collect::<String>();
@@ -111,21 +170,4 @@ fn written_files(options: &Options, written: &Written) -> String {
     files.sort_unstable();
     let (new, same) = (written.written.len(), written.unchanged.len());
     format!("\nin {folder}: {}\n{new} files written, {same} unchanged\n", visible(&files.join(", ")))
-}
-
-/// Whether every fit can be relied on.
-fn reliable(fitting: &Fitting) -> bool {
-    fitting.fits.iter().all(|fit| fit.problems.is_empty())
-}
-
-fn show(options: &Options, job: &Job, fitting: &Fitting) -> Result<(), CliError> {
-    if options.json {
-        return print(&fitting::document(job, fitting)?);
-    }
-    if options.quiet {
-        return Ok(());
-    }
-    let text = fitting::summary(job, fitting, options.out.is_some())?;
-    let shown: String = text.lines().map(|line| visible(line) + "\n").collect();
-    print(shown.as_bytes())
 }

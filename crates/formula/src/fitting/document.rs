@@ -4,13 +4,12 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::CatalogueFit;
-use super::{Certified, Demand, Fitting, FittingError, Job, Proof, catalogue, pictures, printed, words};
-use crate::report::{self, FitCard, FitPage};
+use super::{Certified, Fitting, FittingError, Job, Proof, page, printed, words};
 use lobefit::approximate::target::{Target, TargetError};
 use lobefit::data::Certificate;
 use lobefit::emit::header::Recipe;
 use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
-use lobefit::report::Origin;
+use lobefit::report::{Origin, html};
 use lobefit::store::Files;
 use lobefit_fit::Gap;
 use lobefit_shade::Precision;
@@ -51,7 +50,7 @@ pub fn document(job: &Job, fitting: &Fitting) -> Result<Vec<u8>, FittingError> {
 pub fn files(job: &Job, fitting: &Fitting) -> Result<Files, FittingError> {
     let name = job.hypothesis.name();
     let mut files = Files::new();
-    files.insert(format!("{name}.html"), report::fit_page(&page(job, fitting)?)?.into_bytes());
+    files.insert(format!("{name}.html"), html(&page::page(job, fitting)?).into_bytes());
     files.insert(format!("{name}.json"), document(job, fitting)?);
     for language in &job.languages {
         let text = printed::file(*language, job, fitting, &recipe(job))?;
@@ -60,17 +59,28 @@ pub fn files(job: &Job, fitting: &Fitting) -> Result<Files, FittingError> {
     Ok(files)
 }
 
-fn code_file(name: &str, language: Language) -> String {
+pub(super) fn code_file(name: &str, language: Language) -> String {
     format!("{name}.{}", language.extension())
 }
 
 /// What makes the files again: the hash covers the tool's version, the command and the formula.
-fn recipe(job: &Job) -> Recipe {
+pub(super) fn recipe(job: &Job) -> Recipe {
     Recipe {
         command: job.command.clone(),
         tool: TOOL.into(),
         scene: String::new(),
         hash: hash(&[&job.command, job.hypothesis.source()]),
+    }
+}
+
+/// What made the page of a fitting or of a search; its scene is empty.
+pub(crate) fn origin(command: &str, recipe: String) -> Origin {
+    Origin {
+        scene: String::new(),
+        recipe,
+        tool: env!("CARGO_PKG_VERSION").into(),
+        command: command.into(),
+        pages: Vec::new(),
     }
 }
 
@@ -164,24 +174,6 @@ fn solver(fit: &Certified) -> Value {
     })
 }
 
-fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
-    let fits = fitting.fits.iter().map(|fit| card(job, fitting, fit));
-    Ok(FitPage {
-        origin: Origin {
-            scene: String::new(),
-            recipe: recipe(job).hash,
-            tool: env!("CARGO_PKG_VERSION").into(),
-            command: job.command.clone(),
-            pages: Vec::new(),
-        },
-        name: job.hypothesis.name().into(),
-        asked: asked(job, fitting),
-        hypothesis: job.hypothesis.source().into(),
-        used_as: fitting.target.used_as,
-        fits: fits.collect::<Result<_, _>>()?,
-    })
-}
-
 /// What a target is, as names and values.
 pub(crate) fn of_target(target: &Target) -> Vec<(String, String)> {
     let used_as = format!("{}, judged by the {}", target.used_as.name, target.used_as.metric);
@@ -198,71 +190,5 @@ pub(crate) fn of_target(target: &Target) -> Vec<(String, String)> {
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();
     rows.push(("Domain".into(), domain.join(", ")));
     rows.push(("Truth".into(), format!("within {}", words::figure(target.truth_error()))));
-    rows
-}
-
-fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
-    let mut rows = of_target(&fitting.target);
-    let goals: Vec<String> = job.goals.iter().map(|goal| words::minimised(*goal)).collect();
-    rows.push(("Minimised".into(), goals.join("; ")));
-    rows.extend(job.weight.iter().map(|weight| ("Weight".to_string(), weight.clone())));
-    let demands: Vec<String> = job.demands.iter().map(Demand::words).collect();
-    if !demands.is_empty() {
-        rows.push(("Constraints".into(), demands.join("; ")));
-    }
-    rows
-}
-
-fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, FittingError> {
-    let certificates = fit.certificates.iter().filter_map(|(_, c)| c.as_ref().ok().cloned());
-    let parameters = fit.hypothesis.parameters().iter().zip(&fit.coefficients);
-    let code = job
-        .languages
-        .iter()
-        .map(|language| Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?)));
-    Ok(FitCard {
-        name: fit.approximation.name.clone(),
-        facts: facts(job, fitting, fit),
-        ops: fit.approximation.cost.ops,
-        coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
-        certificates: certificates.collect(),
-        stages: fit
-            .fitted
-            .stages
-            .iter()
-            .map(|s| words::stage(s, !fit.fitted.constraints.is_empty()))
-            .collect(),
-        slices: pictures::slices(fit, &fitting.target)?,
-        code: code.collect::<Result<_, FittingError>>()?,
-    })
-}
-
-fn facts(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<(String, String)> {
-    let (fitted, weight) = (&fit.fitted, job.weight.as_deref());
-    let minimised = words::minimised(fit.goal) + &words::weighted(weight, fit.goal);
-    let mut rows = vec![("Minimised".to_string(), minimised)];
-    let error = weight.zip(fit.weighted.as_ref());
-    rows.extend(error.map(|(weight, error)| ("Weighted error".into(), words::weighted_error(weight, error))));
-    rows.push(("Ended as".into(), words::end(fitted)));
-    rows.push(("Optimality".into(), words::optimality(fitted, weight.is_some())));
-    let parameters = fitted.undetermined.iter().chain(&fit.notes);
-    rows.extend(parameters.map(|text| ("Parameters".to_string(), text.clone())));
-    rows.push(match &fit.proof {
-        Proof::Regular => (
-            "Regular".into(),
-            "proven by interval arithmetic over the whole domain: every divisor keeps its sign, no root of a negative number, no \
-             overflow"
-                .into(),
-        ),
-        Proof::NotProven(error) => ("Regular".into(), format!("not proven: {error}")),
-    });
-    rows.extend(fit.kept.iter().map(|kept| ("Constraint".to_string(), words::constraint(kept))));
-    let a = &fit.approximation;
-    let beside = catalogue::beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs);
-    rows.extend(beside.map(|text| ("Catalogue".into(), text)));
-    let files: Vec<String> =
-        job.languages.iter().map(|language| code_file(job.hypothesis.name(), *language)).collect();
-    let emitted = if files.is_empty() { String::new() } else { format!("{}; ", files.join(", ")) };
-    rows.push(("Emitted".into(), emitted + catalogue::by_scene(&fitting.target)));
     rows
 }

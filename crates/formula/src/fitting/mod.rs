@@ -6,6 +6,7 @@ mod constraint_check;
 mod demands;
 pub(crate) mod document;
 pub(crate) mod one;
+mod page;
 mod pictures;
 mod poles;
 mod printed;

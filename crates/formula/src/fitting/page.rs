@@ -1,7 +1,9 @@
 //! The page of a formula that the user fits.
 
-use super::{FitCard, FitPage, FitSlice};
-use lobefit::data::Certificate;
+use super::document::{code_file, of_target, origin, recipe};
+use super::pictures::{FitSlice, slices};
+use super::{Certified, Demand, Fitting, FittingError, Job, Proof, catalogue, printed};
+use lobefit::data::{Certificate, Use};
 use lobefit::report::numbers::{brief, brief_bound, grouped, place, significant};
 use lobefit::report::{
     Block, Curves, Field, Figure, HeatMap, Page, ReportError, Scale, Section, Series, Spread, Style,
@@ -9,54 +11,67 @@ use lobefit::report::{
 };
 
 /// The page: what was asked, then each fit.
-pub(super) fn page(findings: &FitPage) -> Result<Page, ReportError> {
-    let mut sections = vec![asked(findings)];
-    for fit in &findings.fits {
-        sections.push(errors(findings, fit)?);
-        sections.push(pictures(findings, fit)?);
-        sections.push(solver(fit));
-        sections.push(code(fit));
+///
+/// # Errors
+/// Data that is not finite, empty where it must not be, or of mismatched size, by section and
+/// field; a formula that a language cannot print.
+pub(super) fn page(job: &Job, fitting: &Fitting) -> Result<Page, FittingError> {
+    let name = job.hypothesis.name();
+    let used_as = fitting.target.used_as;
+    let mut sections = vec![asked(job, fitting)];
+    for fit in &fitting.fits {
+        sections.push(errors(used_as, fit)?);
+        sections.push(pictures(used_as, fit, &slices(fit, &fitting.target)?)?);
+        sections.push(solver(job, fitting, fit));
+        sections.push(code(job, fitting, fit)?);
     }
     Ok(Page {
-        title: format!("lobefit fit: {}", findings.name),
-        origin: findings.origin.clone(),
+        title: format!("lobefit fit: {name}"),
+        origin: origin(&job.command, recipe(job).hash),
         lead: format!(
             "A formula fitted to a quantity: its constants, its measured error and its cost, the fit beside the truth, and where \
-             it errs. Figures in full digits: {}.json, beside this page.",
-            findings.name
+             it errs. Figures in full digits: {name}.json, beside this page."
         ),
         sections,
     })
 }
 
 /// Anchor of a section of a fit: names are identifiers, anchors have hyphens.
-fn anchor(fit: &FitCard, what: &str) -> String {
-    format!("{}-{what}", fit.name.to_lowercase().replace('_', "-"))
+fn anchor(fit: &Certified, what: &str) -> String {
+    format!("{}-{what}", fit.approximation.name.to_lowercase().replace('_', "-"))
 }
 
-fn asked(findings: &FitPage) -> Section {
+fn asked(job: &Job, fitting: &Fitting) -> Section {
+    let mut rows = of_target(&fitting.target);
+    let goals: Vec<String> = job.goals.iter().map(|goal| super::words::minimised(*goal)).collect();
+    rows.push(("Minimised".into(), goals.join("; ")));
+    rows.extend(job.weight.iter().map(|weight| ("Weight".to_string(), weight.clone())));
+    let demands: Vec<String> = job.demands.iter().map(Demand::words).collect();
+    if !demands.is_empty() {
+        rows.push(("Constraints".into(), demands.join("; ")));
+    }
     Section {
         id: "asked".into(),
         title: "What was asked".into(),
         lead: "The quantity, how the formula is used, and where it has to hold.".into(),
         blocks: vec![
-            Block::Facts { rows: findings.asked.clone() },
+            Block::Facts { rows },
             Block::Heading { text: "The hypothesis".into() },
-            Block::Code { text: findings.hypothesis.trim_end().into() },
+            Block::Code { text: job.hypothesis.source().trim_end().into() },
         ],
     }
 }
 
-fn errors(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
-    let section = format!("fit {}", fit.name);
-    check::filled(&section, "certificates", fit.certificates.len())?;
-    let constants = fit
-        .coefficients
-        .iter()
-        .map(|(name, start, value)| vec![name.clone(), value.to_string(), start.to_string()]);
+fn errors(used_as: Use, fit: &Certified) -> Result<Section, ReportError> {
+    let name = &fit.approximation.name;
+    let certificates: Vec<&Certificate> =
+        fit.certificates.iter().filter_map(|(_, found)| found.as_ref().ok()).collect();
+    check::filled(&format!("fit {name}"), "certificates", certificates.len())?;
+    let constants = fit.hypothesis.parameters().iter().zip(&fit.coefficients);
+    let constants = constants.map(|(p, value)| vec![p.name.clone(), value.to_string(), p.start.to_string()]);
     let mut blocks = vec![
-        Block::Table(certificates(findings, fit)),
-        Block::Facts { rows: vec![("Cost".into(), words::operations(fit.ops))] },
+        Block::Table(measured(used_as, &certificates)),
+        Block::Facts { rows: vec![("Cost".into(), words::operations(fit.approximation.cost.ops))] },
     ];
     if !fit.coefficients.is_empty() {
         let columns = [("constant", false), ("fitted", true), ("started at", true)];
@@ -66,7 +81,7 @@ fn errors(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
     }
     Ok(Section {
         id: anchor(fit, "error"),
-        title: format!("{}: error and constants", fit.name),
+        title: format!("{name}: error and constants"),
         lead:
             "Measured after the constants were rounded to f32, at points that the formula was not fitted on."
                 .into(),
@@ -74,7 +89,7 @@ fn errors(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
     })
 }
 
-fn certificates(findings: &FitPage, fit: &FitCard) -> TextTable {
+fn measured(used_as: Use, certificates: &[&Certificate]) -> TextTable {
     let columns = [
         ("arithmetic", false),
         ("max", true),
@@ -84,7 +99,7 @@ fn certificates(findings: &FitPage, fit: &FitCard) -> TextTable {
         ("mean", true),
         ("points", true),
     ];
-    let row = |c: &Certificate| {
+    let row = |c: &&Certificate| {
         vec![
             c.precision.clone(),
             words::max(c.max_abs),
@@ -98,31 +113,32 @@ fn certificates(findings: &FitPage, fit: &FitCard) -> TextTable {
     let caption = format!(
         "Judged by the {}. Maxima are rounded up; RMS and mean are over points uniform in the inputs. Inputs are rounded to \
          the arithmetic that is measured.",
-        findings.used_as.metric
+        used_as.metric
     );
-    words::table(&columns, fit.certificates.iter().map(row).collect(), &caption)
+    words::table(&columns, certificates.iter().map(row).collect(), &caption)
 }
 
-fn pictures(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
+fn pictures(used_as: Use, fit: &Certified, slices: &[FitSlice]) -> Result<Section, ReportError> {
     let mut blocks = Vec::new();
-    for slice in &fit.slices {
-        checked(fit, slice)?;
+    let name = &fit.approximation.name;
+    for slice in slices {
+        checked(name, slice)?;
         if !slice.at.is_empty() {
             blocks.push(Block::Heading { text: slice.at.clone() });
         }
-        blocks.push(of_slice(findings, fit, slice)?);
+        blocks.push(of_slice(used_as, name, slice)?);
         blocks.extend(worst_places(slice).map(Block::Table));
     }
     Ok(Section {
         id: anchor(fit, "pictures"),
-        title: format!("{} beside the truth", fit.name),
+        title: format!("{name} beside the truth"),
         lead: "The curves show the formula itself; the error is that of its use.".into(),
         blocks,
     })
 }
 
-fn checked(fit: &FitCard, slice: &FitSlice) -> Result<(), ReportError> {
-    let section = format!("fit {}, slice {}", fit.name, slice.at);
+fn checked(fit: &str, slice: &FitSlice) -> Result<(), ReportError> {
+    let section = format!("fit {fit}, slice {}", slice.at);
     check::increasing(&section, &slice.along.name, &slice.along.values)?;
     check::filled(&section, "curves", slice.curves.len())?;
     for curve in &slice.curves {
@@ -136,9 +152,9 @@ fn checked(fit: &FitCard, slice: &FitSlice) -> Result<(), ReportError> {
 }
 
 /// Curves beside the map; beside the curves of the error where there is no map.
-fn of_slice(findings: &FitPage, fit: &FitCard, slice: &FitSlice) -> Result<Block, ReportError> {
+fn of_slice(used_as: Use, fit: &str, slice: &FitSlice) -> Result<Block, ReportError> {
     let curves = Figure::svg(&curves(fit, slice))?;
-    let metric = findings.used_as.metric;
+    let metric = used_as.metric;
     match &slice.error {
         Some(field) => {
             let map = Figure::svg(&map(&words::labelled(field), slice))?;
@@ -158,7 +174,7 @@ fn of_slice(findings: &FitPage, fit: &FitCard, slice: &FitSlice) -> Result<Block
     }
 }
 
-fn curves(fit: &FitCard, slice: &FitSlice) -> Curves {
+fn curves(fit: &str, slice: &FitSlice) -> Curves {
     let end = |of: f64| {
         (!slice.family.is_empty()).then(|| format!("{} {}", short_symbol(&slice.family), place(of)))
     };
@@ -167,7 +183,7 @@ fn curves(fit: &FitCard, slice: &FitSlice) -> Curves {
         series.push(line(if i == 0 { "truth" } else { "" }, slice, &c.truth, Style::Truth, end(c.of)));
     }
     for (i, c) in slice.curves.iter().enumerate() {
-        series.push(line(if i == 0 { &fit.name } else { "" }, slice, &c.fit, Style::Line(0), None));
+        series.push(line(if i == 0 { fit } else { "" }, slice, &c.fit, Style::Line(0), None));
     }
     let (truth, fit) = (slice.curves.iter().map(|c| &c.truth), slice.curves.iter().map(|c| &c.fit));
     chart(slice, slice.value.clone(), series, Some(limits(truth.flatten(), fit.flatten())))
@@ -238,18 +254,19 @@ fn worst_places(slice: &FitSlice) -> Option<TextTable> {
     ))
 }
 
-fn solver(fit: &FitCard) -> Section {
+fn solver(job: &Job, fitting: &Fitting, fit: &Certified) -> Section {
     let columns = [("stage", false), ("ended as", false), ("max", true), ("RMS", true)];
-    let rows = fit.stages.iter().map(|stage| stage.to_vec()).collect();
+    let constrained = !fit.fitted.constraints.is_empty();
+    let rows = fit.fitted.stages.iter().map(|stage| super::words::stage(stage, constrained).to_vec());
     let caption = "The stages of the search that led to these constants, with the residuals over the samples (which are weighted, \
                    where a weight was given).";
-    let mut blocks = vec![Block::Facts { rows: fit.facts.clone() }];
-    if !fit.stages.is_empty() {
-        blocks.push(Block::Table(words::table(&columns, rows, caption)));
+    let mut blocks = vec![Block::Facts { rows: facts(job, fitting, fit) }];
+    if !fit.fitted.stages.is_empty() {
+        blocks.push(Block::Table(words::table(&columns, rows.collect(), caption)));
     }
     Section {
         id: anchor(fit, "search"),
-        title: format!("{}: what the solver did", fit.name),
+        title: format!("{}: what the solver did", fit.approximation.name),
         lead:
             "How the search ended, how far from the best possible the constants can be, and what is proven."
                 .into(),
@@ -257,14 +274,49 @@ fn solver(fit: &FitCard) -> Section {
     }
 }
 
-fn code(fit: &FitCard) -> Section {
-    let blocks = fit.code.iter().flat_map(|(language, text)| {
-        [Block::Heading { text: language.clone() }, Block::Code { text: text.trim_end().into() }]
+fn facts(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<(String, String)> {
+    let (fitted, weight) = (&fit.fitted, job.weight.as_deref());
+    let minimised = super::words::minimised(fit.goal) + &super::words::weighted(weight, fit.goal);
+    let mut rows = vec![("Minimised".to_string(), minimised)];
+    let error = weight.zip(fit.weighted.as_ref());
+    rows.extend(
+        error.map(|(weight, error)| ("Weighted error".into(), super::words::weighted_error(weight, error))),
+    );
+    rows.push(("Ended as".into(), super::words::end(fitted)));
+    rows.push(("Optimality".into(), super::words::optimality(fitted, weight.is_some())));
+    let parameters = fitted.undetermined.iter().chain(&fit.notes);
+    rows.extend(parameters.map(|text| ("Parameters".to_string(), text.clone())));
+    rows.push(match &fit.proof {
+        Proof::Regular => (
+            "Regular".into(),
+            "proven by interval arithmetic over the whole domain: every divisor keeps its sign, no root of a negative number, no \
+             overflow"
+                .into(),
+        ),
+        Proof::NotProven(error) => ("Regular".into(), format!("not proven: {error}")),
     });
-    Section {
-        id: anchor(fit, "code"),
-        title: format!("{}: the code", fit.name),
-        lead: "As written to the files beside this page.".into(),
-        blocks: blocks.collect(),
+    rows.extend(fit.kept.iter().map(|kept| ("Constraint".to_string(), super::words::constraint(kept))));
+    let a = &fit.approximation;
+    let beside = catalogue::beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs);
+    rows.extend(beside.map(|text| ("Catalogue".into(), text)));
+    let files: Vec<String> =
+        job.languages.iter().map(|language| code_file(job.hypothesis.name(), *language)).collect();
+    let emitted = if files.is_empty() { String::new() } else { format!("{}; ", files.join(", ")) };
+    rows.push(("Emitted".into(), emitted + catalogue::by_scene(&fitting.target)));
+    rows
+}
+
+fn code(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Section, FittingError> {
+    let mut blocks = Vec::new();
+    for language in &job.languages {
+        blocks.push(Block::Heading { text: language.title().into() });
+        let text = printed::function(*language, job, fitting, fit)?;
+        blocks.push(Block::Code { text: text.trim_end().into() });
     }
+    Ok(Section {
+        id: anchor(fit, "code"),
+        title: format!("{}: the code", fit.approximation.name),
+        lead: "As written to the files beside this page.".into(),
+        blocks,
+    })
 }

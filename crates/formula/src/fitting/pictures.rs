@@ -1,7 +1,6 @@
 //! Samples for the page's pictures: truth, fit and error over two inputs, the others fixed.
 
 use super::{Certified, FittingError};
-use crate::report::{FitSlice, SliceCurve};
 use lobefit::approximate::target::{Sampled, Span, Target};
 use lobefit::data::Use;
 use lobefit::report::{Field, Ruler};
@@ -18,6 +17,36 @@ const FEWEST: usize = 3;
 
 /// Places marked on a map, the worst included.
 const MARKS: usize = 6;
+
+/// Truth and fit where all inputs but two are fixed.
+pub(super) struct FitSlice {
+    /// The inputs that are fixed: `f0 = 0.5`; empty where there is none.
+    pub at: String,
+    /// What truth and fit are: `N = 1/E`, `E`.
+    pub value: String,
+    /// The input along the curves.
+    pub along: Ruler,
+    /// Input that tells the curves apart; empty for one curve.
+    pub family: String,
+    /// The curves.
+    pub curves: Vec<SliceCurve>,
+    /// Signed error of the use over both inputs; none where there is one.
+    pub error: Option<Field>,
+    /// The largest errors of the map: x, y, signed value; the first is marked with its value.
+    pub worst: Vec<(f64, f64, f64)>,
+}
+
+/// Truth and fit along one input.
+pub(super) struct SliceCurve {
+    /// Value of the input that tells the curves apart.
+    pub of: f64,
+    /// Truth.
+    pub truth: Vec<f64>,
+    /// Fit.
+    pub fit: Vec<f64>,
+    /// Signed error of the use.
+    pub error: Vec<f64>,
+}
 
 /// Which axes of the target a picture shows.
 struct View {

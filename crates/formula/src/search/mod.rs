@@ -3,6 +3,7 @@
 
 mod aids;
 mod output;
+mod page;
 mod pair;
 mod space;
 

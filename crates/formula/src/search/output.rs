@@ -4,16 +4,15 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::{Point, SearchJob, Searched, Tried};
+use super::{Point, SearchJob, Searched, Tried, page};
 use crate::fitting::catalogue::{CatalogueFit, by_scene, ways_out};
-use crate::fitting::document::{TOOL, as_object, hash, of_target};
+use crate::fitting::document::{TOOL, as_object, hash};
 use crate::fitting::one::approximation;
 use crate::fitting::{FittingError, words};
-use crate::report::{self, SearchPage, SearchRow};
-use lobefit::data::{Approximation, Model};
+use lobefit::data::Approximation;
 use lobefit::emit::header::{place, short};
 use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
-use lobefit::report::{Dot, Origin};
+use lobefit::report::html;
 use lobefit::store::Files;
 use lobefit_fit::Goal;
 
@@ -83,7 +82,7 @@ fn trials(searched: &Searched) -> String {
 }
 
 /// What was tried, and in which function.
-fn subject(tried: &Tried) -> String {
+pub(super) fn subject(tried: &Tried) -> String {
     match tried.part {
         Some(part) => format!("{} in {part}", tried.words),
         None => tried.words.clone(),
@@ -155,54 +154,10 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
 pub fn files(job: &SearchJob, searched: &Searched) -> Result<Files, FittingError> {
     let name = searched.name();
     let mut files = Files::new();
-    files.insert(format!("{name}.html"), report::search_page(&page(job, searched))?.into_bytes());
+    files.insert(format!("{name}.html"), html(&page::page(job, searched)?).into_bytes());
     files.insert(format!("{name}.json"), document(job, searched)?);
     for point in &searched.points {
         files.insert(format!("{}.wgsl", point.hypothesis.name()), file(point).into_bytes());
     }
     Ok(files)
-}
-
-fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
-    let target = &searched.target;
-    let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.price, p.certificate.max_abs, false));
-    let others =
-        searched.catalogue.iter().filter(|r| r.published).map(|r| dot(&r.name, r.price, r.max, true));
-    let mut asked = of_target(target);
-    asked.push(("Most operations".into(), job.max_ops.to_string()));
-    if !searched.anchor.is_empty() {
-        asked.push(("Exact".into(), searched.anchor.clone()));
-    }
-    if let Some(Model { family, unit, compiler, .. }) = &searched.model {
-        asked.push(("Cheap on".into(), format!("{family}, by a model of {compiler}: {unit}")));
-    }
-    let row = |point: &Point| SearchRow {
-        name: point.hypothesis.name().into(),
-        ops: point.ops,
-        bound: point.bound,
-        certificate: point.certificate.clone(),
-        source: point.hypothesis.source().into(),
-    };
-    let other = |r: &CatalogueFit| (r.name.clone(), r.ops, r.max, r.rms, r.published);
-    SearchPage {
-        origin: Origin {
-            scene: String::new(),
-            recipe: hash(&[&job.command]),
-            tool: env!("CARGO_PKG_VERSION").into(),
-            command: job.command.clone(),
-            pages: Vec::new(),
-        },
-        name: searched.name(),
-        used_as: target.used_as,
-        unit: searched.model.as_ref().map_or_else(|| "operations".into(), |model| model.unit.clone()),
-        tried: searched.tried.iter().map(|t| (subject(t), t.outcome())).collect(),
-        asked,
-        dots: ours.chain(others).collect(),
-        rows: searched.points.iter().map(row).collect(),
-        others: searched.catalogue.iter().map(other).collect(),
-    }
-}
-
-fn dot(name: &str, price: f64, max: f64, published: bool) -> Dot {
-    Dot { name: name.into(), x: price, y: max, published, table: false }
 }
