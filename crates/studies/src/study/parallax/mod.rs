@@ -7,11 +7,11 @@ mod creases;
 mod findings;
 mod measures;
 mod page;
-mod parameters;
 pub mod room;
 mod rooms;
 mod slant;
 
+use serde::Serialize;
 use serde_json::Value;
 
 use super::{Size, Study, StudyError};
@@ -19,7 +19,6 @@ use crate::study::parallax::findings::ParallaxStudy;
 use lobefit::bake::Progress;
 use lobefit::effects::parallax::catalogue_sources;
 use lobefit::report::{Origin, Page, document};
-use parameters::Parameters;
 
 /// The study.
 pub struct ProbeLookups;
@@ -49,6 +48,26 @@ impl Study for ProbeLookups {
     ) -> Result<(Page, Vec<u8>), StudyError> {
         let found = results(size, origin, progress)?;
         Ok((page::page(&found)?, document("results.json", &found)?))
+    }
+}
+
+/// Everything that the recipe covers beside the tool's version and the formulas, a field for each
+/// part.
+#[derive(Clone, Debug, Serialize)]
+struct Parameters {
+    slant: slant::Parameters,
+    rooms: rooms::Parameters,
+    chain: chain::Parameters,
+}
+
+impl Parameters {
+    /// Those of a size.
+    fn of(size: Size) -> Parameters {
+        Parameters {
+            slant: slant::Parameters::of(size),
+            rooms: rooms::Parameters::of(size),
+            chain: chain::Parameters::of(size),
+        }
     }
 }
 

@@ -21,9 +21,9 @@ pub struct Bake {
     pub map: MipChain,
     /// Texels along a side of a face of the first level; each further level has half of them.
     pub size: usize,
-    /// Samples along a side of a texel of a level of roughness 0: the mean radiance over the texel's
-    /// solid angle by the midpoint rule, off by about their power -3/2 of the contrast where an edge
-    /// of the room's pattern crosses.
+    /// Samples along a side of a texel of a level of roughness 0: the mean radiance over the solid
+    /// angle of the texel by the midpoint rule, off by about their power -3/2 of the contrast where
+    /// an edge of the room's pattern crosses.
     pub samples: usize,
     /// Rays of a texel as large as those of the first level; one twice as large has twice as many,
     /// up to 16 times.
