@@ -14,8 +14,12 @@ use lobefit_truth::quantity::footprint::{adjusted, measures};
 use serde_json::{Value, json};
 
 fn scene(probes: &str) -> Scene {
+    scene_with("", probes)
+}
+
+fn scene_with(more: &str, probes: &str) -> Scene {
     let json = format!(
-        r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [], "probes": [{probes}]}}"#
+        r#"{{"schema_version": 1, "name": "test", "pick": "all", {more} "materials": [], "probes": [{probes}]}}"#
     );
     Scene::from_json(json.as_bytes(), "test.json").expect("a scene")
 }
@@ -23,6 +27,12 @@ fn scene(probes: &str) -> Scene {
 fn baked(probes: &str) -> Baked {
     let scene = scene(probes);
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+}
+
+/// The promises that are not kept, of a bake of the fits alone: neither pages nor more than one language.
+fn broken(probes: &str) -> Vec<String> {
+    let scene = scene_with(r#""reports": false, "languages": ["wgsl"],"#, probes);
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").broken
 }
 
 fn manifest(baked: &Baked) -> Value {
@@ -162,7 +172,7 @@ fn probes_are_planned_together() {
 
 #[test]
 fn a_promise_on_the_total_variation_is_kept_or_told() {
-    let broken = baked(r#"{"name": "p", "max_ops": 9, "max_error": 0.04, "norms": ["max"]}"#).broken;
+    let broken = broken(r#"{"name": "p", "max_ops": 9, "max_error": 0.04, "norms": ["max"]}"#);
     assert!(
         broken.len() == 1
             && broken[0].contains("the best is parallax_1 with total variation 0.04")
@@ -215,7 +225,7 @@ fn lookups_bring_no_function_that_they_do_not_call() {
     let room = r#"{"name": "room", "mips": {"map": "log", "count": 7}, "lookups": [{}]}"#;
     let functions = |probes: &str| -> Vec<String> {
         let text = format!(
-            r#"{{"schema_version": 1, "languages": ["wgsl"], "materials": [], "probes": [{probes}]}}"#
+            r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [], "probes": [{probes}]}}"#
         );
         let scene = Scene::from_json(text.as_bytes(), "test.json").expect("a scene");
         let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
@@ -240,15 +250,14 @@ fn lookups_bring_no_function_that_they_do_not_call() {
 
 #[test]
 fn lookups_without_a_fit_are_told() {
-    let lookups = |probe: &str| baked(probe).broken;
-    let broken = lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"], "lookups": [{}, {"taps": 3}]}"#);
+    let missed = broken(r#"{"name": "hall", "max_ops": 3, "norms": ["max"], "lookups": [{}, {"taps": 3}]}"#);
     assert!(
-        broken.len() == 1
-            && broken[0].contains("wanted by hall (probes[0].lookups): raise max_ops, 3 operations"),
-        "{broken:?}"
+        missed.len() == 1
+            && missed[0].contains("wanted by hall (probes[0].lookups): raise max_ops, 3 operations"),
+        "{missed:?}"
     );
-    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"]}"#), [""; 0]);
-    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "lookups": [{}]}"#), [""; 0]);
+    assert_eq!(broken(r#"{"name": "hall", "max_ops": 3, "norms": ["max"]}"#), [""; 0]);
+    assert_eq!(broken(r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "lookups": [{}]}"#), [""; 0]);
 }
 
 /// The whole domain of the quantity, and next to nothing of it, with every map of roughness.
@@ -263,7 +272,7 @@ fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
         ("roughness^4", r#"{"name": "p", "kernel": "ndf", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#),
     ] {
         let json = format!(
-            r#"{{"schema_version": 1, "pick": "all", "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#
+            r#"{{"schema_version": 1, "pick": "all", "reports": false, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#
         );
         let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
         let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent);

@@ -370,8 +370,8 @@ fn what_best_emits_is_recommended_of_several() {
         [metal("m", fit), plain].join(",")
     };
     for fit in [
-        r#"{"max_ops": 16}"#,
-        r#"{"max_ops": 20, "max_error": 0.05, "norms": ["max", "rms"]}"#,
+        r#"{"max_ops": 10}"#,
+        r#"{"max_ops": 14, "max_error": 0.1, "norms": ["max", "rms"]}"#,
         r#"{"max_error": 0.03, "norms": ["rms"]}"#,
     ] {
         let name = |manifest: &Value, function: &str| {

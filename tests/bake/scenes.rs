@@ -6,8 +6,18 @@ use lobefit::scene::Scene;
 use serde_json::Value;
 
 fn baked(materials: &str) -> Baked {
-    let json =
-        format!(r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [{materials}]}}"#);
+    baked_with("", materials)
+}
+
+/// Tables and fits alone, for a test of these: neither pages nor more than one language.
+fn plain(materials: &str) -> Baked {
+    baked_with(r#""reports": false, "languages": ["wgsl"],"#, materials)
+}
+
+fn baked_with(more: &str, materials: &str) -> Baked {
+    let json = format!(
+        r#"{{"schema_version": 1, "name": "test", "pick": "all", {more} "materials": [{materials}]}}"#
+    );
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
 }
@@ -72,7 +82,7 @@ fn a_fit_alone_bakes_no_table_and_the_reverse() {
 #[test]
 fn a_roughness_range_narrows_table_and_fit() {
     let wants = format!("{}, {}", &TABLE[..TABLE.len() - 1], &FIT[1..]);
-    let (wide, narrow) = (baked(&metal("[0.02, 1]", &wants)), baked(&metal("[0.4, 0.6]", &wants)));
+    let (wide, narrow) = (plain(&metal("[0.02, 1]", &wants)), plain(&metal("[0.4, 0.6]", &wants)));
     let manifest = manifest(&narrow);
     assert_eq!(manifest["tables"][0]["axes"][1]["min"], 0.4);
     assert_eq!(manifest["tables"][0]["axes"][1]["max"], 0.6);
@@ -98,8 +108,8 @@ fn an_open_size_is_the_smallest_that_keeps_the_limit() {
     let wants = |limit: &str| {
         format!(r#"{{"tables":[{{"serves": "split-sum", "format": "f32", "max_error": {limit}}}]}}"#)
     };
-    let loose = baked(&metal("[0.1, 1]", &wants("0.01")));
-    let tight = baked(&metal("[0.1, 1]", &wants("0.002")));
+    let loose = plain(&metal("[0.1, 1]", &wants("0.01")));
+    let tight = plain(&metal("[0.1, 1]", &wants("0.002")));
     let size = |b: &Baked| manifest(b)["tables"][0]["axes"][0]["size"].as_u64().expect("a size");
     assert!(size(&loose) == 16 && size(&tight) > 16, "{} {}", size(&loose), size(&tight));
     assert!(tight.broken.is_empty() && tight.tables[0].errors.lookup.max <= 0.002);
@@ -111,7 +121,7 @@ fn an_open_size_is_the_smallest_that_keeps_the_limit() {
 fn a_limit_of_a_table_fails_before_the_fits_and_names_what_keeps_it() {
     let wants = r#"{"tables":[{"size": [32, 32], "layout": "plain", "max_error": 0.004, "n_dot_v": [0.05, 1]}],
         "fit": {"norms": ["max"]}}"#;
-    let said = baked(&metal("[0.3, 1]", wants));
+    let said = plain(&metal("[0.3, 1]", wants));
     assert!(said.fits.is_empty(), "nothing is fitted");
     let [text] = &said.broken[..] else { panic!("{:?}", said.broken) };
     let lines: Vec<&str> = text.lines().collect();
@@ -123,7 +133,7 @@ fn a_limit_of_a_table_fails_before_the_fits_and_names_what_keeps_it() {
     }
     assert_eq!(lines.last(), Some(&"keeps it: no `size`: lobefit chooses the smallest square that does"));
     let nothing = r#"{"tables":[{"size": [8, 8], "max_error": 1e-9}]}"#;
-    let said = baked(&metal("[0.3, 1]", nothing)).broken.concat();
+    let said = plain(&metal("[0.3, 1]", nothing)).broken.concat();
     assert!(
         said.contains("\nmeasured, and not within it: 16x16 (0.0") && !said.contains("keeps it"),
         "{said}"
@@ -155,8 +165,8 @@ fn a_limit_that_no_size_keeps_names_ranges_that_keep_it() {
 #[test]
 fn a_table_may_state_the_cosines_that_it_is_judged_over() {
     let wants = |range: &str| format!(r#"{{"tables":[{{"size": [16, 16], "layout": "plain"{range}}}]}}"#);
-    let narrow = baked(&metal("[0.3, 1]", &wants(r#", "n_dot_v": [0.05, 1]"#)));
-    let wide = baked(&metal("[0.3, 1]", &wants("")));
+    let narrow = plain(&metal("[0.3, 1]", &wants(r#", "n_dot_v": [0.05, 1]"#)));
+    let wide = plain(&metal("[0.3, 1]", &wants("")));
     let domain = |b: &Baked| b.tables[0].approximation.certificate.domain["mu"];
     assert_eq!((domain(&narrow), domain(&wide)), ([0.05, 1.0], [0.001, 1.0]));
     assert!(narrow.tables[0].errors.lookup.max < 0.5 * wide.tables[0].errors.lookup.max);
@@ -166,8 +176,8 @@ fn a_table_may_state_the_cosines_that_it_is_judged_over() {
 
 #[test]
 fn promises_that_are_not_kept_are_told() {
-    let table = baked(&metal("[0.1, 1]", r#"{"tables":[{"size": [8, 8], "max_error": 1e-6}]}"#));
+    let table = plain(&metal("[0.1, 1]", r#"{"tables":[{"size": [8, 8], "max_error": 1e-6}]}"#));
     assert!(table.broken.len() == 1 && table.broken[0].contains("max_error 0.000001"), "{:?}", table.broken);
-    let fit = baked(&metal("[0.1, 1]", r#"{"fit": {"max_ops": 3, "max_error": 0.001, "norms": ["max"]}}"#));
+    let fit = plain(&metal("[0.1, 1]", r#"{"fit": {"max_ops": 3, "max_error": 0.001, "norms": ["max"]}}"#));
     assert!(fit.broken.len() == 1 && fit.broken[0].contains("within 3 operations"), "{:?}", fit.broken);
 }
