@@ -62,7 +62,7 @@ fn no_place_has_a_larger_error_than_the_certificate() {
         let mut points = baked.judge.points.clone();
         points.all = (0..PLACES).map(|_| drawn(&mut rng, axis)).collect();
         points.uniform = vec![false; PLACES];
-        let (truths, _) = family.truths(scene.smith, &points, true, &Counter::default()).expect("truths");
+        let truths = family.truths(scene.smith, &points, true, &Counter::default()).expect("truths").sides;
         let side = usize::from(baked.side.is_some_and(|side| side.name() == "inside"));
         let lookup = Lookup::new(baked.table().expect("texels"), baked.decode).expect("a lookup");
         let truth = Truth { e: &truths[side].e, b: None };

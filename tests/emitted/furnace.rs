@@ -104,7 +104,7 @@ fn certificate(table: &Table, decode: Decode, judged: &LookupPoints, truth: &[f6
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
     let points = anisotropy::judged(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth).expect("a range");
-    let (truth, _) =
+    let (truth, ..) =
         anisotropy::truths(table.smith.expect("a form"), &points).expect("the truths of a judge");
     certificate(table, decode, &points, &truth)
 }

@@ -18,7 +18,8 @@ mod ways;
 use super::demand::Job;
 use super::effect::Note;
 use super::table::{
-    BakedTable, BuildError, Family, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, WaysFinding,
+    BakedTable, BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
+    WaysFinding,
 };
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
@@ -115,10 +116,14 @@ impl Family for Anisotropy {
         points: &LookupPoints,
         _: bool,
         counter: &Counter,
-    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
-        let (e, made) = truths(smith, points)?;
+    ) -> Result<Truths, IntegrateError> {
+        let (e, made, interpolants) = truths(smith, points)?;
         counter.add(e.len());
-        Ok((vec![Albedo { e, b: Vec::new() }], made))
+        let further = move |_, points: &LookupPoints, counter: &Counter| {
+            counter.add(points.len());
+            Ok(Albedo { e: truth::further(smith, points, &interpolants)?, b: Vec::new() })
+        };
+        Ok(Truths { sides: vec![Albedo { e, b: Vec::new() }], made, further: Further::new(further) })
     }
 }
 

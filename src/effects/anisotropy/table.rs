@@ -103,11 +103,7 @@ fn view(node: &Node) -> View {
 
 /// Losses, within [`DIRECT`], and the evaluations that they took.
 fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), IntegrateError> {
-    let loss = |node: &Node| {
-        let View { alpha, aspect, mu, .. } = view(node);
-        let place = Place { alpha: [alpha / aspect, alpha * aspect], mu, phi: None };
-        one(Path::Best, smith, &place, DIRECT)
-    };
+    let loss = |node: &Node| one(Path::Best, smith, &view(node).place(false), DIRECT);
     let all: Vec<_> = nodes.par_iter().map(loss).collect::<Result<_, IntegrateError>>()?;
     let evaluations = all.iter().map(|work| work.evaluations).sum();
     Ok((all.into_iter().map(|work| [1.0 - work.value]).collect(), evaluations))

@@ -1,9 +1,12 @@
 //! E at many points.
 
+use rayon::prelude::*;
+
 use crate::data::Smith;
 use crate::effects::table::{LookupPoints, Made, Point, Region, SliceAxis, aspect};
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::aniso::fast::{Interpolants, Place};
 use lobefit_truth::points;
 use lobefit_truth::quantity::{GgxReflectionAniso, Quantity};
 
@@ -23,13 +26,16 @@ pub(super) struct View {
     pub phi: f64,
 }
 
-/// E of views at their azimuths, or in the mean over it.
-pub(super) fn energies(
-    smith: Smith,
-    views: &[View],
-    azimuth: bool,
-    tolerance: f64,
-) -> Result<(Vec<f64>, Made), IntegrateError> {
+impl View {
+    /// The place of it, with its azimuth or without.
+    pub fn place(&self, azimuth: bool) -> Place {
+        let alpha = [self.alpha / self.aspect, self.alpha * self.aspect];
+        Place { alpha, mu: self.mu, phi: azimuth.then_some(self.phi) }
+    }
+}
+
+/// The inputs of `ggx-reflection-aniso`.
+fn inputs(views: &[View], azimuth: bool) -> points::Points {
     let column = |of: fn(&View) -> f64| views.iter().map(of).collect::<Vec<f64>>();
     let inputs = [
         ("alpha_x", column(|view| view.alpha / view.aspect)),
@@ -37,16 +43,24 @@ pub(super) fn energies(
         ("mu", column(|view| view.mu)),
     ];
     let phi = azimuth.then(|| ("phi", column(|view| view.phi)));
-    let inputs = points::Points::new(inputs.into_iter().chain(phi));
-    let truth = GgxReflectionAniso.truth(&smith.into(), &inputs, &["E"], tolerance)?;
+    points::Points::new(inputs.into_iter().chain(phi))
+}
+
+/// E of views at their azimuths, or in the mean over it.
+pub(super) fn energies(
+    smith: Smith,
+    views: &[View],
+    azimuth: bool,
+    tolerance: f64,
+) -> Result<(Vec<f64>, Made), IntegrateError> {
+    let truth = GgxReflectionAniso.truth(&smith.into(), &inputs(views, azimuth), &["E"], tolerance)?;
     let made = Made { evaluations: truth.evaluations, integration: truth.error };
     let [e] = truth.arrays();
     Ok((e, made))
 }
 
-/// E at the points of lookups: at the azimuth of each where azimuth is an input, else in the mean
-/// over the azimuth.
-pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made), IntegrateError> {
+/// The views of the points of lookups.
+fn views(points: &LookupPoints) -> Vec<View> {
     let view = |p: &Point| {
         let cos2 = f64::from(p.cos2_phi);
         View {
@@ -56,8 +70,34 @@ pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made), I
             phi: ops::atan2((1.0 - cos2).sqrt(), cos2.sqrt()),
         }
     };
-    let views: Vec<View> = points.all.iter().map(view).collect();
-    energies(smith, &views, points.azimuth, JUDGED[usize::from(points.azimuth)])
+    points.all.iter().map(view).collect()
+}
+
+/// E at the points of lookups: at the azimuth of each where azimuth is an input, else in the mean
+/// over the azimuth; and the interpolants that it was read off.
+pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made, Interpolants), IntegrateError> {
+    let (inputs, tolerance) = (inputs(&views(points), points.azimuth), JUDGED[usize::from(points.azimuth)]);
+    let (truth, interpolants) = GgxReflectionAniso.interpolated(smith, &inputs, tolerance)?;
+    let made = Made { evaluations: truth.evaluations, integration: truth.error };
+    let [e] = truth.arrays();
+    Ok((e, made, interpolants))
+}
+
+/// E at further points: off the interpolants, and integrated beyond their boxes.
+pub(super) fn further(
+    smith: Smith,
+    points: &LookupPoints,
+    interpolants: &Interpolants,
+) -> Result<Vec<f64>, IntegrateError> {
+    let (views, azimuth) = (views(points), points.azimuth);
+    let known: Vec<Option<f64>> =
+        views.par_iter().map(|view| interpolants.at(&view.place(azimuth))).collect();
+    let beyond: Vec<usize> = (0..known.len()).filter(|i| known[*i].is_none()).collect();
+    let far: Vec<View> = beyond.iter().map(|i| views[*i]).collect();
+    let (integrated, _) = energies(smith, &far, azimuth, JUDGED[usize::from(azimuth)])?;
+    let mut e: Vec<f64> = known.into_iter().map(|e| e.unwrap_or(f64::NAN)).collect();
+    beyond.iter().zip(integrated).for_each(|(i, value)| e[*i] = value);
+    Ok(e)
 }
 
 /// Points of one roughness and anisotropy over azimuths in degrees and cosines, azimuths fastest.

@@ -40,7 +40,7 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
     let anisotropy = span[1];
     let rulers = rulers(&region);
     let map = truth::map(&region, roughness, anisotropy, [&rulers[0].values, &rulers[1].values]);
-    let (e, _) = truth::truths(smith, &map)?;
+    let (e, ..) = truth::truths(smith, &map)?;
     let (mut fields, mut ways) = (Vec::new(), Vec::new());
     for baked in own {
         let Some(table) = baked.table() else { continue };

@@ -9,7 +9,9 @@ mod path_tracer;
 mod table;
 
 use super::effect::Note;
-use super::table::{BuildError, Family, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob};
+use super::table::{
+    BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
+};
 use super::who::stay_smooth;
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Counter;
@@ -85,11 +87,15 @@ impl Family for Glass {
         points: &LookupPoints,
         _: bool,
         counter: &Counter,
-    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
-        let (truths, evaluations) = truths(smith, points)?;
-        counter.add(truths.len() * points.len());
-        let truths = truths.map(|e| Albedo { e, b: Vec::new() }).to_vec();
-        Ok((truths, Made { evaluations, integration: JUDGED }))
+    ) -> Result<Truths, IntegrateError> {
+        let at = move |points: &LookupPoints, counter: &Counter| {
+            let (sides, evaluations) = truths(smith, points)?;
+            counter.add(sides.len() * points.len());
+            Ok((sides.map(|e| Albedo { e, b: Vec::new() }).to_vec(), evaluations))
+        };
+        let (sides, evaluations) = at(points, counter)?;
+        let further = Further::new(move |i, points, counter| Ok(at(points, counter)?.0.swap_remove(i)));
+        Ok(Truths { sides, made: Made { evaluations, integration: JUDGED }, further })
     }
 }
 

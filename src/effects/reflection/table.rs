@@ -6,7 +6,9 @@ use super::demand::table_seconds;
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
-use crate::effects::table::{BuildError, Family, LookupPoints, Made, Region, Spec, TableJob, flat};
+use crate::effects::table::{
+    BuildError, Family, Further, LookupPoints, Made, Point, Region, Spec, TableJob, Truths, flat,
+};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{Effort, albedo, split};
@@ -62,10 +64,30 @@ impl Family for Dfg {
         points: &LookupPoints,
         split: bool,
         counter: &Counter,
-    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
-        let truths = vec![Albedo::new(smith, &points.inputs(), split, counter)?];
-        Ok((truths, Made { evaluations: 0, integration: TRUTH_ERROR }))
+    ) -> Result<Truths, IntegrateError> {
+        Ok(Truths {
+            sides: vec![Albedo::new(smith, &points.inputs(), split, counter)?],
+            made: Made { evaluations: 0, integration: TRUTH_ERROR },
+            further: Further::new(move |_, points, counter| known(smith, points, split, counter)),
+        })
     }
+}
+
+/// E, and B with `split`, from the patches of the region, however few the points.
+fn known(
+    smith: Smith,
+    points: &LookupPoints,
+    split: bool,
+    counter: &Counter,
+) -> Result<Albedo, IntegrateError> {
+    let patches = GGX_REFLECTION.interpolant(smith, split);
+    let at = |point: &Point| patches.at(f64::from(point.alpha), f64::from(point.mu));
+    let Some(both) = points.all.par_iter().map(at).collect::<Option<Vec<(f64, f64)>>>() else {
+        return Albedo::new(smith, &points.inputs(), split, counter);
+    };
+    counter.add(both.len());
+    let (e, b): (Vec<f64>, Vec<f64>) = both.into_iter().unzip();
+    Ok(Albedo { e, b: if split { b } else { Vec::new() } })
 }
 
 /// The table before its texels are rounded to their format.

@@ -37,10 +37,8 @@ pub struct BakedTable {
     pub note: Option<&'static str>,
     /// Names of the materials that want it.
     pub wanted_by: Vec<String>,
-    /// Where it was measured.
+    /// Where it was measured: the judge of it alone.
     pub judge: Arc<Judge>,
-    /// Place of its truth among those of `judge`.
-    truth: usize,
 }
 
 impl BakedTable {
@@ -63,8 +61,7 @@ impl BakedTable {
             let found = channels.iter().find(|c| c.name == channel.name);
             channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
         }
-        let truth = self.judge.truth(self.truth);
-        Ok(measure(&table, self.decode, &self.judge.points, truth, 0.0)?.lookup.max)
+        Ok(measure(&table, self.decode, &self.judge.points, self.judge.truth(0), 0.0)?.lookup.max)
     }
 }
 
@@ -136,8 +133,8 @@ fn bake_job(
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
-            let judge = judge.closer(family, (&table, spec.decode()), i, &context.counter)?;
-            let baked = finish(&spec, &table, made, (judge, i))?;
+            let judge = judge.closer((&table, spec.decode()), i, &context.counter)?;
+            let baked = finish(&spec, &table, made, judge)?;
             let wanted_by = job.wanted_by.clone();
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
         });
@@ -186,16 +183,11 @@ impl TableJob {
     }
 }
 
-/// A table measured against the truth of a side.
-pub(super) fn finish(
-    spec: &Spec,
-    table: &Table,
-    made: Made,
-    (judge, truth): (Judge, usize),
-) -> Result<BakedTable, BakeError> {
+/// A table measured where its own judge says.
+pub(super) fn finish(spec: &Spec, table: &Table, made: Made, judge: Judge) -> Result<BakedTable, BakeError> {
     let decode = spec.decode();
     let integration = round_up(made.integration.max(judge.made.integration), 2);
-    let mut errors = measure(table, decode, &judge.points, judge.truth(truth), integration)?;
+    let mut errors = measure(table, decode, &judge.points, judge.truth(0), integration)?;
     let lookups = [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e];
     for lookup in lookups.into_iter().chain(&mut errors.lookup_b) {
         lookup.max = round_up(lookup.max, 4);
@@ -242,6 +234,5 @@ pub(super) fn finish(
         note,
         wanted_by,
         judge,
-        truth,
     })
 }

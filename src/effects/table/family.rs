@@ -1,6 +1,8 @@
 //! What an effect declares of its tables. Plan, bake, files, code and page are made from it, once
 //! for all effects.
 
+use std::sync::Arc;
+
 use super::{Region, Spec, TableJob};
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table};
@@ -11,6 +13,46 @@ use crate::effects::{Albedo, BakeError, demand::Job};
 use crate::scene::{Lobe, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
+
+/// The truth at points of a region.
+pub struct Truths {
+    /// E, and B where it was asked for, of each side.
+    pub sides: Vec<Albedo>,
+    /// What they took.
+    pub made: Made,
+    /// The truth elsewhere in the region.
+    pub further: Further,
+}
+
+/// The truth of one side, by its number, at further points of a region: whatever integrals the first
+/// ones share serve these too.
+#[derive(Clone)]
+pub struct Further(Arc<FurtherFn>);
+
+type FurtherFn = dyn Fn(usize, &LookupPoints, &Counter) -> Result<Albedo, IntegrateError> + Send + Sync;
+
+impl Further {
+    /// By a function of the side, the points, and what counts them.
+    pub fn new(
+        at: impl Fn(usize, &LookupPoints, &Counter) -> Result<Albedo, IntegrateError> + Send + Sync + 'static,
+    ) -> Further {
+        Further(Arc::new(at))
+    }
+
+    /// E, and B where the first points have it, of side `i`.
+    ///
+    /// # Errors
+    /// A truth that cannot be integrated.
+    pub fn at(&self, i: usize, points: &LookupPoints, counter: &Counter) -> Result<Albedo, IntegrateError> {
+        (self.0)(i, points, counter)
+    }
+}
+
+impl std::fmt::Debug for Further {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("Further")
+    }
+}
 
 /// Tables of one quantity.
 pub trait Family: Sync {
@@ -72,7 +114,7 @@ pub trait Family: Sync {
         points: &LookupPoints,
         finer: bool,
         counter: &Counter,
-    ) -> Result<(Vec<Albedo>, Made), IntegrateError>;
+    ) -> Result<Truths, IntegrateError>;
 }
 
 /// An effect that is a family of tables with slices, and nothing else. It is an

@@ -27,8 +27,8 @@ impl Grid {
     ) -> Result<Vec<Grid>, BakeError> {
         let grid = |slice: &f64| {
             let points = LookupPoints::grid(region, &over.roughness.values, &over.mu.values, *slice);
-            let (truths, _) = family.truths(smith, &points, false, &Counter::default())?;
-            let truths = truths.into_iter().map(|side| side.e).collect();
+            let truths = family.truths(smith, &points, false, &Counter::default())?;
+            let truths = truths.sides.into_iter().map(|side| side.e).collect();
             Ok(Grid { slice: *slice, over: over.clone(), points, truths })
         };
         slices.iter().map(grid).collect()

@@ -174,8 +174,8 @@ fn in_place(
     if must && judge.exceeds((table, spec.decode()), 0, limit)? {
         return Ok(None);
     }
-    let judge = judge.closer(family, (table, spec.decode()), 0, &context.counter)?;
-    let certificate = finish(&spec, table, made, (judge, 0))?.approximation.certificate;
+    let judge = judge.closer((table, spec.decode()), 0, &context.counter)?;
+    let certificate = finish(&spec, table, made, judge)?.approximation.certificate;
     let is_kept = certificate.max_rel <= limit;
     if must && !is_kept {
         return Ok(None);
@@ -272,8 +272,8 @@ fn measured(
     let (mut error, mut bytes) = (0.0_f64, 0);
     for (i, table) in tables.iter().enumerate() {
         bytes = table.bytes();
-        let closer = judge.closer(family, (table, spec.decode()), i, &context.counter)?;
-        error = error.max(finish(&spec, table, made, (closer, i))?.errors.lookup.max);
+        let closer = judge.closer((table, spec.decode()), i, &context.counter)?;
+        error = error.max(finish(&spec, table, made, closer)?.errors.lookup.max);
     }
     let words = format!("{}{but}", size_text(size));
     Ok(Choice { words, layout: job.layout, bytes, error })

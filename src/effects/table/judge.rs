@@ -1,7 +1,9 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
 use super::lookup::Variable;
-use super::{BuildError, Family, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, error_map};
+use super::{
+    BuildError, Family, Further, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, Truths, error_map,
+};
 use crate::approximate::Counter;
 use crate::data::{AXES, Axis, Decode, Smith, Surface, Table};
 use crate::effects::{Albedo, BakeError};
@@ -27,18 +29,17 @@ const ROUNDS: [(usize, u32, f64); 7] = [
 pub struct Judge {
     /// The points.
     pub points: LookupPoints,
-    /// E, and B where a table needs it, of each side.
+    /// E, and B where a table needs it, of each side; of a judge of one table, of its side alone.
     pub truths: Vec<Albedo>,
     /// What they took.
     pub made: Made,
-    smith: Smith,
+    further: Further,
     region: Region,
-    /// Whether the truth tells more than E in the mean over the azimuth.
-    finer: bool,
 }
 
 impl Judge {
-    /// The points of a region with the truth of each side.
+    /// The points of a region with the truth of each side, which tells more than E in the mean over
+    /// the azimuth where it is `finer`.
     ///
     /// # Errors
     /// A truth that cannot be integrated.
@@ -50,8 +51,8 @@ impl Judge {
         counter: &Counter,
     ) -> Result<Judge, BuildError> {
         let points = family.points(&region, finer)?;
-        let (truths, made) = family.truths(smith, &points, finer, counter)?;
-        Ok(Judge { points, truths, made, smith, region, finer })
+        let Truths { sides, made, further } = family.truths(smith, &points, finer, counter)?;
+        Ok(Judge { points, truths: sides, made, further, region })
     }
 
     /// The judge of the same tables over another region.
@@ -64,8 +65,7 @@ impl Judge {
 
     /// The truth of side `i`.
     pub fn truth(&self, i: usize) -> Truth<'_> {
-        let Albedo { e, b } = &self.truths[i];
-        Truth { e, b: (!b.is_empty()).then_some(b) }
+        Truth::of(&self.truths[i])
     }
 
     /// Whether the lookup of a table of side `i` errs by more than a limit at the points of the region
@@ -85,7 +85,7 @@ impl Judge {
         Ok(errors.iter().any(|error| error.abs() > limit))
     }
 
-    /// The judge of one table: about the places where its lookup of side `i` errs most, points are
+    /// The judge of one table, of side `i`: about the places where its lookup errs most, points are
     /// added until they close in on the largest errors. Points drawn over the whole region miss the
     /// peak of a cell: by 6 % of the largest error of a 32x32x4 table of glass.
     ///
@@ -93,37 +93,42 @@ impl Judge {
     /// A truth that cannot be integrated; a table that cannot be looked up.
     pub fn closer(
         &self,
-        family: &dyn Family,
         (table, decode): (&Table, Decode),
         i: usize,
         counter: &Counter,
     ) -> Result<Judge, BakeError> {
-        let (mut closer, table) = (self.clone(), table.quantised());
+        let table = table.quantised();
         let lookup = Lookup::new(&table, decode)?;
-        let even = self.points.more(even(&table.axes, &self.region));
-        let (truths, _) = family.truths(self.smith, &even, self.finer, counter)?;
-        closer.add(even, truths);
-        let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(i))?;
+        let over = (&table.axes[..], &self.region);
+        let (points, truths) = (self.points.clone(), vec![self.truths[i].clone()]);
+        let mut closer = Judge { points, truths, further: self.further.clone(), ..*self };
+        let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
+        errors.extend(closer.add((&lookup, decode), i, even(over), counter)?);
         for (places, n, width) in ROUNDS {
             let worst = apart(&lookup, &closer.points.all, &errors, places);
-            let near = worst.iter().map(|point| about((&table.axes, &self.region, &lookup), point, n, width));
-            let points = self.points.more(near.collect::<Vec<_>>().concat());
-            let (truths, _) = family.truths(self.smith, &points, self.finer, counter)?;
-            let Albedo { e, b } = &truths[i];
-            let truth = Truth { e, b: (!b.is_empty()).then_some(b) };
-            errors.extend(error_map(&lookup, judged(decode), &points, truth)?);
-            closer.add(points, truths);
+            let near = worst.iter().flat_map(|point| about(over, &lookup, point, (n, width))).collect();
+            errors.extend(closer.add((&lookup, decode), i, near, counter)?);
         }
         Ok(closer)
     }
 
-    fn add(&mut self, points: LookupPoints, truths: Vec<Albedo>) {
+    /// Adds points with their truth of side `i`, which is the only one that is held; returns the errors of a
+    /// lookup there.
+    fn add(
+        &mut self,
+        (lookup, decode): (&Lookup, Decode),
+        i: usize,
+        points: Vec<Point>,
+        counter: &Counter,
+    ) -> Result<Vec<f64>, BakeError> {
+        let points = self.points.more(points);
+        let truth = self.further.at(i, &points, counter)?;
+        let errors = error_map(lookup, judged(decode), &points, Truth::of(&truth))?;
         self.points.all.extend(points.all);
         self.points.uniform.extend(points.uniform);
-        for (side, more) in self.truths.iter_mut().zip(truths) {
-            side.e.extend(more.e);
-            side.b.extend(more.b);
-        }
+        self.truths[0].e.extend(truth.e);
+        self.truths[0].b.extend(truth.b);
+        Ok(errors)
     }
 }
 
@@ -152,7 +157,7 @@ fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Ve
 
 /// Points even in the coordinates of a table. Those of a region are even in its inputs: none of
 /// them met the cells of glass next to ior = 1, where its largest error is.
-fn even(axes: &[Axis], region: &Region) -> Vec<Point> {
+fn even((axes, region): (&[Axis], &Region)) -> Vec<Point> {
     let (sobol, azimuths) = (Sobol::new([0xc2b2_ae35, 0x27d4_eb2f, 0x85eb_ca6b]), azimuths());
     let point = |k: u32| {
         let size = |axis: usize| axes.get(axis).map_or(1.0, |axis: &Axis| axis.size as f64);
@@ -165,10 +170,10 @@ fn even(axes: &[Axis], region: &Region) -> Vec<Point> {
 
 /// `n` points in a box about a point, so many cells of the table wide.
 fn about(
-    (axes, region, lookup): (&[Axis], &Region, &Lookup),
+    (axes, region): (&[Axis], &Region),
+    lookup: &Lookup,
     point: &Point,
-    n: u32,
-    width: f64,
+    (n, width): (u32, f64),
 ) -> Vec<Point> {
     let (sobol, azimuths) = (Sobol::new([0x85eb_ca6b, 0xc2b2_ae35, 0x27d4_eb2f]), azimuths());
     let centre = lookup.position(point);

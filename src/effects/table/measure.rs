@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{Lookup, LookupError, LookupPoints};
 use crate::data::{Decode, Table, Values};
-use crate::effects::{Deviation, Rounding};
+use crate::effects::{Albedo, Deviation, Rounding};
 
 /// The true values at the points where a lookup is judged, in their order.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,13 @@ pub struct Truth<'a> {
     pub e: &'a [f64],
     /// Schlick's bias; not read of a table without it.
     pub b: Option<&'a [f64]>,
+}
+
+impl<'a> Truth<'a> {
+    /// E, and B where there is one.
+    pub fn of(albedo: &'a Albedo) -> Truth<'a> {
+        Truth { e: &albedo.e, b: (!albedo.b.is_empty()).then_some(&albedo.b[..]) }
+    }
 }
 
 /// The errors of a table, by their causes.

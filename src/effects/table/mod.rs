@@ -34,7 +34,7 @@ mod value;
 pub use bake::{BakedTable, bake};
 pub use check::{Checked, check};
 pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
-pub use family::{Family, Sliced};
+pub use family::{Family, Further, Sliced, Truths};
 pub use findings::finding;
 pub use instead::table_instead;
 pub use job::{TableJob, demand, demands, summaries, wanted};

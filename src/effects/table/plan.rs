@@ -100,8 +100,10 @@ impl TexelPlan {
                 let along = Chebyshev::new(ends[0], ends[1], (0..self.nodes.len()).map(at).collect());
                 for (row, alpha) in alphas.iter().enumerate() {
                     targets[row * columns + column] = along.at(ops::log(*alpha).clamp(ends[0], ends[1]));
-                    weights[row * columns + column] = self.weight(column, slice, *alpha);
                 }
+            }
+            for (weights, alpha) in weights.chunks_exact_mut(columns).zip(&alphas) {
+                weights[self.first_column(slice, *alpha)..].fill(1.0);
             }
         });
         Wanted { targets, weights }
@@ -124,10 +126,19 @@ impl TexelPlan {
         self.point(column, slice, alpha)
     }
 
-    /// 1 where a lookup of the region comes near the sample, else 0.
-    fn weight(&self, column: usize, slice: usize, alpha: f64) -> f64 {
-        let next = (column + 1).min(self.samples()[0] - 1);
-        f64::from(u8::from(self.mu(next, slice, alpha) > self.smallest_mu))
+    /// The first column of samples near which a lookup of the region comes: mu rises along them.
+    fn first_column(&self, slice: usize, alpha: f64) -> usize {
+        let last = self.samples()[0] - 1;
+        let (mut low, mut high) = (0, last + 1);
+        while low < high {
+            let middle = (low + high) / 2;
+            if self.mu((middle + 1).min(last), slice, alpha) > self.smallest_mu {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        low
     }
 
     fn at_texels(&self, samples: &[f64]) -> Vec<f64> {

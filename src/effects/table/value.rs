@@ -2,7 +2,10 @@
 
 use std::cell::Cell;
 
-use super::{BakedTable, BuildError, Family, LookupPoints, Made, Point, Region, Spec, TableJob, bake, flat};
+use super::{
+    BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, Spec, TableJob, Truths, bake,
+    flat,
+};
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table, TexelFormat};
 use crate::effects::context::Context;
@@ -184,10 +187,19 @@ impl Family for ValueTable {
         points: &LookupPoints,
         _: bool,
         counter: &Counter,
-    ) -> Result<(Vec<Albedo>, Made), IntegrateError> {
-        let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
-            .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
-        let (e, integration) = self.truth(smith, [alpha, mu], counter)?;
-        Ok((vec![Albedo { e, b: Vec::new() }], Made { evaluations: 0, integration }))
+    ) -> Result<Truths, IntegrateError> {
+        let table = *self;
+        let at = move |points: &LookupPoints, counter: &Counter| {
+            let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
+                .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
+            let (e, integration) = table.truth(smith, [alpha, mu], counter)?;
+            Ok((Albedo { e, b: Vec::new() }, integration))
+        };
+        let (albedo, integration) = at(points, counter)?;
+        Ok(Truths {
+            sides: vec![albedo],
+            made: Made { evaluations: 0, integration },
+            further: Further::new(move |_, points, counter| Ok(at(points, counter)?.0)),
+        })
     }
 }

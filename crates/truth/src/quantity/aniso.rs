@@ -3,9 +3,11 @@
 use rayon::prelude::*;
 
 use super::{Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Variant};
-use crate::integrate::aniso::fast::{self, Place};
+use crate::integrate::aniso::fast::{self, Interpolants, Place};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, Path, aniso};
+use crate::optics::Smith;
+use crate::points::Points;
 
 /// `ggx-reflection-aniso`: the directional albedo at an azimuth of the view, or its mean over the
 /// azimuth.
@@ -33,6 +35,59 @@ const FINEST: [f64; 2] = [1e-6, 1e-5];
 /// An optional input.
 fn given(x: f64) -> Option<f64> {
     (!x.is_nan()).then_some(x)
+}
+
+impl GgxReflectionAniso {
+    /// E of a place by [`Quantity::truth`], and the interpolants that it was read off: for other
+    /// points among these. They are none where every point was integrated.
+    ///
+    /// # Errors
+    /// As [`Quantity::truth`].
+    pub fn interpolated(
+        &self,
+        smith: Smith,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Truth, Interpolants), IntegrateError> {
+        let asked = Asked { variant: &Variant::from(smith), points, outputs: &["E"], tolerance };
+        match self.shared(&asked)? {
+            Some(both) => Ok(both),
+            None => Ok((asked.each(self, &asked.places(self)?)?, Interpolants::default())),
+        }
+    }
+
+    /// E from interpolants over neighbouring points; beyond their domain every point is integrated.
+    fn shared(&self, asked: &Asked) -> Result<Option<(Truth, Interpolants)>, IntegrateError> {
+        let columns = asked.inputs(self)?;
+        let finest = FINEST[usize::from(columns[3].is_some())];
+        if asked.tolerance < finest || asked.outputs != ["E"] {
+            return Ok(None);
+        }
+        let smith = asked.variant.smith(self.name())?;
+        let x = |k: usize, i: usize| columns[k].map_or(f64::NAN, |column| column[i]);
+        let place = |i: usize| {
+            let phi = columns[3].map(|phi| phi[i]);
+            Place { alpha: [x(0, i), x(1, i)], mu: x(2, i), phi }
+        };
+        let places: Vec<Place> = (0..asked.points.len()).map(place).collect();
+        let (near, far): (Vec<usize>, Vec<usize>) = (0..places.len()).partition(|i| places[*i].is_covered());
+        let covered: Vec<Place> = near.iter().map(|i| places[*i]).collect();
+        let many = match fast::many(Path::Best, smith, &covered, asked.tolerance) {
+            Err(IntegrateError::Tolerance { .. }) => return Ok(None),
+            many => many?,
+        };
+        let alone = |i: &usize| {
+            let Place { alpha, mu, phi } = places[*i];
+            aniso::aniso(smith, alpha, mu, phi.and_then(given), asked.tolerance)
+        };
+        let alone: Vec<aniso::Aniso> = far.par_iter().map(alone).collect::<Result<_, _>>()?;
+        let mut e = vec![f64::NAN; places.len()];
+        near.iter().zip(many.e).for_each(|(i, value)| e[*i] = value);
+        far.iter().zip(&alone).for_each(|(i, value)| e[*i] = value.e);
+        let error = alone.iter().fold(many.worst, |worst, value| worst.max(value.error));
+        let evaluations = many.evaluations + far.len() as u64;
+        Ok(Some((Truth { columns: vec![e], error, evaluations }, many.interpolants)))
+    }
 }
 
 impl Quantity for GgxReflectionAniso {
@@ -74,37 +129,8 @@ impl Quantity for GgxReflectionAniso {
         Ok(vec![v.e, v.loss, v.error])
     }
 
-    /// E from interpolants over neighbouring points; beyond their domain every point is integrated.
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
-        let columns = asked.inputs(self)?;
-        let finest = FINEST[usize::from(columns[3].is_some())];
-        if asked.tolerance < finest || asked.outputs != ["E"] {
-            return Ok(None);
-        }
-        let smith = asked.variant.smith(self.name())?;
-        let x = |k: usize, i: usize| columns[k].map_or(f64::NAN, |column| column[i]);
-        let place = |i: usize| {
-            let phi = columns[3].map(|phi| phi[i]);
-            Place { alpha: [x(0, i), x(1, i)], mu: x(2, i), phi }
-        };
-        let places: Vec<Place> = (0..asked.points.len()).map(place).collect();
-        let (near, far): (Vec<usize>, Vec<usize>) = (0..places.len()).partition(|i| places[*i].is_covered());
-        let covered: Vec<Place> = near.iter().map(|i| places[*i]).collect();
-        let many = match fast::many(Path::Best, smith, &covered, asked.tolerance) {
-            Err(IntegrateError::Tolerance { .. }) => return Ok(None),
-            many => many?,
-        };
-        let alone = |i: &usize| {
-            let Place { alpha, mu, phi } = places[*i];
-            aniso::aniso(smith, alpha, mu, phi.and_then(given), asked.tolerance)
-        };
-        let alone: Vec<aniso::Aniso> = far.par_iter().map(alone).collect::<Result<_, _>>()?;
-        let mut e = vec![f64::NAN; places.len()];
-        near.iter().zip(many.e).for_each(|(i, value)| e[*i] = value);
-        far.iter().zip(&alone).for_each(|(i, value)| e[*i] = value.e);
-        let error = alone.iter().fold(many.worst, |worst, value| worst.max(value.error));
-        let evaluations = many.evaluations + far.len() as u64;
-        Ok(Some(Truth { columns: vec![e], error, evaluations }))
+        Ok(self.shared(asked)?.map(|(truth, _)| truth))
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

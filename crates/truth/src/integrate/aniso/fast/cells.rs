@@ -28,6 +28,18 @@ pub(super) struct Ranges {
     pub square: [f64; 2],
 }
 
+/// How far beyond its ranges a box holds a point: the rounding of alpha_x and alpha_y.
+const ROUNDING: f64 = 1e-9;
+
+impl Ranges {
+    /// Whether a box holds a point.
+    pub(super) fn hold(&self, place: &Place) -> bool {
+        let [log_alpha, _, square] = coordinates(place);
+        let within = |x: f64, [low, high]: [f64; 2]| (low - ROUNDING..=high + ROUNDING).contains(&x);
+        within(place.mu, self.mu) && within(log_alpha, self.log_alpha) && within(square, self.square)
+    }
+}
+
 /// Points near each other in alpha and in mu.
 pub(super) struct Cell {
     /// Their numbers: those of one alpha_x and alpha_y follow each other.

@@ -17,6 +17,7 @@ use crate::optics::Smith;
 use lobefit_math::ops;
 
 /// An interpolant of E, F = 1.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Interpolant {
     cosine: Cosine,
     mus: Nodes,

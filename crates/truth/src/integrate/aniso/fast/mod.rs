@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use crate::integrate::{IntegrateError, Path, aniso};
 use crate::optics::Smith;
 pub use azimuth::Work;
-use cells::Cell;
+use cells::{Cell, Ranges};
 use interpolant::Interpolant;
 
 /// Digits beyond those asked for, tried in turn until the checked points keep the tolerance: of the
@@ -48,7 +48,7 @@ pub struct Place {
 }
 
 /// What is integrated, and how many digits it takes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Digits {
     azimuth: bool,
     nodes: f64,
@@ -66,6 +66,23 @@ pub struct Many {
     pub checked: usize,
     /// Integrand evaluations, those of the checks included.
     pub evaluations: u64,
+    /// What the values were read off.
+    pub interpolants: Interpolants,
+}
+
+/// The interpolants over the boxes of points, for other points of the same boxes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Interpolants {
+    boxes: Vec<(Ranges, Interpolant)>,
+}
+
+impl Interpolants {
+    /// E at a place, at its azimuth or in the mean over it as at the points that the boxes are of;
+    /// `None` outside the boxes. As good as at those points: a sample of them was checked.
+    pub fn at(&self, place: &Place) -> Option<f64> {
+        let (_, interpolant) = self.boxes.iter().find(|(ranges, _)| ranges.hold(place))?;
+        Some(interpolant.pinned(place.alpha).at(place.mu, place.phi.unwrap_or(0.0)))
+    }
 }
 
 impl Place {
@@ -106,7 +123,7 @@ pub fn many(path: Path, smith: Smith, places: &[Place], tolerance: f64) -> Resul
     for more in LADDERS[which] {
         let nodes = asked + more;
         let digits = Digits { azimuth, nodes, integrals: nodes + NODE_DIGITS[which] };
-        let (e, taken) = values(path, smith, places, &cells, digits);
+        let (e, taken, interpolants) = values(path, smith, places, &cells, digits);
         let again = |i: &usize| places[*i].direct(path, smith, nodes + CHECK_DIGITS);
         let direct: Vec<Work> = checked.par_iter().map(again).collect();
         evaluations += taken + direct.iter().map(|work| work.evaluations).sum::<u64>();
@@ -114,16 +131,23 @@ pub fn many(path: Path, smith: Smith, places: &[Place], tolerance: f64) -> Resul
         // A difference that is not a number is the worst, whatever follows it.
         reached = off.fold(0.0, |worst, x| if x > worst || f64::is_nan(x) { x } else { worst });
         if reached <= tolerance {
-            return Ok(Many { e, worst: reached, checked: checked.len(), evaluations });
+            return Ok(Many { e, worst: reached, checked: checked.len(), evaluations, interpolants });
         }
     }
     let place = format!("{} points", places.len());
     Err(IntegrateError::Tolerance { quantity: aniso::QUANTITY, place, reached, tolerance })
 }
 
-/// E at all points, and the evaluations that they took.
-fn values(path: Path, smith: Smith, places: &[Place], cells: &[Cell], digits: Digits) -> (Vec<f64>, u64) {
+/// E at all points, the evaluations that they took, and the interpolants of the cells that have one.
+fn values(
+    path: Path,
+    smith: Smith,
+    places: &[Place],
+    cells: &[Cell],
+    digits: Digits,
+) -> (Vec<f64>, u64, Interpolants) {
     let (mut e, mut evaluations) = (vec![f64::NAN; places.len()], 0);
+    let mut boxes = Vec::new();
     for cell in cells {
         let interpolant = Interpolant::over(&cell.ranges, digits.azimuth, digits.nodes);
         if interpolant.integrals() >= cell.points.len() {
@@ -145,8 +169,9 @@ fn values(path: Path, smith: Smith, places: &[Place], cells: &[Cell], digits: Di
         for (points, line) in surfaces.iter().zip(lines) {
             points.iter().zip(line).for_each(|(i, value)| e[*i] = value);
         }
+        boxes.push((cell.ranges, interpolant));
     }
-    (e, evaluations)
+    (e, evaluations, Interpolants { boxes })
 }
 
 /// E at a point that is covered, by the rule of the nodes. `tolerance` sets the node counts and is
