@@ -1,8 +1,9 @@
 //! What the tests of fits share: the hypotheses' files and a small quadrature of the GGX albedo.
 #![allow(dead_code, clippy::disallowed_methods)]
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 use lobefit_fit::Samples;
 use lobefit_shade::Hypothesis;
@@ -109,7 +110,16 @@ pub fn furnace(hypothesis: &Hypothesis, n: usize, edges: bool) -> Samples {
     };
     Samples {
         inputs: hypothesis.inputs().iter().map(column).collect(),
-        scale: grid.iter().map(|&(roughness, mu)| albedo(roughness * roughness, mu)).collect(),
+        scale: albedos((n, edges), &grid),
         target: vec![1.0; grid.len()],
     }
+}
+
+/// The albedo at the places of a furnace's grid, integrated once for every formula.
+fn albedos(of: (usize, bool), grid: &[(f64, f64)]) -> Vec<f64> {
+    static KNOWN: Mutex<BTreeMap<(usize, bool), Vec<f64>>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().expect("no integral fails");
+    let integrated =
+        || grid.iter().map(|&(roughness, mu)| albedo(roughness * roughness, mu)).collect::<Vec<f64>>();
+    known.entry(of).or_insert_with(integrated).clone()
 }
