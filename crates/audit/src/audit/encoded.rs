@@ -1,11 +1,11 @@
 //! Values that were encoded for display: a table that was saved as a picture, and fits only once
 //! that is undone.
 
-use super::table::{AuditedChannel, AuditedTable, Source};
+use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::{long, opening};
 use super::{Audit, AuditError, Fit, Fixed, candidates, finish};
-use crate::foreign::Step;
+use crate::foreign::{Channel, Step};
 use lobefit_math::ops;
 
 /// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have
@@ -26,7 +26,7 @@ pub(super) fn srgb(
     if done.fit != Fit::None || !picture || !values().all(|v| (0.0..=1.0).contains(v)) {
         return Ok(None);
     }
-    let channel = |c: &AuditedChannel| AuditedChannel {
+    let channel = |c: &Channel| Channel {
         name: c.name.clone(),
         values: c.values.iter().map(|v| decoded(*v)).collect(),
     };

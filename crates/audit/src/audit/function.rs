@@ -5,8 +5,8 @@
 use super::AuditError;
 use super::arguments::{Feed, feeds};
 use super::axis::Scale;
-use super::table::{AuditedChannel, AuditedTable, Source, place};
-use crate::foreign::{ShaderFunction, Step};
+use super::table::{AuditedTable, Source, place};
+use crate::foreign::{Channel, ShaderFunction, Step};
 use lobefit_truth::quantity::Quantity;
 
 /// Places along every argument: of one, two and three.
@@ -63,7 +63,7 @@ fn of_feeds(
     let centre = |i: usize| (i as f32 + 0.5) / n as f32;
     let blended = feeds.contains(&Feed::Blend);
     let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };
-    let mut channels: Vec<AuditedChannel> = Vec::new();
+    let mut channels: Vec<Channel> = Vec::new();
     for (f0, words) in blends {
         let column = |feed: &Feed| -> Vec<f32> {
             places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
@@ -77,7 +77,7 @@ fn of_feeds(
             let name = if blended { format!("{component} {words}") } else { component };
             // A grey result is one channel, not three.
             if !channels.iter().any(|c| c.values == values) {
-                channels.push(AuditedChannel { name, values });
+                channels.push(Channel { name, values });
             }
         }
     }

@@ -30,6 +30,7 @@ mod truth;
 mod two_lobes;
 mod verdict;
 
+pub use crate::foreign::Channel;
 pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale};
 pub use column::Column;
 pub use convention::{Convention, Fixed, Misfit};
@@ -42,7 +43,7 @@ pub use function::{sampled, sampled_inverse};
 pub use lookup::LookupErrors;
 pub use page::findings;
 pub use plain::Plain;
-pub use table::{AuditedChannel, AuditedTable, MOST_TEXELS, Source};
+pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Lobe;
 pub use two_lobes::TwoLobes;
 pub use verdict::limit_judged;

@@ -1,19 +1,10 @@
 //! What somebody ships, as numbers: channels over a grid, the first axis fastest.
 
 use super::AuditError;
-use crate::foreign::{ForeignTable, Step};
+use crate::foreign::{Channel, ForeignTable, Step};
 
 /// Most texels that an audit takes: 256^3.
 pub const MOST_TEXELS: usize = 1 << 24;
-
-/// One channel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AuditedChannel {
-    /// Its name in the file, or its number.
-    pub name: String,
-    /// As many values as the size has texels.
-    pub values: Vec<f64>,
-}
 
 /// What the values are of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,24 +27,20 @@ pub struct AuditedTable {
     /// What the values are of.
     pub source: Source,
     /// The channels.
-    pub channels: Vec<AuditedChannel>,
+    pub channels: Vec<Channel>,
     /// What the format rounds values to.
     pub step: Step,
 }
 
 impl From<&ForeignTable> for AuditedTable {
     fn from(table: &ForeignTable) -> AuditedTable {
-        let channel = |c: &crate::foreign::ForeignChannel| AuditedChannel {
-            name: c.name.clone(),
-            values: c.values.clone(),
-        };
         let name = if table.name.is_empty() { String::new() } else { format!(", {}", table.name) };
         AuditedTable {
             what: format!("{}{name}", table.file),
             size: table.size.clone(),
             axes: AuditedTable::axes_of(table.size.len()),
             source: Source::Table,
-            channels: table.channels.iter().map(channel).collect(),
+            channels: table.channels.clone(),
             step: table.step,
         }
     }
@@ -99,7 +86,7 @@ impl AuditedTable {
 
     /// The error of a value that is no number: of a function by the arguments, of a table by the
     /// texel.
-    fn not_finite(&self, channel: &AuditedChannel, i: usize) -> AuditError {
+    fn not_finite(&self, channel: &Channel, i: usize) -> AuditError {
         let (name, texel, value) = (&channel.name, place(i, &self.size), channel.values[i]);
         if self.source != Source::Function {
             let reason =
@@ -117,7 +104,7 @@ impl AuditedTable {
 
     /// Channels that vary, by their place; all of them where a meaning is `given` for each.
     pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
-        let varies = |c: &AuditedChannel| c.values.iter().any(|v| *v != c.values[0]);
+        let varies = |c: &Channel| c.values.iter().any(|v| *v != c.values[0]);
         if given == Some(self.channels.len()) && self.channels.iter().any(varies) {
             return Ok((0..self.channels.len()).collect());
         }

@@ -4,7 +4,7 @@
 use std::io::ErrorKind;
 
 use super::{Options, file_name};
-use crate::foreign::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};
+use crate::foreign::{Channel, ForeignTable, Hints, RawFormat, Step};
 use lobefit::cli::output::say;
 use lobefit::data::{Container, TexelFormat};
 use lobefit::emit::sidecar::{SCHEMA_VERSION, Sidecar};
@@ -114,7 +114,7 @@ impl Beside {
             ));
         }
         let value = |i: usize| table.channels[i % own].values[i / own];
-        let named = |(c, name): (usize, &String)| ForeignChannel {
+        let named = |(c, name): (usize, &String)| Channel {
             name: name.clone(),
             values: (0..texels).map(|t| value(t * stored + c)).collect(),
         };

@@ -9,7 +9,6 @@
 mod error;
 mod image;
 pub mod limits;
-mod raw;
 mod recognise;
 mod shader;
 mod shape;
@@ -20,4 +19,4 @@ pub use error::ForeignError;
 use error::Spot;
 pub use recognise::read_table;
 pub use shader::{ShaderFunction, read_functions};
-pub use table::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};
+pub use table::{Channel, ForeignTable, Hints, RawFormat, Step};

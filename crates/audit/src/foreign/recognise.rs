@@ -1,7 +1,8 @@
 //! Which format a file is of.
 
 use super::image::{dds, exr, ktx2, npy, png};
-use super::{ForeignError, ForeignTable, Hints, Spot, limits, raw, text};
+use super::shape::{self, Values};
+use super::{ForeignError, ForeignTable, Hints, RawFormat, Spot, limits, text};
 
 /// What is said of a file without bytes.
 pub(super) const EMPTY: &str = "the file is empty";
@@ -50,7 +51,7 @@ pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreign
         return Err(ForeignError::too_large(file, "bytes", bytes.len(), limits::BYTES));
     }
     match kind(bytes, file, hints)? {
-        Kind::Raw => raw::read(bytes, file, hints),
+        Kind::Raw => raw(bytes, file, hints),
         Kind::Text => text::read(bytes, file, hints),
         Kind::Other(what, advice) => Err(ForeignError::unsupported(file, Spot::Byte(0), what, advice)),
         Kind::Exr => exr::read(bytes, file, hints),
@@ -86,4 +87,21 @@ fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
                 .into(),
         ),
     }
+}
+
+/// The table of little-endian numbers without a header; singles, if the caller does not say
+/// otherwise.
+fn raw(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    let format = hints.format.unwrap_or(RawFormat::F32);
+    let left = bytes.len() % format.bytes();
+    if left != 0 {
+        let at = Spot::Byte((bytes.len() - left) as u64);
+        let (name, width) = (format.name(), format.bytes());
+        let message = format!(
+            "the last {left} bytes are no {name} of {width}: the file is cut short, or state another format"
+        );
+        return Err(ForeignError::at(file, at, message));
+    }
+    let list = Values::numbers(format!("raw {}", format.name()), format, bytes);
+    Ok(vec![shape::table(file, list, hints)?])
 }

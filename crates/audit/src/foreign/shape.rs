@@ -1,7 +1,7 @@
 //! A list of values to a table: its size as stated, or as its length tells.
 
 use super::limits::{self, LINE_MAX, SIDE_MIN};
-use super::{ForeignChannel, ForeignError, ForeignTable, Hints, Step};
+use super::{Channel, ForeignError, ForeignTable, Hints, RawFormat, Step};
 
 /// Values as they lie in a file, the channels of a texel together, with what the file says about
 /// them.
@@ -24,15 +24,31 @@ pub(super) struct Values {
     pub step: Step,
 }
 
+impl Values {
+    /// Numbers of a format that lie one after another, without a word about their size.
+    pub fn numbers(kind: String, format: RawFormat, bytes: &[u8]) -> Values {
+        Values {
+            name: String::new(),
+            kind,
+            values: format.values(bytes),
+            size: None,
+            channels: None,
+            lines: None,
+            names: Vec::new(),
+            step: format.step(),
+        }
+    }
+}
+
 /// The table of a list of values.
 pub(super) fn table(file: &str, list: Values, hints: &Hints) -> Result<ForeignTable, ForeignError> {
     let (size, channels) = size(file, &list, hints)?;
     let texels = list.values.len() / channels;
     let name = |c: usize| list.names.get(c).cloned().unwrap_or_else(|| c.to_string());
-    let channels: Vec<ForeignChannel> = (0..channels)
+    let channels: Vec<Channel> = (0..channels)
         .map(|c| {
             let values = (0..texels).map(|t| list.values[t * channels + c]).collect();
-            ForeignChannel { name: name(c), values }
+            Channel { name: name(c), values }
         })
         .collect();
     finish(file, list.name, &list.kind, size, channels, list.step)
@@ -44,7 +60,7 @@ pub(super) fn finish(
     name: String,
     kind: &str,
     size: Vec<usize>,
-    channels: Vec<ForeignChannel>,
+    channels: Vec<Channel>,
     step: Step,
 ) -> Result<ForeignTable, ForeignError> {
     let names: Vec<&str> = channels.iter().map(|c| c.name.as_str()).collect();
@@ -56,7 +72,7 @@ pub(super) fn finish(
 }
 
 fn finite(table: &ForeignTable) -> Result<(), ForeignError> {
-    let bad = |c: &ForeignChannel| c.values.iter().filter(|v| !v.is_finite()).count();
+    let bad = |c: &Channel| c.values.iter().filter(|v| !v.is_finite()).count();
     let count: usize = table.channels.iter().map(bad).sum();
     for channel in &table.channels {
         if let Some(index) = channel.values.iter().position(|v| !v.is_finite()) {

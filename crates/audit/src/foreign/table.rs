@@ -48,9 +48,9 @@ impl Step {
     }
 }
 
-/// One channel of a table.
+/// One channel of a table, or of a sampled function.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ForeignChannel {
+pub struct Channel {
     /// Its name in the file; `0`, `1`, ... where the file names none.
     pub name: String,
     /// As many finite values as the product of the table's sizes, x fastest, in the file's order of
@@ -70,7 +70,7 @@ pub struct ForeignTable {
     /// Texels along each axis, x fastest; one to three axes.
     pub size: Vec<usize>,
     /// At least one.
-    pub channels: Vec<ForeignChannel>,
+    pub channels: Vec<Channel>,
     /// What the format rounds values to.
     pub step: Step,
     /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote,

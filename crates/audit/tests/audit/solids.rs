@@ -2,7 +2,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditedChannel, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
+    Audit, AuditedTable, Channel, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::Path;
@@ -13,7 +13,7 @@ use lobefit_truth::quantity;
 use lobefit_truth::quantity::sheen;
 
 fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> AuditedTable {
-    let channels = vec![AuditedChannel { name: "0".into(), values }];
+    let channels = vec![Channel { name: "0".into(), values }];
     AuditedTable {
         what: what.into(),
         size: size.to_vec(),

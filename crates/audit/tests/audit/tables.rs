@@ -3,8 +3,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditError, AuditedChannel, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, Source,
-    audit,
+    Audit, AuditError, AuditedTable, Channel, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
@@ -13,14 +12,14 @@ use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::quantity;
 
 /// A channel: its name and its value at a texel.
-type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
+type Filled<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
 
 /// A table over (mu, alpha) of several functions.
-fn table(size: [usize; 2], channels: &[Channel]) -> AuditedTable {
+fn table(size: [usize; 2], channels: &[Filled]) -> AuditedTable {
     let texels = |f: &dyn Fn(usize, usize) -> f64| {
         (0..size[0] * size[1]).map(|i| f(i % size[0], i / size[0])).collect()
     };
-    let channel = |(name, f): &(&str, &dyn Fn(usize, usize) -> f64)| AuditedChannel {
+    let channel = |(name, f): &(&str, &dyn Fn(usize, usize) -> f64)| Channel {
         name: name.to_string(),
         values: texels(f),
     };
@@ -278,7 +277,7 @@ fn an_average_that_is_normal_incidence_is_found() {
         size: vec![32],
         axes: AuditedTable::axes_of(1),
         source: Source::Table,
-        channels: vec![AuditedChannel { name: "0".into(), values }],
+        channels: vec![Channel { name: "0".into(), values }],
         step: Step::None,
     };
     let found = run(&shipped, "ggx-average", &Fixed::default());
@@ -300,7 +299,7 @@ fn an_average_that_is_normal_incidence_is_found() {
     // And a true average is reported as an average.
     let mean = |i: usize| reflection::average(Smith::Correlated, at(i) * at(i), 1e-9).unwrap().e_avg;
     let values = (0..32).map(mean).collect();
-    let sound = AuditedTable { channels: vec![AuditedChannel { name: "0".into(), values }], ..shipped };
+    let sound = AuditedTable { channels: vec![Channel { name: "0".into(), values }], ..shipped };
     assert_eq!(columns(&run(&sound, "ggx-average", &Fixed::default())), [Some(Column::Average)]);
 }
 

@@ -54,16 +54,8 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         return Err(source.malformed(end, message));
     }
     let third = if textures > 1 { textures } else { depth };
-    let image = Image {
-        note: String::new(),
-        file: file.into(),
-        name: String::new(),
-        kind: format!("DDS, {}", pixels.words()),
-        size: [width, height, third].map(|n| n as usize).to_vec(),
-        channels: pixels.channels(&texels),
-        step: pixels.format.step(),
-    };
-    Ok(vec![image.table(hints)?])
+    let kind = format!("DDS, {}", pixels.words());
+    Image::packed(source, kind, &[width, height, third], (pixels, &texels), hints)
 }
 
 /// Bytes of a texture with its smaller levels.

@@ -13,7 +13,7 @@ use ::exr::prelude::{Compression, FlatSamples, ReadChannels, ReadLayers, SampleT
 
 use super::packed::Source;
 use super::{Image, claimed, guarded};
-use crate::foreign::{ForeignChannel, ForeignError, ForeignTable, Hints, Step, limits};
+use crate::foreign::{Channel, ForeignError, ForeignTable, Hints, Step, limits};
 
 /// The tables of an image: one per layer, or the one that is asked for.
 pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
@@ -165,13 +165,13 @@ fn sample_type(samples: &FlatSamples) -> SampleType {
     }
 }
 
-fn channel(name: String, samples: &FlatSamples) -> ForeignChannel {
+fn channel(name: String, samples: &FlatSamples) -> Channel {
     let values = match samples {
         FlatSamples::F16(values) => values.iter().map(|v| v.to_f64()).collect(),
         FlatSamples::F32(values) => values.iter().map(|v| f64::from(*v)).collect(),
         FlatSamples::U32(values) => values.iter().map(|v| f64::from(*v)).collect(),
     };
-    ForeignChannel { name, values }
+    Channel { name, values }
 }
 
 /// The layer of a name: a part of the file, or the channels `name.*` of one.

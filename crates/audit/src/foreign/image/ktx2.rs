@@ -72,16 +72,8 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         return Err(source.malformed(LEVELS, message));
     }
     let packing = if scheme == 2 { ", Zstandard" } else { "" };
-    let image = Image {
-        note: String::new(),
-        file: file.into(),
-        name: String::new(),
-        kind: format!("KTX 2{packing}, {}", pixels.words()),
-        size: [width, height, depth * layers].map(|n| n as usize).to_vec(),
-        channels: pixels.channels(&texels),
-        step: pixels.format.step(),
-    };
-    Ok(vec![image.table(hints)?])
+    let kind = format!("KTX 2{packing}, {}", pixels.words());
+    Image::packed(source, kind, &[width, height, depth * layers], (pixels, &texels), hints)
 }
 
 /// The bytes of the largest level.

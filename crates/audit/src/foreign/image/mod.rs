@@ -9,8 +9,9 @@ mod packed;
 pub(super) mod png;
 mod vulkan;
 
+use self::packed::{Pixels, Source};
 use super::shape::{finish, stated, words};
-use super::{ForeignChannel, ForeignError, ForeignTable, Hints, Step, limits};
+use super::{Channel, ForeignError, ForeignTable, Hints, Step, limits};
 
 /// What a header tells of a table, x fastest.
 struct Image {
@@ -22,13 +23,33 @@ struct Image {
     kind: String,
     /// Texels along each axis.
     size: Vec<usize>,
-    channels: Vec<ForeignChannel>,
+    channels: Vec<Channel>,
     step: Step,
     /// What the file says of itself, or nothing.
     note: String,
 }
 
 impl Image {
+    /// The table of texels that lie one after another in a file that names no layers.
+    fn packed(
+        source: Source,
+        kind: String,
+        size: &[u64],
+        (pixels, texels): (Pixels, &[u8]),
+        hints: &Hints,
+    ) -> Result<Vec<ForeignTable>, ForeignError> {
+        let image = Image {
+            file: source.file.into(),
+            name: String::new(),
+            kind,
+            size: size.iter().map(|n| *n as usize).collect(),
+            channels: pixels.channels(texels),
+            step: pixels.format.step(),
+            note: String::new(),
+        };
+        Ok(vec![image.table(hints)?])
+    }
+
     /// The table, its slices taken out of their atlas if the caller says that there are any.
     fn table(self, hints: &Hints) -> Result<ForeignTable, ForeignError> {
         let Image { file, name, kind, size, mut channels, step, note } = self;

@@ -37,16 +37,8 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         shape => grouped(shape, false).map_err(|message| source.malformed(PREFIX, message))?,
     };
     contradicted(source, &shape, size.as_ref(), hints)?;
-    let list = Values {
-        name: String::new(),
-        kind: format!("NPY, {}", format.name()),
-        values: format.values(&bytes[start..]),
-        size,
-        channels,
-        lines: None,
-        names: Vec::new(),
-        step: format.step(),
-    };
+    let list = Values::numbers(format!("NPY, {}", format.name()), format, &bytes[start..]);
+    let list = Values { size, channels, ..list };
     Ok(vec![shape::table(file, list, hints)?])
 }
 

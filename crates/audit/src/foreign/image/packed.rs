@@ -1,6 +1,6 @@
 //! Headers of little-endian words, and texels that lie one after another.
 
-use crate::foreign::{ForeignChannel, ForeignError, RawFormat, Spot};
+use crate::foreign::{Channel, ForeignError, RawFormat, Spot};
 
 /// A format of texels: the numbers of a texel and how each is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,13 +31,13 @@ impl Pixels {
     }
 
     /// The channels of texels, named and in the order red, green, blue, alpha.
-    pub fn channels(self, bytes: &[u8]) -> Vec<ForeignChannel> {
+    pub fn channels(self, bytes: &[u8]) -> Vec<Channel> {
         let values = self.format.values(bytes);
         let count = self.order.len();
         "RGBA"
             .chars()
             .filter_map(|name| Some((name, self.order.find(name)?)))
-            .map(|(name, c)| ForeignChannel {
+            .map(|(name, c)| Channel {
                 name: name.to_string(),
                 values: values.iter().skip(c).step_by(count).copied().collect(),
             })

@@ -37,16 +37,8 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
     if pixels.format == RawFormat::Unorm16 {
         texels.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.reverse());
     }
-    let image = Image {
-        note: String::new(),
-        file: source.file.into(),
-        name: String::new(),
-        kind: format!("PNG, {}{marks}", pixels.words()),
-        size: vec![width as usize, height as usize],
-        channels: pixels.channels(&texels),
-        step: pixels.format.step(),
-    };
-    Ok(vec![image.table(hints)?])
+    let kind = format!("PNG, {}{marks}", pixels.words());
+    Image::packed(source, kind, &[width.into(), height.into()], (pixels, &texels), hints)
 }
 
 fn pixels(source: Source, colour: ColorType, depth: BitDepth) -> Result<Pixels, ForeignError> {

@@ -1,6 +1,6 @@
 //! Brackets while a text is scanned, and the literals that they become.
 
-use crate::foreign::{ForeignError, limits};
+use crate::foreign::limits;
 
 /// An array literal.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,17 +23,16 @@ pub(super) struct Literal {
     pub hex: bool,
     /// Where the first bracket ends that holds other entries than those before it, and how they
     /// differ.
-    pub two_lobes: Option<(usize, String)>,
+    pub mixed: Option<(usize, String)>,
 }
 
 /// An open bracket.
 pub(super) struct Frame {
-    /// Byte of the bracket.
-    pub open: usize,
+    /// The literal that it is, so far as it is known: without its end and its numbers. The shape is
+    /// empty while there is no entry.
+    pub list: Literal,
     /// The bracket, or 0 for the text itself.
     pub bracket: u8,
-    /// Byte where the statement that opened it begins.
-    pub lead: usize,
     /// Byte where the statement at hand begins, inside it.
     pub statement: usize,
     /// Its entries are the components of a vector.
@@ -48,15 +47,6 @@ pub(super) struct Frame {
     pub negative: bool,
     /// Index of its first number.
     pub first: usize,
-    /// Entries, then the shape of an entry; empty while there is none.
-    pub shape: Vec<usize>,
-    /// Its entries' innermost brackets are vectors.
-    pub vectors: bool,
-    /// See [`Literal`].
-    pub decimals: Option<u32>,
-    /// See [`Literal`].
-    pub hex: bool,
-    two_lobes: Option<(usize, String)>,
     /// Complete lists inside it, which are literals if it is none: with the range of their numbers.
     pub inside: Vec<(Literal, usize, usize)>,
 }
@@ -64,10 +54,20 @@ pub(super) struct Frame {
 impl Frame {
     /// A bracket that opens at byte `open` in a statement that begins at `lead`.
     pub fn new(open: usize, lead: usize, bracket: u8) -> Frame {
-        Frame {
+        let list = Literal {
+            statement: lead,
             open,
+            end: 0,
+            values: Vec::new(),
+            shape: Vec::new(),
+            vectors: false,
+            decimals: None,
+            hex: true,
+            mixed: None,
+        };
+        Frame {
+            list,
             bracket,
-            lead,
             statement: open + usize::from(bracket != b'0'),
             vector: false,
             of_type: false,
@@ -75,11 +75,6 @@ impl Frame {
             free: true,
             negative: false,
             first: 0,
-            shape: Vec::new(),
-            vectors: false,
-            decimals: None,
-            hex: true,
-            two_lobes: None,
             inside: Vec::new(),
         }
     }
@@ -91,14 +86,15 @@ impl Frame {
 
     /// Counts an entry of the given shape that ends at a byte.
     pub fn entry(&mut self, at: usize, shape: &[usize], vectors: bool) {
-        match &mut self.shape[..] {
+        let list = &mut self.list;
+        match &mut list.shape[..] {
             [] => {
-                self.shape = [&[1], shape].concat();
-                self.vectors = if shape.is_empty() { self.vector } else { vectors };
+                list.shape = [&[1], shape].concat();
+                list.vectors = if shape.is_empty() { self.vector } else { vectors };
             }
             [count, inner @ ..] => {
                 *count += 1;
-                if inner != shape && self.two_lobes.is_none() {
+                if inner != shape && list.mixed.is_none() {
                     let words = |shape: &[usize]| match shape {
                         [] => "a number".to_string(),
                         shape => format!("a bracket of {}", crate::foreign::shape::words(shape)),
@@ -109,40 +105,29 @@ impl Frame {
                         words(shape),
                         words(inner)
                     );
-                    self.two_lobes = Some((at, message));
+                    list.mixed = Some((at, message));
                 }
             }
         }
     }
 
     /// Takes a complete bracket, closed at byte `at`, as an entry; its numbers end at index `end`.
-    pub fn take(&mut self, frame: &Frame, end: usize, at: usize) -> Result<(), ForeignError> {
+    pub fn take(&mut self, frame: &Frame, end: usize, at: usize) {
         self.free = false;
-        self.decimals = self.decimals.max(frame.decimals);
-        self.hex &= frame.hex;
-        self.entry(at, &frame.shape, frame.vectors);
-        if self.two_lobes.is_none() {
-            self.two_lobes = frame.two_lobes.clone();
+        self.list.decimals = self.list.decimals.max(frame.list.decimals);
+        self.list.hex &= frame.list.hex;
+        self.entry(at, &frame.list.shape, frame.list.vectors);
+        if self.list.mixed.is_none() {
+            self.list.mixed = frame.list.mixed.clone();
         }
         if end - frame.first >= limits::ARRAY_MIN && self.inside.len() <= INSIDE {
             self.inside.push((frame.literal(at + 1), frame.first, end));
         }
-        Ok(())
     }
 
     /// The literal that it is, without its numbers.
     pub fn literal(&self, end: usize) -> Literal {
-        Literal {
-            statement: self.lead,
-            open: self.open,
-            end,
-            values: Vec::new(),
-            shape: self.shape.clone(),
-            vectors: self.vectors,
-            decimals: self.decimals,
-            hex: self.hex,
-            two_lobes: self.two_lobes.clone(),
-        }
+        Literal { end, ..self.list.clone() }
     }
 }
 

@@ -52,7 +52,7 @@ fn table(
     literal: Literal,
     hints: &Hints,
 ) -> Result<ForeignTable, ForeignError> {
-    if let Some((at, message)) = literal.two_lobes {
+    if let Some((at, message)) = literal.mixed {
         let message = match lead.name.as_str() {
             "" => message,
             name => format!("{name}: {message}"),

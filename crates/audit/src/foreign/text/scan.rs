@@ -102,8 +102,8 @@ impl<'a> Scan<'a> {
         let top = self.top();
         let sign = if std::mem::take(&mut top.negative) { -1.0 } else { 1.0 };
         top.free = false;
-        top.decimals = top.decimals.max(number.decimals);
-        top.hex &= number.hex;
+        top.list.decimals = top.list.decimals.max(number.decimals);
+        top.list.hex &= number.hex;
         top.entry(at, &[], false);
         self.values.push(sign * number.value);
         Ok(())
@@ -187,13 +187,13 @@ impl<'a> Scan<'a> {
 
     /// A bracket of numbers is complete: an entry of the one around it, or a literal.
     fn closed(&mut self, frame: Frame, at: usize) -> Result<(), ForeignError> {
-        if frame.shape.is_empty() {
+        if frame.list.shape.is_empty() {
             return self.spoil();
         }
         let end = self.values.len();
         let top = self.top();
         if top.pure {
-            top.take(&frame, end, at)?;
+            top.take(&frame, end, at);
             return Ok(());
         }
         if end - frame.first >= limits::ARRAY_MIN {
@@ -232,7 +232,7 @@ impl<'a> Scan<'a> {
     fn end(&mut self) -> Result<(), ForeignError> {
         let open = self.frames.len() - 1;
         let top = self.top();
-        let (pure, at, first) = (top.pure, top.open, top.first);
+        let (pure, at, first) = (top.pure, top.list.open, top.first);
         if open > 0 && pure && self.values.len() - first >= limits::ARRAY_MIN {
             let message = format!(
                 "the bracket opened here is not closed, {} numbers follow: the file is cut short",
