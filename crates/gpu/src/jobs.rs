@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
 use super::GpuError;
 use super::shader::{Fetches, Shader};
 use super::texture::{Shape, Texels};
 use super::variable::Ranges;
 use lobefit::bake::Baked;
 use lobefit::data::Use;
+use lobefit::emit::call::LookupFunction;
 use lobefit::emit::include::Include;
+use lobefit::emit::manifest::{Entries, FitEntry, Manifest, MipEntry, TableEntry};
 use lobefit::report::{self, GpuKind, GpuLeftOut};
 use lobefit::store::MANIFEST;
 
@@ -47,87 +47,6 @@ pub(super) struct Jobs {
     pub left_out: Vec<GpuLeftOut>,
 }
 
-/// What is read of a manifest.
-#[derive(Deserialize)]
-struct Manifest {
-    tables: Vec<Table>,
-    fits: Vec<Fit>,
-    #[serde(default)]
-    lookups: Vec<Lookup>,
-    #[serde(default)]
-    mips: Vec<Mip>,
-}
-
-#[derive(Deserialize)]
-struct Cost {
-    ops: u32,
-    fetches: u32,
-}
-
-#[derive(Deserialize)]
-struct Table {
-    name: String,
-    function: String,
-    quantity: String,
-    #[serde(rename = "use")]
-    used_as: Use,
-    channels: Vec<String>,
-    format: String,
-    axes: Vec<Axis>,
-    error: TableError,
-    cost: Cost,
-}
-
-#[derive(Deserialize)]
-struct Axis {
-    name: String,
-    size: u32,
-    min: f64,
-    max: f64,
-}
-
-#[derive(Deserialize)]
-struct TableError {
-    lookup: Deviation,
-}
-
-#[derive(Deserialize)]
-struct Deviation {
-    max: f64,
-}
-
-#[derive(Deserialize)]
-struct Fit {
-    name: String,
-    function: String,
-    quantity: String,
-    column: String,
-    #[serde(rename = "use")]
-    used_as: Use,
-    certificate: Certificate,
-    cost: Cost,
-    source: String,
-}
-
-#[derive(Deserialize)]
-struct Certificate {
-    domain: Ranges,
-    max_abs: f64,
-}
-
-#[derive(Deserialize)]
-struct Lookup {
-    function: String,
-    gives: String,
-    cost: Cost,
-}
-
-#[derive(Deserialize)]
-struct Mip {
-    function: String,
-    ops: u32,
-}
-
 /// Collects jobs.
 struct Collector {
     include: Include,
@@ -149,6 +68,7 @@ impl Jobs {
             serde_json::from_slice(manifest).map_err(|e| wrong(MANIFEST, e.to_string()))?;
         let jobs = Jobs { all: Vec::new(), left_out: Vec::new() };
         let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new(), filters_single };
+        let manifest = manifest.entries;
         collector.plain(&manifest);
         manifest.lookups.iter().try_for_each(|lookup| collector.lookup(lookup))?;
         manifest.tables.iter().try_for_each(|table| collector.table(table))?;
@@ -166,7 +86,7 @@ const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), single: false };
 
 impl Collector {
     /// The fetches to compare with that something is compared with.
-    fn plain(&mut self, manifest: &Manifest) {
+    fn plain(&mut self, manifest: &Entries) {
         let solid = manifest.tables.iter().any(|table| table.axes.len() > 2);
         let flat = !manifest.fits.is_empty() || manifest.tables.iter().any(|table| table.axes.len() == 2);
         let wanted = [(FLAT, flat), (SOLID, solid), (CUBE, !manifest.lookups.is_empty())];
@@ -225,7 +145,7 @@ impl Collector {
         Ok(&mut self.jobs.all[at])
     }
 
-    fn lookup(&mut self, lookup: &Lookup) -> Result<(), GpuError> {
+    fn lookup(&mut self, lookup: &LookupFunction) -> Result<(), GpuError> {
         let fetches = Fetches { count: lookup.cost.fetches, levels: lookup.gives == "mip" };
         let (name, ranges) = (&lookup.function, Ranges::new());
         self.job(name, GpuKind::Lookup, name, &ranges, None, None)?.ops = Some(lookup.cost.ops);
@@ -234,9 +154,9 @@ impl Collector {
         Ok(())
     }
 
-    fn table(&mut self, table: &Table) -> Result<(), GpuError> {
+    fn table(&mut self, table: &TableEntry) -> Result<(), GpuError> {
         let function = table.function.clone();
-        let sizes: Vec<u32> = table.axes.iter().map(|axis| axis.size).collect();
+        let sizes: Vec<u32> = table.axes.iter().map(|axis| axis.size as u32).collect();
         let channels = table.channels.len() as u32;
         let shape = match sizes.as_slice() {
             [columns, rows] => Shape::Flat([*columns, *rows], channels),
@@ -255,29 +175,34 @@ impl Collector {
         job.error = Some(report::GpuError {
             quantity: table.quantity.clone(),
             column: String::new(),
-            used_as: table.used_as,
+            used_as: used_as(&table.function, &table.used_as)?,
             max: table.error.lookup.max,
             published: false,
         });
         Ok(())
     }
 
-    fn fit(&mut self, fit: &Fit) -> Result<(), GpuError> {
+    fn fit(&mut self, fit: &FitEntry) -> Result<(), GpuError> {
         let job = self.job(&fit.name, GpuKind::Fit, &fit.function, &fit.certificate.domain, None, None)?;
         (job.ops, job.fetches) = (Some(fit.cost.ops), fit.cost.fetches);
         job.error = Some(report::GpuError {
             quantity: fit.quantity.clone(),
             column: fit.column.clone(),
-            used_as: fit.used_as,
+            used_as: used_as(&fit.function, &fit.used_as)?,
             max: fit.certificate.max_abs,
             published: fit.source != "fitted",
         });
         Ok(())
     }
 
-    fn mip(&mut self, mip: &Mip) -> Result<(), GpuError> {
+    fn mip(&mut self, mip: &MipEntry) -> Result<(), GpuError> {
         self.job(&mip.function, GpuKind::Level, &mip.function, &Ranges::new(), None, None)?.ops =
             Some(mip.ops);
         Ok(())
     }
+}
+
+/// The use that a manifest names.
+fn used_as(function: &str, name: &str) -> Result<Use, GpuError> {
+    Use::of(name).ok_or_else(|| GpuError::Bake { place: function.into(), reason: format!("use {name}") })
 }
