@@ -47,6 +47,8 @@ Examples:
                                         for these families, of the bake in this folder
   lobefit cost --isa --from . --assembly ggx_energy_compensation --families navi21
                                         print the machine code of a function
+  lobefit cost --isa --code lighting.wgsl
+                                        count the function `lighting` of a file of your own
   lobefit cost --isa --from . --drivers ../drivers --families navi21,intel,a660,mali
                                         for GPUs of other vendors, by drivers that crates/gpu/drivers/mesa.sh ../drivers has built
   lobefit cost --isa --record reports/isa/radv-22.3.6.json
@@ -146,6 +148,9 @@ pub struct Options {
     /// Take the bake in this folder, in place of baking a scene
     #[arg(long, value_name = "DIR", requires = "counted", conflicts_with = "scene")]
     pub from: Option<PathBuf>,
+    /// Take one function of each of these WGSL files, the one of the file's name, in place of a bake
+    #[arg(long, value_name = "FILE,..", value_delimiter = ',', requires = "isa", conflicts_with_all = ["scene", "from", "against", "record"])]
+    pub code: Vec<PathBuf>,
     /// Compare with this record of counts, for its families and precisions: exit code 1 where one grew
     #[arg(long, value_name = "RECORD", requires = "isa", conflicts_with_all = ["record", "families", "precisions"])]
     pub against: Option<PathBuf>,

@@ -44,7 +44,10 @@ pub(super) fn run(package: &'static str, words: &[OsString]) -> Result<Outcome, 
 }
 
 /// What a package's binary prints on the words, where it ends with 0 or 1.
-pub(super) fn ask(package: &'static str, words: &[&OsStr]) -> Result<Vec<u8>, CliError> {
+///
+/// # Errors
+/// A package that is not built; a binary that ends otherwise, with what it says.
+pub fn ask(package: &'static str, words: &[&OsStr]) -> Result<Vec<u8>, CliError> {
     let mut command = Command::new(find(package)?);
     let program = command.get_program().to_string_lossy().into_owned();
     match command.args(words).output() {

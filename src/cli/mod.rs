@@ -10,7 +10,7 @@ mod columns;
 pub mod cost;
 mod error;
 mod eval;
-mod external;
+pub mod external;
 pub mod input;
 mod manual;
 mod merge;

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`foreign`] | bytes of tables and shader files to plain values and tapes |
 //! | [`audit`] | the conventions that a table may follow, the best of them, and what is wrong under it |
+//! | [`cost`] | what a function costs in compiled instructions, beside our formulas |
 //! | [`report`] | the figures of an audit and their page |
 //! | [`run`] | the verb |
 //!
@@ -12,6 +13,7 @@
 
 pub mod audit;
 mod cli;
+pub mod cost;
 pub mod foreign;
 pub mod report;
 

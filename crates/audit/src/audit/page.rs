@@ -43,6 +43,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
             most: f.range[1],
             at: f.at.clone(),
         }),
+        cost: None,
     }
 }
 

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Registration, Scale};
+use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings};
 use lobefit::cli::CliError;
@@ -32,6 +33,7 @@ Examples:
   lobefit audit lut.png --as ggx-reflection:E --limit 0.01   in CI: exit 1 if E is off by more than 0.01
   lobefit audit shader.tables --as ggx-glass --symbol table_ggx_glass_E --size 16x16x16
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
+  lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx --isa   and what does it cost, beside our formulas?
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
@@ -97,6 +99,9 @@ struct Options {
     /// Value of an argument that is no input
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
+    /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use
+    #[arg(long)]
+    pub isa: bool,
     /// Largest error that is accepted: at a texel, at a function's points, at a lookup of a file
     /// that says how it is looked up
     #[arg(long, value_name = "E", value_parser = not_negative)]
@@ -120,6 +125,8 @@ struct Read {
     /// A function with its index of refraction given as 1/ior, where it has one and nobody says how
     /// it is given.
     inverse: Option<AuditedTable>,
+    /// The function itself.
+    function: Option<foreign::ShaderFunction>,
     /// What the file is, in words.
     holds: String,
     /// What it says of itself, or nothing.
@@ -137,7 +144,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn verb(options: &Options) -> Result<Outcome, CliError> {
     other_kind(options)?;
     let bytes = read(options)?;
-    let Read { mut audited, inverse, holds, note } =
+    let Read { mut audited, inverse, function, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
     // A folder that cannot be written is an error before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
@@ -175,13 +182,16 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         let free = judge(&Fixed { column: options.wanted.1, ..Fixed::default() })?;
         done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
     }
+    let priced = function.filter(|_| options.isa);
+    let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
+    let cost = priced.map(price).transpose()?;
     drop(progress);
     if let Some(limit) = options.limit {
         done.verdict = format!("{} {}", done.verdict, audit::limit_judged(&done, limit));
     }
     let origin = origin::origin(options, &bytes);
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let found = AuditFindings { passed: found.passed && said.is_none(), ..found };
+    let found = AuditFindings { passed: found.passed && said.is_none(), cost, ..found };
     let refused = match &said {
         Some(said) => refusal::of_stated(said, options.limit),
         None => refusal::refusal(&done, options.limit),
@@ -218,7 +228,8 @@ fn publish(
     if options.json {
         print(&figures)?;
     } else if !options.quiet {
-        print(format!("{}\n", found.verdict).as_bytes())?;
+        let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
+        print(format!("{}\n{cost}", found.verdict).as_bytes())?;
     }
     if found.passed {
         return Ok(Outcome::Done);
@@ -255,7 +266,8 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
         ];
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
-        ("a table", (!options.set.is_empty()).then_some("--set"))
+        let given = [("--set", !options.set.is_empty()), ("--isa", options.isa)];
+        ("a table", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     };
     let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
     given.map_or(Ok(()), |option| {
@@ -302,7 +314,8 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
                 false => None,
             };
             let inverse = inverse.map(|inverse| AuditedTable { what: what.clone(), ..inverse });
-            Ok(Read { audited: AuditedTable { what, ..function }, inverse, holds, note: String::new() })
+            let audited = AuditedTable { what, ..function };
+            Ok(Read { audited, inverse, function: Some(source.clone()), holds, note: String::new() })
         }
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
@@ -324,7 +337,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
         }
     }
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
-    Ok(Read { audited, inverse: None, holds: table.what, note: table.note })
+    Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
 }
 
 /// Inputs of the quantity.

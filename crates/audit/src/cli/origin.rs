@@ -43,6 +43,7 @@ fn command(options: &Options) -> String {
     words.extend(
         options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
     );
+    words.extend(options.isa.then(|| "--isa".to_owned()));
     words.extend(options.limit.map(|l| format!("--limit {l}")));
     words.join(" ")
 }

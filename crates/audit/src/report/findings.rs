@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::AuditCost;
 use crate::audit::{LookupErrors, TexelErrors};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
@@ -47,6 +48,9 @@ pub struct AuditFindings {
     /// The furnace, where the channels make an albedo.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<AuditFurnace>,
+    /// What the function costs in compiled instructions, where that is called for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<AuditCost>,
 }
 
 /// A table by the plain reading.

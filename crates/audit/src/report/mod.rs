@@ -1,8 +1,10 @@
 //! What an audit found out, and its page.
 
+mod cost;
 mod findings;
 mod page;
 
+pub use cost::{AuditCompiled, AuditCost, AuditFamily};
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
     AuditHeld, AuditPlain,

@@ -1,6 +1,6 @@
 //! The page of an audit: verdict, conventions tried, errors of every channel.
 
-use super::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings};
+use super::{AuditAxis, AuditChannel, AuditConvention, AuditCost, AuditCurve, AuditFindings};
 use crate::audit::{LookupErrors, TexelErrors, place};
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::{
@@ -8,7 +8,9 @@ use lobefit::report::{
 };
 
 pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
-    let mut sections = vec![verdict(audit), conventions(audit)];
+    let mut sections = vec![verdict(audit)];
+    sections.extend(audit.cost.as_ref().map(AuditCost::section));
+    sections.push(conventions(audit));
     for channel in &audit.channels {
         sections.push(channel_section(channel, is_function(audit), audit.stated)?);
     }

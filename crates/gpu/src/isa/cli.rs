@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::json;
 
 use super::family::{Driver, chosen};
-use super::{Compiled, Order, compile};
+use super::{Compiled, Jobs, Order, compile};
 use crate::GpuError;
 use lobefit::bake::Selection;
 use lobefit::cli::CliError;
@@ -14,6 +14,7 @@ use lobefit::cli::cost::{self, NOTHING, Options, RECORD_BYTES};
 use lobefit::cli::input;
 use lobefit::cli::output::{Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
+use lobefit::emit::include::Include;
 use lobefit::plan;
 use lobefit::report::{GpuKind, GpuRecord};
 use lobefit::store::{self, Files, Folder};
@@ -26,8 +27,10 @@ pub(crate) fn verb(options: &Options) -> Result<Outcome, CliError> {
     let mut place = options.record.as_deref().map(Place::open).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
     let order = order(options, old.as_ref())?;
-    let (files, scene) = baked(options, &progress)?;
-    let compiled = compile(&files, &scene, &order, &progress)?;
+    let compiled = match jobs(options, &order, &progress)? {
+        Some((jobs, scene)) => compile(&jobs, &scene, &order, &progress)?,
+        None => Vec::new(),
+    };
     drop(progress);
     let Some(Compiled { record, .. }) = compiled.first() else {
         match (options.json, options.quiet) {
@@ -76,6 +79,20 @@ fn order<'a>(options: &'a Options, old: Option<&IsaRecord>) -> Result<Order<'a>,
         return Err(GpuError::Several { option, drivers });
     }
     Ok(Order { drivers, folder, precisions })
+}
+
+/// What is compiled, and the name of its scene; none where the bake emits no functions.
+fn jobs(
+    options: &Options,
+    order: &Order<'_>,
+    progress: &Spinner,
+) -> Result<Option<(Jobs, String)>, CliError> {
+    if !options.code.is_empty() {
+        return Ok(Some((Jobs::of_files(&options.code, &order.precisions)?, String::new())));
+    }
+    let (files, scene) = baked(options, progress)?;
+    let Some(include) = Include::of(&files) else { return Ok(None) };
+    Ok(Some((Jobs::of(&include, &files, &order.precisions)?, scene)))
 }
 
 /// Code and manifest of the bake, and the name of its scene: baked now, or those of a folder.

@@ -11,12 +11,13 @@ pub use family::counted;
 pub(crate) use worker::{WORKER, worker};
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use family::Driver;
 use lobefit::bake::Progress;
+use lobefit::cli::CliError;
 use lobefit::emit::include::Include;
-use lobefit::store::{Files, MANIFEST};
+use lobefit::store::{self, Files, MANIFEST};
 use lobefit::timing::isa::{IsaFunction, IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
 use shader::Shader;
 use worker::{Machine, Source};
@@ -25,6 +26,9 @@ use crate::GpuError;
 
 /// How a record is made.
 const COMMAND: &str = "lobefit cost --isa --record FILE.json";
+
+/// Largest file of code that is read, bytes.
+const CODE_BYTES: u64 = 1 << 20;
 
 /// A function to compile.
 struct Job {
@@ -66,8 +70,10 @@ impl Jobs {
         let ops = operations(files)
             .map_err(|e| GpuError::Bake { place: MANIFEST.into(), reason: e.to_string() })?;
         for name in names {
+            let wrong = || GpuError::Bake { place: name.into(), reason: "not in the include file".into() };
+            let (code, hash) = include.code(name).zip(include.hash(name)).ok_or_else(wrong)?;
             for precision in precisions {
-                jobs.add(include, &module, name, *precision)?;
+                jobs.add((&code, &hash), &module, name, *precision)?;
             }
         }
         for (name, function) in &mut jobs.functions {
@@ -76,23 +82,40 @@ impl Jobs {
         Ok(jobs)
     }
 
+    /// A function of each file, of the file's name, with all that stands beside it.
+    fn of_files(files: &[PathBuf], precisions: &[Precision]) -> Result<Jobs, CliError> {
+        let mut jobs = Jobs::default();
+        for file in files {
+            let bytes = store::read(file, CODE_BYTES)?;
+            let wrong = |reason: String| GpuError::Bake { place: file.display().to_string(), reason };
+            let code = String::from_utf8(bytes).map_err(|e| wrong(e.to_string()))?;
+            let module = naga::front::wgsl::parse_str(&code).map_err(|e| wrong(e.emit_to_string(&code)))?;
+            let name = file.file_stem().and_then(|name| name.to_str()).unwrap_or_default();
+            if !module.functions.iter().any(|(_, f)| f.name.as_deref() == Some(name)) {
+                return Err(wrong(format!("declares no function `{name}`, the one of its own name")).into());
+            }
+            let hash = blake3::hash(code.as_bytes()).to_hex();
+            for precision in precisions {
+                jobs.add((&code, &hash), &module, name, *precision)?;
+            }
+        }
+        Ok(jobs)
+    }
+
+    /// Adds a function by its code, with all that it needs, and the hash of that.
     fn add(
         &mut self,
-        include: &Include,
+        (code, hash): (&str, &str),
         module: &naga::Module,
         function: &str,
         precision: Precision,
     ) -> Result<(), GpuError> {
         let place = |reason: &str| GpuError::Bake { place: function.into(), reason: reason.into() };
-        let (code, hash) = include
-            .code(function)
-            .zip(include.hash(function))
-            .ok_or_else(|| place("not in the include file"))?;
-        let Some(shader) = Shader::of(&code, module, function, precision)? else { return Ok(()) };
+        let Some(shader) = Shader::of(code, module, function, precision)? else { return Ok(()) };
         match self.shader(&shader.with, precision) {
             Ok(with) => {
                 let without = self.shader(&shader.without, precision).map_err(|e| place(&e))?;
-                self.functions.insert(function.into(), IsaFunction::of(&hash, None));
+                self.functions.insert(function.into(), IsaFunction::of(hash, None));
                 self.all.push(Job { function: function.into(), precision, shaders: [with, without] });
                 Ok(())
             }
@@ -126,21 +149,18 @@ struct Order<'a> {
     precisions: Vec<Precision>,
 }
 
-/// Compiles every function of the files of a bake, for each driver; nothing where the bake emits no
-/// functions.
+/// Compiles the functions for each driver.
 ///
 /// # Errors
-/// No driver, a family that it does not know, code or assembly that is not understood.
+/// No driver, a family that it does not know, assembly that is not understood.
 fn compile(
-    files: &Files,
+    jobs: &Jobs,
     scene: &str,
     order: &Order<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<Compiled>, GpuError> {
-    let Some(include) = Include::of(files) else { return Ok(Vec::new()) };
-    let jobs = Jobs::of(&include, files, &order.precisions)?;
     let by = |(driver, families): &(&Driver, Vec<String>)| {
-        compile_by(driver, (families, order.folder), &jobs, scene, progress)
+        compile_by(driver, (families, order.folder), jobs, scene, progress)
     };
     order.drivers.iter().map(by).collect()
 }

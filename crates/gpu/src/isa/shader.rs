@@ -59,14 +59,27 @@ impl Shader {
         };
         let mut arguments =
             Arguments { number, given: 0, held: 0, resources: String::new(), words: Vec::new() };
+        let mut values =
+            found.result.as_ref().map_or(Vec::new(), |result| members(module, result.ty, "isa_value"));
+        let mut variables = String::new();
         for argument in &found.arguments {
             let name = argument.name.as_deref().unwrap_or_default();
-            arguments
-                .add(name, &module.types[argument.ty].inner)
-                .ok_or_else(|| wrong(format!("the argument `{name}` is of a type that is not known")))?;
+            let unknown = || wrong(format!("the argument `{name}` is of a type that is not known"));
+            match module.types[argument.ty].inner {
+                // What it is to write there is a result.
+                TypeInner::Pointer { base, .. } => {
+                    let ty = written(&module.types[base].inner).ok_or_else(unknown)?;
+                    let variable = format!("isa_out_{}", arguments.words.len());
+                    let _ = writeln!(variables, "    var {variable}: {ty};");
+                    values.extend(members(module, base, &variable));
+                    arguments.words.push(format!("&{variable}"));
+                }
+                ref inner => arguments.add(name, inner).ok_or_else(unknown)?,
+            }
         }
-        let result = found.result.as_ref().ok_or_else(|| wrong("it returns nothing".into()))?;
-        let values = members(module, result.ty, "isa_value");
+        if values.is_empty() {
+            return Err(wrong("it returns nothing".into()));
+        }
         let numbers = arguments.given == arguments.words.len() && !code.contains("vec");
         match precision {
             Precision::F16 if arguments.held > 0 || !arguments.resources.is_empty() => return Ok(None),
@@ -74,11 +87,21 @@ impl Shader {
             _ => {}
         }
         arguments.given = arguments.given.max(1);
-        let call = format!("    let isa_value = {function}({});\n", arguments.words.join(", "));
+        let value = if found.result.is_some() { "let isa_value = " } else { "" };
+        let call = format!("{variables}    {value}{function}({});\n", arguments.words.join(", "));
         let again: Vec<String> = (0..values.len()).map(|k| format!("isa_{}", k % arguments.given)).collect();
         let with = arguments.text(&in_precision(code, number), &call, &values);
         arguments.resources.clear();
         Ok(Some(Shader { with, without: arguments.text("", "", &again) }))
+    }
+}
+
+/// A type that a function may write to, as text: numbers and vectors of them.
+fn written(ty: &TypeInner) -> Option<String> {
+    match *ty {
+        TypeInner::Scalar(Scalar::F32) => Some("f32".into()),
+        TypeInner::Vector { size, scalar: Scalar::F32 } => Some(format!("vec{}<f32>", size as usize)),
+        _ => None,
     }
 }
 

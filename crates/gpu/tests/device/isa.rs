@@ -114,6 +114,48 @@ fn large(x: f32) -> f32 {\n    return x * 70000.0;\n}\n",
 }
 
 #[test]
+fn a_function_of_a_file_is_that_of_its_name_with_all_beside_it() {
+    let ratio = "fn ratio(x: f32, y: f32) -> f32 {\n    return 1.0 / (x * y + 2.5);\n}\n";
+    let folder = baked(ratio);
+    let file = |name: &str, code: &str| std::fs::write(folder.path().join(name), code).expect("written");
+    file(
+        "aside.wgsl",
+        "const shift = 2.5;\nfn product(x: f32, y: f32) -> f32 { return x * y; }
+fn aside(x: f32, y: f32) -> f32 { return 1.0 / (product(x, y) + shift); }",
+    );
+    file("out.wgsl", "fn out(x: f32, y: f32, z: ptr<function, f32>) { *z = 1.0 / (x * y + 2.5); }");
+    let of = |options: &[&str]| {
+        let output = lobefit(folder.path(), &[&["cost", "--isa", "--json"], options].concat(), b"");
+        (output.status.code(), String::from_utf8(output.stdout.clone()).expect("text"), stderr(&output))
+    };
+    let Some((_, emitted, _)) = run(folder.path(), &["--json"]) else { return };
+    let (code, printed, error) = of(&["--code", "aside.wgsl,out.wgsl"]);
+    assert_eq!((code, error.as_str()), (Some(0), ""));
+    let (emitted, own) = (record(&emitted), record(&printed));
+    assert_eq!(own.functions.keys().collect::<Vec<_>>(), ["aside", "out"]);
+    for row in emitted.rows.iter().filter(|row| row.precision == Precision::F32) {
+        for name in ["aside", "out"] {
+            assert_eq!(find(&own, name, &row.family, row.precision).counts, row.counts, "{name}");
+        }
+    }
+    file("other.wgsl", ratio);
+    file("wrong.wgsl", "fn wrong(");
+    file("none.wgsl", "fn none(x: f32) { }");
+    file("counted.wgsl", "fn counted(x: f32, n: i32) -> f32 { return x * f32(n); }");
+    for (options, said) in [
+        (&["--code", "other.wgsl"][..], "other.wgsl: declares no function `other`"),
+        (&["--code", "wrong.wgsl"], "wrong.wgsl: "),
+        (&["--code", "none.wgsl"], "none: it returns nothing"),
+        (&["--code", "counted.wgsl"], "counted: the argument `n` is of a type that is not known"),
+        (&["--code", "missing.wgsl"], "missing.wgsl"),
+        (&["--code", "out.wgsl", "--from", "."], "cannot be used with"),
+    ] {
+        let (code, printed, error) = of(options);
+        assert!(code == Some(2) && printed.is_empty() && error.contains(said), "{options:?}: {error}");
+    }
+}
+
+#[test]
 fn a_formula_that_is_dearer_by_a_multiply_add_is_named_with_its_family() {
     let code = text("fits/lobefit.wgsl");
     let folder = baked(&code);

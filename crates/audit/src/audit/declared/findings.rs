@@ -53,6 +53,7 @@ pub fn findings(
         }],
         channels: found.held.iter().map(|h| channel(found, h)).collect(),
         furnace: None,
+        cost: None,
     }
 }
 

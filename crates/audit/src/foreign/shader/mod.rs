@@ -9,6 +9,7 @@
 //! structures, vectors that change, pointers and `out` arguments. Functions of other people use all
 //! of these, and are only evaluated.
 
+mod alone;
 mod cut;
 mod items;
 mod operator;
