@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 /// Tolerance of the integrals, and points that are compared.
 const TOLERANCE: f64 = 1e-7;
-const POINTS: u64 = 120;
+const POINTS: u64 = 300;
 
 fn half(v: Vec3, l: Vec3) -> Vec3 {
     let sum = [v[0] + l[0], v[1] + l[1], v[2] + l[2]];
