@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use crate::data::Smith;
 use crate::effects::table::{LookupPoints, Made, Point, Region, SliceAxis, aspect};
 use lobefit_math::ops;
-use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::aniso::fast::{Interpolants, Place};
+use lobefit_truth::integrate::aniso::fast::{Interpolants, Place, one};
+use lobefit_truth::integrate::{IntegrateError, Path};
 use lobefit_truth::points;
 use lobefit_truth::quantity::{GgxReflectionAniso, Quantity};
 
@@ -83,15 +83,24 @@ pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made, In
     Ok((e, made, interpolants))
 }
 
-/// E at further points: off the interpolants, and integrated beyond their boxes.
+/// Tolerance of E at one azimuth where no sample of it is checked: a digit beyond what is judged.
+const ALONE: f64 = 0.1 * JUDGED[1];
+
+/// E at further points: off the interpolants in the mean over the azimuth, integrated at an azimuth,
+/// where one integral is less work than the interpolant at one width; beyond both domains as any
+/// points are.
 pub(super) fn further(
     smith: Smith,
     points: &LookupPoints,
     interpolants: &Interpolants,
 ) -> Result<Vec<f64>, IntegrateError> {
     let (views, azimuth) = (views(points), points.azimuth);
-    let known: Vec<Option<f64>> =
-        views.par_iter().map(|view| interpolants.at(&view.place(azimuth))).collect();
+    let at = |view: &View| match view.place(azimuth) {
+        place if !azimuth => Ok(interpolants.at(&place)),
+        place if place.is_covered() => Ok(Some(one(Path::Best, smith, &place, ALONE)?.value)),
+        _ => Ok(None),
+    };
+    let known: Vec<Option<f64>> = views.par_iter().map(at).collect::<Result<_, IntegrateError>>()?;
     let beyond: Vec<usize> = (0..known.len()).filter(|i| known[*i].is_none()).collect();
     let far: Vec<View> = beyond.iter().map(|i| views[*i]).collect();
     let (integrated, _) = energies(smith, &far, azimuth, JUDGED[usize::from(azimuth)])?;

@@ -88,13 +88,14 @@ impl Family for Glass {
         _: bool,
         counter: &Counter,
     ) -> Result<Truths, IntegrateError> {
-        let at = move |points: &LookupPoints, counter: &Counter| {
-            let (sides, evaluations) = truths(smith, points)?;
-            counter.add(sides.len() * points.len());
-            Ok((sides.map(|e| Albedo { e, b: Vec::new() }).to_vec(), evaluations))
-        };
-        let (sides, evaluations) = at(points, counter)?;
-        let further = Further::new(move |i, points, counter| Ok(at(points, counter)?.0.swap_remove(i)));
+        let (sides, evaluations) = truths(smith, points)?;
+        counter.add(sides.len() * points.len());
+        let sides = sides.map(|e| Albedo { e, b: Vec::new() }).to_vec();
+        let further = Further::new(move |i, points, counter| {
+            counter.add(points.len());
+            let e = GgxGlass.one_side(smith, Side::ALL[i], &inputs(places(points)), JUDGED)?;
+            Ok(Albedo { e, b: Vec::new() })
+        });
         Ok(Truths { sides, made: Made { evaluations, integration: JUDGED }, further })
     }
 }
@@ -156,10 +157,22 @@ impl Sliced for Glass {
     }
 }
 
+/// alpha, mu and ior of the points of lookups.
+fn places(points: &LookupPoints) -> impl Iterator<Item = [f64; 3]> {
+    points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from))
+}
+
+/// The inputs of `ggx-glass`.
+fn inputs(places: impl Iterator<Item = [f64; 3]>) -> points::Points {
+    let places: Vec<[f64; 3]> = places.collect();
+    let column = |k: usize| places.iter().map(|place| place[k]).collect::<Vec<f64>>();
+    points::Points::new([("alpha", column(0)), ("mu", column(1)), ("ior", column(2))])
+}
+
 /// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
 pub fn truths(smith: Smith, points: &LookupPoints) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
-    energies(smith, points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from)), JUDGED)
+    energies(smith, places(points), JUDGED)
 }
 
 /// E of both sides at (alpha, mu, ior), and the evaluations that they took.
@@ -168,10 +181,7 @@ fn energies(
     places: impl Iterator<Item = [f64; 3]>,
     tolerance: f64,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
-    let places: Vec<[f64; 3]> = places.collect();
-    let column = |k: usize| places.iter().map(|place| place[k]).collect::<Vec<f64>>();
-    let inputs = points::Points::new([("alpha", column(0)), ("mu", column(1)), ("ior", column(2))]);
-    let sides = GgxGlass.both_sides(smith, &inputs, tolerance)?;
+    let sides = GgxGlass.both_sides(smith, &inputs(places), tolerance)?;
     let evaluations = sides[0].evaluations;
     Ok((sides.map(|side| side.arrays::<3>()).map(|[_, _, e]| e), evaluations))
 }

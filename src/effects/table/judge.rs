@@ -137,20 +137,32 @@ fn judged(decode: Decode) -> Judged {
     if decode.has_bias() { Judged::Either } else { Judged::E }
 }
 
+/// Points that are sorted at a time to find the worst.
+const SORTED: usize = 1 << 12;
+
 /// The worst points of which no two lie in one cell of the table.
 fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Vec<Point> {
+    let before = |a: &usize, b: &usize| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b));
     let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|a, b| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b)));
-    let (mut worst, mut known) = (Vec::new(), Vec::new());
-    for i in order {
-        let cell = lookup.position(&points[i]).map(|x| x.floor() as i64);
-        if !known.contains(&cell) {
-            known.push(cell);
-            worst.push(points[i]);
+    let (mut rest, mut worst, mut known) = (&mut order[..], Vec::new(), Vec::new());
+    while !rest.is_empty() {
+        let count = SORTED.min(rest.len());
+        if count < rest.len() {
+            rest.select_nth_unstable_by(count, before);
         }
-        if worst.len() == places {
-            break;
+        let (head, tail) = rest.split_at_mut(count);
+        head.sort_unstable_by(before);
+        for i in head {
+            let cell = lookup.position(&points[*i]).map(|x| x.floor() as i64);
+            if !known.contains(&cell) {
+                known.push(cell);
+                worst.push(points[*i]);
+            }
+            if worst.len() == places {
+                return worst;
+            }
         }
+        rest = tail;
     }
     worst
 }

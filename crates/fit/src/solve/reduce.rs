@@ -1,6 +1,7 @@
 //! Orthogonal reduction of a tall Jacobian to a small triangle: everything that least squares
 //! needs, without ever forming normal equations (which square the condition number).
 
+use multiversion::multiversion;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, SymmetricEigen};
 use rayon::prelude::*;
 
@@ -52,7 +53,8 @@ pub(super) fn reduce(jacobian: &[f64], residuals: &[f64], n: usize) -> Triangle 
 }
 
 /// The triangular factor, `width` rows or fewer, of a matrix given column by column (Householder
-/// reflections).
+/// reflections). Every form of it does the same operations in the same order.
+#[multiversion(targets("x86_64+avx+avx2"))]
 fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
     let rows = a.len() / width;
     let height = width.min(rows);
@@ -82,6 +84,7 @@ fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
 }
 
 /// The scalar product, summed in lanes.
+#[inline(always)]
 fn dot(x: &[f64], y: &[f64]) -> f64 {
     let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
     let mut sums = [0.0; LANES];

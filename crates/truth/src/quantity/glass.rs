@@ -28,9 +28,43 @@ impl GgxGlass {
         points: &Points,
         tolerance: f64,
     ) -> Result<[Truth; 2], IntegrateError> {
+        let (all, evaluations) = self.energies(smith, None, points, tolerance)?;
+        Ok([0, 1].map(|side| {
+            let rows: Vec<[f64; 3]> = all.iter().map(|e| [e.r[side], e.t[side], e.e()[side]]).collect();
+            Truth::of_rows(&rows, tolerance, evaluations)
+        }))
+    }
+
+    /// E from one side alone, in less work than from both.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    pub fn one_side(
+        &self,
+        smith: Smith,
+        side: Side,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<Vec<f64>, IntegrateError> {
+        let (all, _) = self.energies(smith, Some(side), points, tolerance)?;
+        Ok(all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect())
+    }
+
+    /// The energies of both sides or of one, and the evaluations that they took.
+    fn energies(
+        &self,
+        smith: Smith,
+        only: Option<Side>,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Vec<Energies>, u64), IntegrateError> {
         let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
         let [alpha, mu, ior] = asked.columns(self)?;
         let kernel = Kernel::new(smith, tolerance)?;
+        let kernel = match only {
+            Some(side) => kernel.only(side),
+            None => kernel,
+        };
         let inputs: Vec<[f64; 3]> = (0..points.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
         let chunk = |chunk: &[[f64; 3]]| {
             let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
@@ -42,11 +76,7 @@ impl GgxGlass {
         let parts: Vec<(Vec<Energies>, u64)> =
             inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
         let evaluations = parts.iter().map(|(_, n)| n).sum();
-        let all: Vec<Energies> = parts.into_iter().flat_map(|(values, _)| values).collect();
-        Ok([0, 1].map(|side| {
-            let rows: Vec<[f64; 3]> = all.iter().map(|e| [e.r[side], e.t[side], e.e()[side]]).collect();
-            Truth::of_rows(&rows, tolerance, evaluations)
-        }))
+        Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
     }
 }
 

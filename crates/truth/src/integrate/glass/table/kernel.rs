@@ -6,6 +6,7 @@ use super::reflect::Reflection;
 use super::rules::Rules;
 use super::stretch::{self, Seen};
 use super::transmit::Sweep;
+use crate::integrate::glass::Side;
 use crate::integrate::{IntegrateError, Path};
 use crate::optics::Smith;
 use crate::optics::ggx;
@@ -40,6 +41,8 @@ pub struct Kernel {
     smith: Smith,
     effort: Effort,
     path: Path,
+    /// The one side that is integrated; `None` for both.
+    only: Option<Side>,
     rules: Rules,
     /// Values of rings to Legendre series: see [`Rules::series`].
     series: Vec<Vec<f64>>,
@@ -51,7 +54,7 @@ impl Kernel {
     pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
         let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
         let series = rules.series(effort.ring_panel);
-        Ok(Kernel { smith, effort, path: Path::Best, rules, series })
+        Ok(Kernel { smith, effort, path: Path::Best, only: None, rules, series })
     }
 
     /// A kernel with more nodes on shorter panels than [`Kernel::new`]: for checks.
@@ -64,6 +67,11 @@ impl Kernel {
     /// The same kernel on another compiled form of its loops: the results are the same bits.
     pub fn on(self, path: Path) -> Kernel {
         Kernel { path, ..self }
+    }
+
+    /// The same kernel for one side; the energies of the other are NaN.
+    pub fn only(self, side: Side) -> Kernel {
+        Kernel { only: Some(side), ..self }
     }
 
     /// Its numbers of nodes.
@@ -96,9 +104,10 @@ impl Kernel {
         let rings = Reflection::new(&lobe, effort, rules, series, *path);
         let mut sweep = Sweep::with_capacity(6 * effort.panel * iors.len());
         let mut ends = Vec::with_capacity(2 * iors.len());
+        let is_wanted = |side: Side| self.only.is_none_or(|only| only == side);
         for ior in iors {
-            for seen in [Seen::outside(*ior), Seen::inside(*ior)] {
-                if ior - 1.0 >= STRAIGHT {
+            for (side, seen) in [(Side::Outside, Seen::outside(*ior)), (Side::Inside, Seen::inside(*ior))] {
+                if is_wanted(side) && ior - 1.0 >= STRAIGHT {
                     for stretch in stretch::stretches(&lobe, seen).iter().flatten() {
                         stretch::append(&mut sweep, stretch, seen, effort, rules);
                     }
@@ -118,9 +127,12 @@ impl Kernel {
                 *e = Energies { r: [0.0; 2], t: [ggx::lit_given_visible(self.smith, alpha, mu, mu); 2] };
                 continue;
             }
-            let outside = rings.passed_outside(Seen::outside(*ior), *path);
-            let inside = rings.passed_inside(&lobe, Seen::inside(*ior), effort, rules, *path);
-            *e = Energies { r: [rings.whole - outside, rings.whole - inside], t: transmitted };
+            let passed = |side: Side| match side {
+                _ if !is_wanted(side) => f64::NAN,
+                Side::Outside => rings.passed_outside(Seen::outside(*ior), *path),
+                Side::Inside => rings.passed_inside(&lobe, Seen::inside(*ior), effort, rules, *path),
+            };
+            *e = Energies { r: Side::ALL.map(|side| rings.whole - passed(side)), t: transmitted };
         }
         Ok(evaluations + rings.evaluations)
     }
