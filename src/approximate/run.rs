@@ -321,7 +321,13 @@ fn is_unreliable(error: &FitStageError) -> bool {
         FitStageError::NotConverged { .. }
             | FitStageError::RunAway { .. }
             | FitStageError::Unkept { .. }
-            | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))
+            | FitStageError::Fit(
+                FitError::Shade(ShadeError::Irregular { .. })
+                    | FitError::Undefined { .. }
+                    | FitError::PoleAtStart { .. }
+                    | FitError::Constrained { .. }
+                    | FitError::Unsatisfiable { .. }
+            )
             | FitStageError::Refused { .. }
     )
 }

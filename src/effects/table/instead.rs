@@ -90,18 +90,19 @@ pub(super) fn instead(
     let chosen = job.size.is_some() && kept.as_ref().is_some_and(square);
     let narrowed = match kept {
         Some(_) => None,
-        None => narrowed(family, (job, own), (judge, limit), context)?,
+        None => narrowed(family, (job, own), (judge.truth(0).b.is_some(), limit), context)?,
     };
     Ok(said(&choices, (limit, job.layout), narrowed, chosen))
 }
 
 /// The line with the widest ranges of n_dot_v and roughness, from one of [`LOWS`] on, over which a
 /// table of two axes in this size keeps the limit, if any. They end at the centre of the last texel:
-/// beyond it a lookup clamps.
+/// beyond it a lookup clamps. Outside of them the table errs as before: a shader that clamps its
+/// arguments is no nearer to the truth.
 fn narrowed(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),
-    (judge, limit): (&Judge, f64),
+    (finer, limit): (bool, f64),
     context: &Context,
 ) -> Result<Option<String>, BakeError> {
     let &[columns, rows] = size else { return Ok(None) };
@@ -114,12 +115,12 @@ fn narrowed(
             break;
         };
         let job = TableJob { mu, roughness, ..job.clone() };
-        let judge = judge.over(family, job.region(), &context.counter)?;
+        let judge = Judge::new(family, job.smith, job.region(), finer, &context.counter)?;
         let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
         if error <= limit {
             return Ok(Some(format!(
-                "keeps it: {} with `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, \
-                 to which the shader clamps: {bytes} bytes, error {error}",
+                "keeps it only there: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, \
+                 with the error above outside, clamped or not: {bytes} bytes, error {error}",
                 size_text(size)
             )));
         }
@@ -218,7 +219,9 @@ fn said(
     }
     lines.extend(narrowed);
     if is_chosen {
-        lines.push("keeps it: no `size`: lobefit chooses the smallest square that does".into());
+        lines.push(
+            "keeps it: no `size`: lobefit chooses the smallest square of 16, 32, 64 or 128 that does".into(),
+        );
     }
     if lines.is_empty() {
         let each = |choice: &Choice| format!("{} ({})", choice.words, choice.error);

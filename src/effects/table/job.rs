@@ -416,7 +416,10 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
 
 /// `table 32x32 f16, homogeneous layout, for albedo`.
 fn summary(family: &dyn Family, job: &TableJob, side: Option<Side>) -> String {
-    let size = job.size.as_ref().map_or_else(|| "of the smallest sufficient size".into(), |n| size_text(n));
+    let size = job
+        .size
+        .as_ref()
+        .map_or_else(|| "of the smallest sufficient side of 16, 32, 64 and 128".into(), |n| size_text(n));
     let (format, layout, of) = (job.format.name(), job.layout.name(), family.described(job, side));
     let fixed = if job.layout == Layout::PathTracer {
         format!(" ({} Smith, alpha = {})", job.smith.name(), job.alpha_map.name())

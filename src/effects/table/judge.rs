@@ -55,14 +55,6 @@ impl Judge {
         Ok(Judge { points, truths: sides, made, further, region })
     }
 
-    /// The judge of the same tables over another region.
-    ///
-    /// # Errors
-    /// As [`Judge::new`].
-    pub fn over(&self, family: &dyn Family, region: Region, counter: &Counter) -> Result<Judge, BuildError> {
-        Judge::new(family, self.smith, region, self.finer, counter)
-    }
-
     /// The truth of side `i`.
     pub fn truth(&self, i: usize) -> Truth<'_> {
         Truth::of(&self.truths[i])
