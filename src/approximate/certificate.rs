@@ -2,7 +2,7 @@
 
 use super::place;
 use super::target::{Sampled, Target};
-use crate::data::{Approximation, Certificate, Cost, Form, Formula, HalfRefusal, Place, Source, shortest};
+use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
 use lobefit_shade::{Hypothesis, Precision, ShadeError, measure_in, round_up};
 
 /// The error of a formula in one arithmetic.
@@ -44,43 +44,9 @@ pub fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> For
     }
 }
 
-/// The error of a formula in half precision, by the worse of the two ways of rounding products, or
-/// why it has none.
-///
-/// # Errors
-/// An input that the target does not have.
-pub fn half(
-    hypothesis: &Hypothesis,
-    coefficients: &[f32],
-    target: &Target,
-    measured: &Sampled,
-) -> Result<Result<Certificate, HalfRefusal>, ShadeError> {
-    let of = |precision| match certificate(hypothesis, coefficients, target, measured, precision) {
-        Ok(certificate) => Ok(Ok(certificate)),
-        Err(error) => refused(error).map(Err),
-    };
-    Ok(match [of(Precision::F16)?, of(Precision::F16Fused)?] {
-        [Ok(apart), Ok(fused)] => Ok(worse(apart, fused)),
-        [Err(refusal), _] | [_, Err(refusal)] => Err(refusal),
-    })
-}
-
 /// The one with the larger error, the first of equals.
 pub fn worse(a: Certificate, b: Certificate) -> Certificate {
     if b.max_abs > a.max_abs { b } else { a }
-}
-
-/// What an arithmetic without a finite value is refused for; other errors are handed on.
-fn refused(error: ShadeError) -> Result<HalfRefusal, ShadeError> {
-    let refused = error.to_string();
-    match error {
-        ShadeError::Unmeasurable { at, .. } => {
-            let at = at.into_iter().map(|(name, x)| (name, shortest(x))).collect();
-            Ok(HalfRefusal { refused, at })
-        }
-        ShadeError::Unrepresentable { .. } => Ok(HalfRefusal { refused, at: Place::new() }),
-        other => Err(other),
-    }
 }
 
 /// A measured formula as an approximation of its target.

@@ -3,7 +3,8 @@
 
 use super::certificate::{certificate, worse};
 use super::target::{Sampled, Target, TargetError};
-use crate::data::Certificate;
+use crate::data::{Certificate, HalfRefusal, Place, shortest};
+use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, Precision, ShadeError};
 
 /// Cells along each axis, from each of which one search starts.
@@ -50,4 +51,39 @@ pub fn closer(
         first = Certificate { max_abs, at, ..first };
     }
     Ok(first)
+}
+
+/// The error of a formula in half precision, by the worse of the two ways of rounding products, or
+/// why it has none.
+///
+/// # Errors
+/// An input that the target does not have; a truth that cannot be integrated.
+pub fn half(
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    target: &Target,
+    measured: &Sampled,
+) -> Result<Result<Certificate, HalfRefusal>, TargetError> {
+    let of = |precision| match closer(hypothesis, coefficients, target, measured, precision) {
+        Ok(certificate) => Ok(Ok(certificate)),
+        Err(TargetError::Fit(FitError::Shade(error))) => Ok(Err(refused(error)?)),
+        Err(error) => Err(error),
+    };
+    Ok(match [of(Precision::F16)?, of(Precision::F16Fused)?] {
+        [Ok(apart), Ok(fused)] => Ok(worse(apart, fused)),
+        [Err(refusal), _] | [_, Err(refusal)] => Err(refusal),
+    })
+}
+
+/// What an arithmetic without a finite value is refused for; other errors are handed on.
+fn refused(error: ShadeError) -> Result<HalfRefusal, ShadeError> {
+    let refused = error.to_string();
+    match error {
+        ShadeError::Unmeasurable { at, .. } => {
+            let at = at.into_iter().map(|(name, x)| (name, shortest(x))).collect();
+            Ok(HalfRefusal { refused, at })
+        }
+        ShadeError::Unrepresentable { .. } => Ok(HalfRefusal { refused, at: Place::new() }),
+        other => Err(other),
+    }
 }

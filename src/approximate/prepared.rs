@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::certificate::{approximation, formula, half, worse};
-use super::closer;
+use super::certificate::{approximation, formula, worse};
+use super::closer::{closer, half};
 use super::search::{Searched, searched};
 use super::target::{Sampled, Target};
 use super::{Entry, Fit, FitStageError, Safe, SafeProof, SafeRange};

@@ -100,7 +100,8 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
             false if !options.quiet => print(shipped.text(&limits, &input.scene).as_bytes())?,
             false => {}
         }
-        say_each("nothing within the limits", &shipped.unkept);
+        let unit = shipped.unit.as_ref().map(|unit| format!(" (cost in {unit})")).unwrap_or_default();
+        say_each(&format!("nothing within the limits{unit}"), &shipped.unkept);
     }
     Ok(if shipped.unkept.is_empty() { Outcome::Done } else { Outcome::Failed })
 }

@@ -25,7 +25,8 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         blocks.push(Block::Text { text });
     } else {
         let rows = effects.iter().map(row).collect();
-        let caption = "Maxima are rounded up. The limit is the scene's; a bake that exceeds it fails and writes nothing.";
+        let caption = "Maxima are rounded up. The limit is the scene's; a bake that exceeds it fails and writes nothing. Ranges are the hull of \
+                       those of the effect's functions and tables: each error holds over the ranges of its own.";
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
     if !left_out.is_empty() {
