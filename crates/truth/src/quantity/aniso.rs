@@ -38,8 +38,8 @@ fn given(x: f64) -> Option<f64> {
 }
 
 impl GgxReflectionAniso {
-    /// E of a place by [`Quantity::truth`], and the interpolants that it was read off: for other
-    /// points among these. They are none where every point was integrated.
+    /// E at points, as [`Quantity::truth`] has it, and the interpolants that it was read off, for
+    /// other points between these. There are none where every point was integrated.
     ///
     /// # Errors
     /// As [`Quantity::truth`].
