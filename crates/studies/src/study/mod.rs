@@ -5,6 +5,7 @@
 pub mod coupling;
 mod page;
 pub mod parallax;
+pub mod stability;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -54,7 +55,8 @@ pub trait Study: Sync {
 }
 
 /// Every study of this version.
-pub static STUDIES: [&dyn Study; 2] = [&coupling::DiffuseCouplings, &parallax::ProbeLookups];
+pub static STUDIES: [&dyn Study; 3] =
+    [&coupling::DiffuseCouplings, &parallax::ProbeLookups, &stability::Stability];
 
 /// The study of a name.
 pub fn from_name(name: &str) -> Option<&'static dyn Study> {

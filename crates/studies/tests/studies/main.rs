@@ -9,4 +9,5 @@ mod flip;
 mod parallax;
 mod parallax_chain;
 mod render;
+mod stability;
 mod study;

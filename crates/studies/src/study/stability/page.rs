@@ -1,0 +1,102 @@
+//! The page: a table of all cases, and for each the two forms, a chart and why.
+
+use super::case::{CASES, Case};
+use super::measure::{Approach, LOST, Measured};
+use crate::study::{REDUCED, Size, page as build};
+use lobefit::report::numbers::{bound, brief};
+use lobefit::report::{Block, Curves, Origin, Page, ReportError, Section, Spread, Style, figures, words};
+
+const LEAD: &str = "Formulas that are equal on paper part where two nearly equal numbers are subtracted: what is left are the digits that both had lost. For nine hard \
+     cases this page shows the form that textbooks and tutorials have beside the one that lobefit computes with, and the error of both along \
+     the approach to the limit.\nErrors are relative to truths of 60 digits, which no code of lobefit made (tests/oracle/stability.py), at the very numbers that each form is \
+     given. More digits help a naive form only for a while: f64 moves the cliff, and leaves it as steep. All figures: results.json.";
+
+/// Anchors and titles of the sections: three cases each.
+const GROUPS: [(&str, &str); 3] = [
+    ("smooth", "Smooth surfaces"),
+    ("edges", "Grazing views and interfaces"),
+    ("ranges", "Anisotropy, long sums, half precision"),
+];
+
+/// The page of the cases.
+///
+/// # Errors
+/// Data that cannot be shown, by section and field.
+pub fn page(cases: &[Measured], size: Size, origin: Origin) -> Result<Page, ReportError> {
+    let pairs: Vec<(&Case, &Measured)> = CASES.iter().zip(cases).collect();
+    let sections = GROUPS.iter().zip(pairs.chunks(3)).map(|(group, cases)| section(*group, cases));
+    let all: Vec<Section> = std::iter::once(Ok(overview(cases))).chain(sections).collect::<Result<_, _>>()?;
+    let reduced = if size == Size::Reduced { REDUCED } else { "" };
+    Ok(Page {
+        title: "lobefit study: stability".into(),
+        origin,
+        lead: format!("{reduced}{LEAD}"),
+        sections: all,
+    })
+}
+
+/// The worst errors of all cases.
+fn overview(cases: &[Measured]) -> Section {
+    let worst = |of: Option<&Approach>| match of {
+        Some(found) if found.not_finite > 0 => "not finite".into(),
+        Some(found) => bound(found.worst, 2),
+        None => "–".into(),
+    };
+    let row = |(case, found): (&Case, &Measured)| {
+        let of = |form: &str| worst(found.naive.iter().find(|naive| naive.form == form));
+        let shader = if case.name == "half" { of("naive, f16") } else { of("naive, f32") };
+        let row = [shader, of("naive, f64"), worst(Some(&found.ours)), brief(found.promise, 3)];
+        build::row(case.title, row)
+    };
+    let columns = [
+        ("case", false),
+        ("naive, in a shader", true),
+        ("naive, f64", true),
+        ("ours", true),
+        ("ours, promised", true),
+    ];
+    let caption = "Largest relative error over the approach to the limit. In a shader: f32, of the last row f16; ours is f64, and f16 in the last row.";
+    let table = words::table(&columns, CASES.iter().zip(cases).map(row).collect(), caption);
+    Section {
+        id: "cases".into(),
+        title: "All cases".into(),
+        lead: String::new(),
+        blocks: vec![Block::Table(table)],
+    }
+}
+
+/// Charts of three cases, then the reason and the forms of each.
+fn section((id, title): (&str, &str), cases: &[(&Case, &Measured)]) -> Result<Section, ReportError> {
+    let charts: Vec<Curves> = cases.iter().map(|(case, found)| chart(case, found)).collect();
+    let mut blocks = vec![figures(&charts, "")?];
+    for (case, _) in cases {
+        let naive: Vec<&str> = case.naive.lines().filter(|line| !line.starts_with("override")).collect();
+        let naive = naive.join("\n");
+        let text = format!("// naive: {}\n{naive}\n// ours: {}\n{}", case.met, case.called, case.ours);
+        blocks.push(Block::Heading { text: case.title.into() });
+        blocks.push(Block::Text { text: case.why.into() });
+        blocks.push(Block::Code { text });
+    }
+    Ok(Section { id: id.into(), title: title.into(), lead: String::new(), blocks })
+}
+
+fn chart(case: &Case, found: &Measured) -> Curves {
+    let ours = [(&found.ours, Style::Line(2))];
+    // The worst precision of the naive form first: red.
+    let naive = found.naive.iter().zip([Style::Line(1), Style::Line(0)]);
+    let lines = naive.chain(ours).map(|(form, style)| build::line(form.form, seen(form, found), style));
+    let ends = found.ours.points.iter().chain(found.naive.iter().flat_map(|form| &form.points)).map(|p| p.0);
+    let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let unit = vec![(low, found.rounding), (high, found.rounding)];
+    let series = lines.chain([build::line("unit of rounding", unit, Style::Truth)]).collect();
+    let labels = [case.distance, "relative error"];
+    let chart = build::chart(case.title, labels, series, (270.0, 170.0));
+    Curves { x: (chart.x.0, Spread::Log), y: (chart.y.0, Spread::Log), ..chart }
+}
+
+/// Points as they are drawn: an error of nothing at a quarter of the unit of rounding, which is as low
+/// as a single result says anything, and none above ten times all.
+fn seen(form: &Approach, found: &Measured) -> Vec<(f64, f64)> {
+    let floor = found.rounding / 4.0;
+    form.points.iter().map(|&(x, error)| (x, error.clamp(floor, 10.0 * LOST))).collect()
+}
