@@ -1,4 +1,4 @@
-"""Truths of the study of stability, in 60 digits: writes stability.json beside itself.
+"""Truths of the study of stability, in 60 digits (loss 30, sum f64, albedo 5): writes stability.json beside itself.
 
 Needs mpmath (pip install mpmath). Run: python3 stability.py
 

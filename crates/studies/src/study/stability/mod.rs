@@ -1,5 +1,5 @@
 //! Hard cases of numerics: textbook forms beside those that this project uses, both against truths
-//! of 60 digits (`tests/oracle/stability.py`) along the approach to a limit.
+//! made independently (`tests/oracle/stability.py`) along the approach to a limit.
 
 mod case;
 mod measure;
