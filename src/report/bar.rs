@@ -10,7 +10,7 @@ const ANSWERS: &str = include_str!("../../reports/index.json");
 
 /// Pages that other commands put beside those of the built-in scene, as they lie in the repository
 /// of this program: their word in the bar, what they show, and their file.
-const BESIDE: [(&str, &str, &str); 4] = [
+const BESIDE: [(&str, &str, &str); 5] = [
     ("costs", "What accuracy costs: every formula on the GPUs of every vendor", "cost.html"),
     (
         "study: parallax",
@@ -18,6 +18,11 @@ const BESIDE: [(&str, &str, &str); 4] = [
         "studies/parallax/index.html",
     ),
     ("study: coupling", "Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
+    (
+        "study: stability",
+        "Study: hard cases, the textbook's formula beside the stable one",
+        "studies/stability/index.html",
+    ),
     ("times", "Times of the functions on an NVIDIA H200", "gpu/nvidia-h200.html"),
 ];
 

@@ -275,7 +275,7 @@ fn strip(furnace: &Furnace, width: f64) -> Result<String, ReportError> {
     let factors: Vec<Vec<Vec<f64>>> = furnace.rows.iter().map(of).collect();
     let rows = furnace.rows.iter().zip(&factors);
     let spheres = Spheres {
-        title: format!("furnace, amplified {times} times; grey is exact"),
+        title: format!("furnace error × {times}; grey is exact"),
         column_name: "roughness".into(),
         columns: &roughness,
         mu: &furnace.mu,
