@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 const TOLERANCE: f64 = 0.03;
 
 /// How the record is made again.
-const RECORD: &str = "CARGO_INCREMENTAL=0 CARGO_PROFILE_RELEASE_LTO=off cargo test --release -p lobefit-fit --test kernels -- --ignored record";
+const RECORD: &str = "CARGO_INCREMENTAL=0 CARGO_PROFILE_RELEASE_LTO=off cargo test --release --workspace --test kernels -- --ignored record";
 
 /// What to install.
 const INSTALL: &str = "valgrind (Debian: valgrind)";
