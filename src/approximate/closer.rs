@@ -21,7 +21,8 @@ const NEAR: usize = 64;
 /// where truths are dear. RMS and mean are those of the points alone.
 ///
 /// # Errors
-/// As [`certificate`]; a truth that cannot be integrated.
+/// An input that the target does not have; a value that is not finite in this arithmetic; a truth that
+/// cannot be integrated.
 pub fn closer(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
