@@ -21,7 +21,7 @@ struct Truths {
 pub struct Approach {
     /// What is computed, and in which precision.
     pub form: &'static str,
-    /// Distance from the limit, and relative error; [`LOST`] where the result is not finite.
+    /// Distance from the limit, and relative error; `LOST` where the result is not finite.
     pub points: Vec<(f64, f64)>,
     /// The largest.
     pub worst: f64,
