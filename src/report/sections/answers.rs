@@ -72,12 +72,11 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
     let timed = |offer: &Offer| time(offer.function.as_deref(), drawn.record, include.as_ref()).is_some();
     let record = drawn.record.filter(|_| offers.into_iter().any(timed));
     let device = record.map_or_else(String::new, |record| {
-        format!(" Times are those of one call for each pixel of 3840 × 2160 on an {}.", record.device.adapter)
+        format!(" Times: one call for each pixel of 3840 × 2160 on an {}.", record.device.adapter)
     });
     let over = match drawn.manifest.made_from["mu"].as_array().map(Vec::as_slice) {
         Some([low, high]) => format!(
-            " Errors of functions of n_dot_v hold from {low} to {high}, the scene's `mu`, those of tables over their own ranges: \
-             pass max(n_dot_v, 1e-4)."
+            " Functions hold over n_dot_v {low} to {high} (pass max(n_dot_v, 1e-4)), tables over their own ranges."
         ),
         _ => String::new(),
     };
@@ -85,7 +84,7 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
         id: "answers".into(),
         title: "What to take".into(),
         lead: format!(
-            "Recommended is the cheapest that keeps the error that the scene states, or the most accurate within its budget.{over}{device}"
+            "Recommended: the cheapest that keeps the scene's error, or the most accurate within its budget.{over}{device}"
         ),
         blocks,
     })
