@@ -72,19 +72,19 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
     let timed = |offer: &Offer| time(offer.function.as_deref(), drawn.record, include.as_ref()).is_some();
     let record = drawn.record.filter(|_| offers.into_iter().any(timed));
     let device = record.map_or_else(String::new, |record| {
-        format!(" Times: one call for each pixel of 3840 × 2160 on an {}.", record.device.adapter)
+        format!(" Times: a call per pixel at 4K, {}.", record.device.adapter)
     });
     let over = match drawn.manifest.made_from["mu"].as_array().map(Vec::as_slice) {
-        Some([low, high]) => format!(
-            " Functions hold over n_dot_v {low} to {high} (pass max(n_dot_v, 1e-4)), tables over their own ranges."
-        ),
+        Some([low, high]) => {
+            format!(" Functions hold over n_dot_v {low} to {high}, tables over their own ranges.")
+        }
         _ => String::new(),
     };
     Ok(Section {
         id: "answers".into(),
         title: "What to take".into(),
         lead: format!(
-            "Recommended: the cheapest that keeps the scene's error, or the most accurate within its budget.{over}{device}"
+            "Recommended: the cheapest within the scene's error, or the most accurate within its budget.{over}{device}"
         ),
         blocks,
     })
