@@ -71,12 +71,11 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
     let offers = answers.iter().flat_map(|answer| &answer.purposes).flat_map(|purpose| &purpose.choices);
     let timed = |offer: &Offer| time(offer.function.as_deref(), drawn.record, include.as_ref()).is_some();
     let record = drawn.record.filter(|_| offers.into_iter().any(timed));
-    let device = record.map_or_else(String::new, |record| {
-        format!(" Times: a call per pixel at 4K, {}.", record.device.adapter)
-    });
+    let device =
+        record.map_or_else(String::new, |record| format!(" Times at 4K: {}.", record.device.adapter));
     let over = match drawn.manifest.made_from["mu"].as_array().map(Vec::as_slice) {
         Some([low, high]) => {
-            format!(" Functions hold over n_dot_v {low} to {high}, tables over their own ranges.")
+            format!(" Functions hold over n_dot_v {low} to {high}, tables over their own.")
         }
         _ => String::new(),
     };
