@@ -97,8 +97,8 @@ pub(super) fn instead(
 
 /// The line with the widest ranges of n_dot_v and roughness, from one of [`LOWS`] on, over which a
 /// table of two axes in this size keeps the limit, if any. They end at the centre of the last texel:
-/// beyond it a lookup clamps. Outside of them the table errs as before: a shader that clamps its
-/// arguments is no nearer to the truth.
+/// beyond it a lookup clamps. Outside of them the table errs by more: its texels are optimised for
+/// what is inside, and a shader that clamps its arguments is no nearer to the truth.
 fn narrowed(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),
@@ -120,7 +120,7 @@ fn narrowed(
         if error <= limit {
             return Ok(Some(format!(
                 "keeps it only there: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, \
-                 with the error above outside, clamped or not: {bytes} bytes, error {error}",
+                 outside of which it errs by more, clamped or not: {bytes} bytes, error {error}",
                 size_text(size)
             )));
         }
