@@ -167,6 +167,22 @@ fn a_limit_that_no_size_keeps_names_ranges_that_keep_it() {
     assert!((made / stated - 1.0).abs() < 1e-3, "{made} {stated}");
 }
 
+/// Constraints reach beyond the scene's range, where the best coefficients of a formula may leave it
+/// without a value: the formula is left out with the reason, and the others are baked.
+#[test]
+fn a_formula_without_a_value_where_its_constraints_hold_is_left_out() {
+    let material = format!(
+        r#"{{"name": "m", "kind": "dielectric", "f0": 0.05, "roughness": [0.4, 0.9], "wants": {TABLE},
+            "base": {{"albedo": 0.5, "specular": "compensated", "max_ops": 17, "norms": ["max"]}}}}"#
+    );
+    let baked = baked(&material);
+    assert!(baked.broken.is_empty(), "{:?}", baked.broken);
+    let left_out = baked.dropped.iter().find(|left| left.hypothesis == "coupling_compensated_17");
+    let reason = &left_out.expect("left out").reason;
+    assert!(reason.contains("is not a number at roughness = 0"), "{reason}");
+    assert!(baked.fits.iter().any(|fit| fit.emitted && fit.approximation.name == "coupling_compensated_7"));
+}
+
 /// The cosines over which a table is judged stand in the manifest and above its function.
 #[test]
 fn a_table_may_state_the_cosines_that_it_is_judged_over() {

@@ -40,8 +40,8 @@ pub fn names() -> impl Iterator<Item = String> {
     around.chain(reciprocal)
 }
 
-/// The functions of a material whose directions can be exchanged. Its lobe must be such a one,
-/// which of ours the bare one alone is.
+/// The functions of a material whose directions can be exchanged. Its lobe must be reciprocal: of
+/// ours the bare lobe alone is.
 const AVERAGE: &str = "diffuse_coupling_average_single";
 const RECIPROCAL: &str = "diffuse_coupled_reciprocal_single";
 const EXCHANGED: &str = "diffuse_coupling_reciprocal_single";
