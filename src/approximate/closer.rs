@@ -13,6 +13,11 @@ const CELLS: usize = 16;
 /// Part of the largest error from which on the worst point of a cell starts a search.
 const FOLLOWED: f64 = 0.9;
 
+/// After each width one of so many searches goes on, those of the largest errors, and no fewer than this:
+/// the peaks of a fit that is best are nearly of one height.
+const KEPT: usize = 3;
+const FEWEST: usize = 6;
+
 /// Widths of the boxes, as parts of the axes, and the points in each.
 const WIDTHS: [f64; 5] = [0.06, 0.03, 0.015, 0.007, 0.003];
 const NEAR: usize = 64;
@@ -37,17 +42,20 @@ pub fn closer(
     if !target.is_sparse() {
         return Ok(first);
     }
-    for cell in measured.cells(&target.axes, CELLS) {
-        let mut peak = at(&cell)?;
-        if peak.max_abs < FOLLOWED * first.max_abs {
-            continue;
-        }
-        for width in WIDTHS {
+    let cells = measured.cells(&target.axes, CELLS);
+    let mut peaks: Vec<Certificate> = cells.iter().map(at).collect::<Result<_, _>>()?;
+    peaks.retain(|peak| peak.max_abs >= FOLLOWED * first.max_abs);
+    for width in WIDTHS {
+        for peak in &mut peaks {
             let near = at(&target.near(&peak.at, width, NEAR)?)?;
             first.points += near.points;
             first.max_rel = first.max_rel.max(near.max_rel);
-            peak = worse(peak, near);
+            *peak = worse(peak.clone(), near);
         }
+        peaks.sort_by(|a, b| b.max_abs.total_cmp(&a.max_abs));
+        peaks.truncate((peaks.len() / KEPT).max(FEWEST));
+    }
+    if let Some(peak) = peaks.into_iter().next() {
         let Certificate { max_abs, at, .. } = worse(first.clone(), peak);
         first = Certificate { max_abs, at, ..first };
     }

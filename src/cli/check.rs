@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::cost::PAGE;
 use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
-use super::output::{Outcome, print, print_json, say, say_broken};
+use super::output::{Outcome, print, print_json, say, say_broken, say_each};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
@@ -94,8 +94,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     })?;
     drop(progress);
     // What breaks a promise is not written by a bake: there is nothing to compare with.
-    say_broken(&found.broken);
     if !found.broken.is_empty() {
+        say_each("the scene changed", &found.changes);
+        say_broken(&found.broken);
         return Ok(Outcome::Failed);
     }
     let same = found.all().next().is_none();

@@ -104,9 +104,10 @@ pub struct Options {
     /// Count what functions cost on this vendor's GPUs, by the model of its compiled code
     #[arg(long, value_name = "VENDOR", value_parser = vendor, requires = "limited")]
     pub vendor: Option<Vendor>,
-    /// The language of the snippets: rust, wgsl, hlsl, glsl, msl or c
-    #[arg(long, value_name = "LANGUAGE", value_parser = language, default_value = "wgsl", requires = "limited")]
-    pub language: Language,
+    /// The language of the snippets: rust, wgsl, hlsl, glsl, msl or c; by default wgsl, or the scene's
+    /// first where it asks for others alone
+    #[arg(long, value_name = "LANGUAGE", value_parser = language, requires = "limited")]
+    pub language: Option<Language>,
     /// Time the emitted WGSL on a graphics processor instead; writes nothing without --record
     #[arg(long)]
     pub gpu: bool,

@@ -224,21 +224,21 @@ fn columns(header: &Record, quantity: &dyn Quantity) -> Result<Columns, String> 
             return Err(format!("column `{name}` is there twice"));
         }
     }
-    let missing = |name: &str| {
+    let needed = quantity.inputs().iter().filter(|input| !input.optional).map(|input| input.name);
+    let needed = needed.chain(choices(quantity).filter(|choice| !choice.is_optional()).map(Choice::name));
+    let missing: Vec<&str> = needed.filter(|name| !found.contains_key(*name)).collect();
+    if !missing.is_empty() {
         let names: Vec<String> = (0..header.fields.len()).map(|i| header.text(i)).collect();
         let (quantity, names) = (quantity.name(), names.join("`, `"));
-        format!("column `{name}` is missing, which {quantity} needs; the header has `{names}`")
-    };
-    let find = |name: &str, optional: bool| match found.get(name) {
-        None if !optional => Err(missing(name)),
-        index => Ok(index.copied()),
-    };
-    let inputs = quantity.inputs().iter().map(|input| find(input.name, input.optional));
-    let inputs = inputs.collect::<Result<_, _>>()?;
-    let mut chosen = Vec::new();
-    for choice in choices(quantity) {
-        chosen.extend(find(choice.name(), choice.is_optional())?.map(|index| (choice, index)));
+        let (s, are) = if missing.len() == 1 { ("", "is") } else { ("s", "are") };
+        let missing = missing.join("`, `");
+        return Err(format!(
+            "column{s} `{missing}` {are} missing, which {quantity} needs; the header has `{names}`"
+        ));
     }
+    let index = |name: &str| found.get(name).copied();
+    let inputs = quantity.inputs().iter().map(|input| index(input.name)).collect();
+    let chosen = choices(quantity).filter_map(|choice| Some((choice, index(choice.name())?))).collect();
     Ok(Columns { inputs, choices: chosen })
 }
 
@@ -362,7 +362,7 @@ mod tests {
             ("alpha,mu,n\n1,1,\"x\n1,1,y\n", "p.csv:2: a double quote is not closed"),
             (
                 "alpha;mu\n1;1\n",
-                "p.csv:1: column `alpha` is missing, which ggx-reflection needs; the header has `alpha;mu`",
+                "p.csv:1: columns `alpha`, `mu` are missing, which ggx-reflection needs; the header has `alpha;mu`",
             ),
         ] {
             assert_eq!(parse(text).unwrap_err(), expected, "{text:?}");

@@ -18,8 +18,12 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
         text += &function(language, fit, &lines(fit))?;
         if let Some(name) = rgb(fit, is_coloured) {
             let float = fit.hypothesis.float();
-            let (own, beside) = (fit.approximation.cost.ops, coloured_ops().map_err(CodeError::from)?);
-            let ops = format!("{} operations: {own} for N and {beside} for the colour.", own + beside);
+            let (own, colour) = (fit.approximation.cost.ops, coloured_ops().map_err(CodeError::from)?);
+            let ops = format!(
+                "{} operations, {own} for N and {colour} for the colour{}.",
+                own + colour,
+                beside(fit)
+            );
             let header: Vec<String> = RGB.lines().map(String::from).chain([ops]).collect();
             let (inner, arguments) = (fit.hypothesis.name(), fit.hypothesis.arguments());
             text += &format!("\n{}", coloured(language, &name, &arguments, inner, float, &header)?);
@@ -66,6 +70,17 @@ pub fn constants(fit: &Fit) -> String {
     }
 }
 
+/// What a function does before its formula: `, and 1 more for alpha, which the lobe needs too`.
+fn beside(fit: &Fit) -> String {
+    let more = fit.hypothesis.tape().cost_ops().saturating_sub(fit.approximation.cost.ops);
+    let is_given = fit.hypothesis.inputs().iter().any(|input| input == "alpha");
+    match more {
+        0 => String::new(),
+        _ if is_given => format!(", and {more} more for roughness, which the material has"),
+        _ => format!(", and {more} more for alpha, which the lobe needs too"),
+    }
+}
+
 /// The header of one function: what it is, its error and its cost.
 fn lines(fit: &Fit) -> Vec<String> {
     let a = &fit.approximation;
@@ -76,19 +91,7 @@ fn lines(fit: &Fit) -> Vec<String> {
         _ => "absolute",
     };
     let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));
-    let ops = match fit.hypothesis.tape().cost_ops().checked_sub(a.cost.ops) {
-        // What the function does before the formula.
-        Some(more) if more > 0 => {
-            let is_given = fit.hypothesis.inputs().iter().any(|input| input == "alpha");
-            let has = if is_given {
-                "roughness, which the material has"
-            } else {
-                "alpha, which the lobe needs too"
-            };
-            format!("{}, and {more} for {has}", header::operations(a.cost.ops))
-        }
-        _ => header::operations(a.cost.ops),
-    };
+    let ops = [header::operations(a.cost.ops), beside(fit)].concat();
     lines.push(format!("{} {}{smith}; {ops}; {}", a.quantity, a.column, constants(fit)));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines.extend(header::half_line(a));

@@ -18,7 +18,7 @@ pub fn contained(
     files: &mut Files,
 ) -> Result<Vec<String>, BakeError> {
     let mut header = context.recipe.lines();
-    header.extend(header::table_lines(table, decode.formulas(), certificate));
+    header.extend(header::table_lines(table, decode, certificate));
     header.extend(note.map(String::from));
     let described = Described { table, decode, certificate, header: &header };
     let mut paths = Vec::new();

@@ -216,8 +216,8 @@ impl Job {
 
     /// What became of goals that differ: `max_ops 5 of a and 20 of b became 20`.
     pub fn merging(&self) -> Option<String> {
-        let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "any".to_string(), |n| n.to_string());
-        let error = |goals: &Goals| goals.max_error.map_or_else(|| "any".to_string(), |e| e.to_string());
+        let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "no limit".to_string(), |n| n.to_string());
+        let error = |goals: &Goals| goals.max_error.map_or_else(|| "no limit".to_string(), |e| e.to_string());
         let parts = [became("max_ops", self, &ops), became("max_error", self, &error)];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         (!parts.is_empty()).then(|| parts.join("; "))

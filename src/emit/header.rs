@@ -1,7 +1,9 @@
 //! The header that every emitted file bears, as plain lines; each format puts its comment marks
 //! before them.
 
-use crate::data::{ARGUMENT_NAMES, Approximation, Axis, Certificate, Form, Half, Place, Smith, Table};
+use crate::data::{
+    ARGUMENT_NAMES, Approximation, Axis, Certificate, Decode, Form, Half, Place, Smith, Table,
+};
 use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
 /// What made a file: enough to make it again, and nothing that changes from run to run.
@@ -28,7 +30,7 @@ impl Recipe {
 }
 
 /// The lines that describe a table: axes, channels, decoding, certificate.
-pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certificate) -> Vec<String> {
+pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![
         format!("Table {} of {}{}", table.name, table.quantity, fresnel(&table.quantity)),
         format!("{}alpha = {}; texels: {}", smith(table), table.alpha_map.name(), table.format.name()),
@@ -42,11 +44,13 @@ pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certifi
             rows * slices
         ));
     }
-    let meaning: Vec<String> = decode.iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
+    let formulas = decode.formulas().iter();
+    let meaning: Vec<String> = formulas.map(|(name, formula)| format!("{name} = {formula}")).collect();
     lines.push(format!("texel: {} (the EXR names its channels so)", parts(table)));
     lines.push(format!("decode: {}", meaning.join(", ")));
     let filter = if table.axes.len() == 3 { "trilinear" } else { "bilinear" };
     lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
+    lines.extend(both_line(decode));
     lines
 }
 
@@ -65,8 +69,20 @@ pub fn decoding_line(table: &Table, meaning: &str) -> String {
     format!("{meaning} from a texel: {}.", parts(table))
 }
 
+/// What the error of a table with A and B is of. It is the larger of the errors of E = A + B and of B, which bounds
+/// that of f0 A + B, a lerp of the two; A is their difference.
+fn both_line(decode: Decode) -> Option<String> {
+    let line = "The error is of f0 A + B for every f0 in [0, 1], and so of B and of E = A + B; that of A alone is at most twice it.";
+    decode.has_bias().then(|| line.into())
+}
+
 /// What the comment of a table's lookup says: the table, its conventions, its error.
-pub fn lookup_lines(table: &Table, certificate: &Certificate, note: Option<&str>) -> Vec<String> {
+pub fn lookup_lines(
+    table: &Table,
+    decode: Decode,
+    certificate: &Certificate,
+    note: Option<&str>,
+) -> Vec<String> {
     let sizes: Vec<String> = table.axes.iter().map(|axis| axis.size.to_string()).collect();
     let domain = certificate.domain.iter().filter(|(name, _)| *name != "alpha");
     let domain: Vec<String> =
@@ -78,6 +94,7 @@ pub fn lookup_lines(table: &Table, certificate: &Certificate, note: Option<&str>
         format!("{}alpha = {}.", smith(table), table.alpha_map.name()),
         format!("Error: max {max_abs}, rms {} over {}.", short(*rms), domain.join(", ")),
     ];
+    lines.extend(both_line(decode));
     lines.extend(note.map(String::from));
     lines
 }

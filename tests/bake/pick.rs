@@ -264,7 +264,7 @@ fn budgets_cover_what_their_materials_call() {
         assert!(baked.broken.is_empty(), "{budget}: {:?}", baked.broken);
         assert_eq!(emitted(&baked)[0].0, 14);
         let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
-        assert!(text.contains("/// 18 operations: 14 for N"), "{text}");
+        assert!(text.contains("/// 18 operations, 14 for N"), "{text}");
     }
     let equal = metal("a", r#"{"max_ops": 15, "max_error": 0.0105}"#);
     let broken = baked("", &[equal, plain].join(",")).broken;

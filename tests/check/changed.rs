@@ -45,6 +45,25 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
     }
 }
 
+/// Where the changed scene cannot be baked, what changed is said before what it does not keep.
+#[test]
+fn a_change_that_breaks_a_promise_is_named_before_the_promise() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |arguments: &[&str], scene: &str| lobefit(folder.path(), arguments, scene.as_bytes());
+    let scene = |side: u32| {
+        SCENE.replace(
+            r#"{"fit":{"max_ops":9}}"#,
+            &format!(r#"{{"tables":[{{"size":[{side},{side}],"max_error":0.01}}]}}"#),
+        )
+    };
+    assert_eq!(run(&["bake", "-", "--quiet"], &scene(16)).status.code(), Some(0));
+    let checked = run(&["check", "-"], &scene(2));
+    let said = String::from_utf8_lossy(&checked.stderr);
+    assert_eq!((checked.status.code(), &checked.stdout[..]), (Some(1), &b""[..]), "{said}");
+    let change = "the scene changed: materials[0].wants.tables[0].size: 16 became 2\npromise not kept: ";
+    assert!(said.contains(change), "{said}");
+}
+
 /// Names change no number: `--values` does not mind them, short as they may be, and minds
 /// everything else of a scene.
 #[test]

@@ -73,15 +73,18 @@ fn a_table_is_baked_under_its_name_and_hash() {
     let page = text(folder.path(), "out/reports/parallax.html");
     assert!(page.contains("phong chains"), "the page tells the kernel");
 
-    let check =
-        |scene: &str| lobefit(folder.path(), &["check", scene, "--against", "out"], b"").status.code();
-    assert_eq!(check("scene.json"), Some(0));
     fs::create_dir(folder.path().join("elsewhere")).expect("a folder");
     write(folder.path(), "elsewhere/same.json", &phong(&WIDTHS));
     write(folder.path(), "elsewhere/scene.json", &scene("same.json"));
-    assert_eq!(check("elsewhere/scene.json"), Some(0));
+    let checked = lobefit(folder.path(), &["check", "elsewhere/scene.json", "--against", "out"], b"");
+    assert_eq!(checked.status.code(), Some(0), "{}", String::from_utf8_lossy(&checked.stdout));
+    let planned = || {
+        let output = lobefit(folder.path(), &["plan", "elsewhere/scene.json"], b"");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    assert!(planned().contains(word), "{}", planned());
     write(folder.path(), "elsewhere/same.json", &phong(&[0.04, 0.1, 0.2, 0.4, 0.66, 1.0]));
-    assert_eq!(check("elsewhere/scene.json"), Some(1));
+    assert!(planned().contains("phong@") && !planned().contains(word), "{}", planned());
 }
 
 #[test]

@@ -219,7 +219,7 @@ fn bake_names_everything_that_calls_a_function() {
     assert!(text.contains("|E N - 1|  4 metals\n") && text.contains("\n4 metals: a, b, c, d\n"), "{text}");
     let include = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).unwrap();
     assert!(
-        include.contains(" operations, and 1 for alpha, which the lobe needs too; constants"),
+        include.contains(" operations, and 1 more for alpha, which the lobe needs too; constants"),
         "{include}"
     );
 }

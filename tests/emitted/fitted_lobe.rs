@@ -1,7 +1,7 @@
 //! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as
 //! alpha goes to 0.
 
-use crate::lookup_support::{EMITTED, Emitted, Point, text};
+use crate::lookup_support::{EMITTED, Emitted, Point, found};
 use lobefit_math::ops::{pow, sincos};
 use lobefit_math::vector::{Vec3, cross, length, minus, normalise};
 use lobefit_shade::code::Language;
@@ -20,7 +20,7 @@ fn smooth() -> impl Iterator<Item = &'static Emitted> {
 /// What is fetched along a path: the weighted mean of the directions, and that of the widths.
 fn fetched(emitted: &Emitted, points: &[Point]) -> Vec<(Vec3, f64)> {
     let taps = emitted.lookup.taps as usize;
-    let found = emitted.run_in_rust(&text(Language::Rust), points);
+    let found = found(Language::Rust, &[(emitted, points)]).expect("rustc is there").concat();
     let mean = |numbers: &[f32]| {
         assert!(numbers.iter().all(|x| x.is_finite()), "{}: {numbers:?}", emitted.name());
         let number = |i: usize| f64::from(numbers[i]);

@@ -21,7 +21,7 @@ use serde_json::Value;
 
 /// The files of a table, written to a folder; the path of the table itself.
 fn write(container: Container, table: &Table, folder: &Path) -> PathBuf {
-    let lines = header::table_lines(table, Decode::Loss.formulas(), &certificate());
+    let lines = header::table_lines(table, Decode::Loss, &certificate());
     let certificate = certificate();
     let described = Described { table, decode: Decode::Loss, certificate: &certificate, header: &lines };
     for file in encode(container, &described).expect("encodes") {

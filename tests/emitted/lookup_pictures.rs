@@ -1,6 +1,6 @@
 //! Pictures by lookups as emitted, beside those by the study's.
 
-use crate::lookup_support::{EMITTED, Point, single, text};
+use crate::lookup_support::{EMITTED, Point, found, single};
 use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 use lobefit_shade::code::Language;
@@ -26,7 +26,6 @@ fn pictures_by_emitted_lookups_are_those_of_the_study() {
     };
     let seen: Vec<Option<(Vec3, Vec3)>> = (0..SIDE * SIDE).map(point).collect();
     let exact = Patches::new(&room);
-    let rust = text(Language::Rust);
     for (name, taps) in [
         ("parallax_lookup_planes_11_smooth_1", 1_usize),
         ("parallax_lookup_planes_11_smooth_3", 3),
@@ -46,7 +45,7 @@ fn pictures_by_emitted_lookups_are_those_of_the_study() {
                     [p[0], p[1], p[2], 0.0, 0.0, 1.0, x, y, z, alpha]
                 })
                 .collect();
-            let found = emitted.run_in_rust(&rust, &points);
+            let found = found(Language::Rust, &[(emitted, &points[..])]).expect("rustc is there").concat();
             let mut fetched =
                 points.iter().zip(found.chunks_exact(emitted.numbers())).map(|(point, found)| {
                     let ours = emitted.all_expected(point)?;

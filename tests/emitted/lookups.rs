@@ -3,7 +3,7 @@
 use crate::emit_support::compilers::includes_in_cpp;
 use crate::emit_support::languages::{FAMILY, compile};
 use crate::emit_support::programs::compile_library;
-use crate::lookup_support::{EMITTED, RHO, found, text};
+use crate::lookup_support::{EMITTED, Emitted, RHO, found, text};
 use lobefit_math::vector::length;
 use lobefit_shade::code::Language;
 
@@ -16,12 +16,12 @@ fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
         assert!(compile(language, &text(language)).is_none_or(|functions| functions > EMITTED.len()));
     }
     includes_in_cpp(&text(Language::C));
-    for emitted in EMITTED.iter() {
-        let points = emitted.points();
-        emitted.agrees("rust", &points, &emitted.run_in_rust(&rust, &points));
-        for language in FAMILY {
-            let Some(found) = found(language, emitted, &points) else { continue };
-            emitted.agrees(language.name(), &points, &found);
+    let points: Vec<_> = EMITTED.iter().map(|emitted| emitted.points()).collect();
+    let jobs: Vec<_> = EMITTED.iter().zip(&points).map(|(emitted, points)| (emitted, &points[..])).collect();
+    for language in FAMILY.into_iter().chain([Language::Rust]) {
+        let Some(found) = found(language, &jobs) else { continue };
+        for ((emitted, points), found) in jobs.iter().zip(&found) {
+            emitted.agrees(language.name(), points, found);
         }
     }
 }
@@ -30,12 +30,17 @@ fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
 /// that of the least ratio that is certified.
 #[test]
 fn outside_of_the_proxy_widths_are_those_of_certified_ratios() {
-    let rust = text(Language::Rust);
-    for emitted in EMITTED.iter().filter(|one| one.lookup.taps == 1 && !one.lookup.is_fitted()) {
+    let one = |emitted: &&Emitted| emitted.lookup.taps == 1 && !emitted.lookup.is_fitted();
+    let outside = |emitted: &'static Emitted| {
         let mut points = emitted.points();
         points.retain(|point| emitted.is_outside(point));
         assert!(points.len() > 500, "{}", points.len());
-        let found = emitted.run_in_rust(&rust, &points);
+        (emitted, points)
+    };
+    let jobs: Vec<_> = EMITTED.iter().filter(one).map(outside).collect();
+    let jobs: Vec<_> = jobs.iter().map(|(emitted, points)| (*emitted, &points[..])).collect();
+    let found = found(Language::Rust, &jobs).expect("rustc is there");
+    for ((emitted, points), found) in jobs.iter().zip(&found) {
         for (point, found) in points.iter().zip(found.chunks_exact(4)) {
             let [x, y, z, width] = [0, 1, 2, 3].map(|k| f64::from(found[k]));
             let width = if emitted.entry["gives"] == "mip" { (width / 6.0) * (width / 6.0) } else { width };

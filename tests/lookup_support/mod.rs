@@ -4,6 +4,7 @@
 
 use crate::emit_support;
 
+use std::ops::Range;
 use std::sync::LazyLock;
 
 use emit_support::compilers::{self, Contraction, loops};
@@ -426,33 +427,36 @@ pub fn described(language: Language, k: usize, emitted: &Emitted) -> (String, St
     (format!("{planes}{probe}"), format!("planes_{k}, probe_{k}"))
 }
 
-/// What a language of C's family returns.
-pub fn found(language: Language, emitted: &Emitted, points: &[Point]) -> Option<Vec<f32>> {
-    let (declared, names) = described(language, 0, emitted);
-    let [three, four] = [3, 4].map(|n| vector(language, n));
-    let argument = |name: &str, first: usize| match language {
-        Language::C => {
-            format!("        const {three} {name} = {{p[{first}], p[{}], p[{}]}};\n", first + 1, first + 2)
-        }
-        _ => format!("        const {three} {name}(p[{first}], p[{}], p[{}]);\n", first + 1, first + 2),
-    };
-    let arguments =
-        [("place", 0), ("normal", 3), ("last", 6)].map(|(name, first)| argument(name, first)).concat();
-    let parts = |name: &str| ["x", "y", "z", "w"].map(|part| format!("put({name}.{part}); ")).concat();
-    let (name, taps) = (emitted.name(), emitted.lookup.taps);
-    let (unused, normal) = if emitted.takes_normal() { ("", "normal, ") } else { ("(void)normal;", "") };
-    let call = format!("{name}(place, {normal}last, p[9], {names})");
-    let put = match taps {
-        1 => format!("const {four} fetch = {call};\n        {}", parts("fetch")),
+/// What the functions of a language return, each at its points, by one program that calls them all; none where the
+/// compiler is not there.
+pub fn found(language: Language, jobs: &[(&Emitted, &[Point])]) -> Option<Vec<Vec<f32>>> {
+    let all: Vec<u8> = jobs.iter().flat_map(|(_, points)| bytes(points)).collect();
+    let (mut from, mut declarations, mut bodies) = (0, String::new(), Vec::new());
+    for (k, (emitted, points)) in jobs.iter().enumerate() {
+        let own = from..from + points.len();
+        from = own.end;
+        let (declared, names) = described(language, k, emitted);
+        declarations += &declared;
+        bodies.push(match language {
+            Language::Rust => emitted.loop_in_rust(&names, own),
+            _ => emitted.body_in_c(language, &names, own),
+        });
+    }
+    let code = text(language);
+    let values = match language {
+        Language::Rust => run(&code, 10, &[declarations, bodies.concat()].concat(), &all),
         _ => {
-            let fetches: String = (0..taps).map(|i| parts(&format!("taps.fetch_{i}"))).collect();
-            let weights: String = (0..taps).map(|i| format!("put(taps.weight_{i}); ")).collect();
-            format!("const parallax_taps_{taps} taps = {call};\n        {fetches}{weights}")
+            let main = [declarations, loops(10, &bodies)].concat();
+            compilers::run(language, &code, &main, &all, Contraction::Off)?
         }
     };
-    let body = format!("{arguments}        {unused}{put}\n");
-    let main = format!("{declared}{}", loops(10, &[body]));
-    compilers::run(language, &text(language), &main, &bytes(points), Contraction::Off)
+    let mut rest = &values[..];
+    let own = |(emitted, points): &(&Emitted, &[Point])| {
+        let (own, others) = rest.split_at(emitted.numbers() * points.len());
+        rest = others;
+        own.to_vec()
+    };
+    Some(jobs.iter().map(own).collect())
 }
 
 impl Emitted {
@@ -461,9 +465,8 @@ impl Emitted {
         self.lookup.taps > 1 || self.lookup.is_fitted()
     }
 
-    /// What the Rust function returns.
-    pub fn run_in_rust(&self, rust: &str, points: &[Point]) -> Vec<f32> {
-        let (declared, names) = described(Language::Rust, 0, self);
+    /// The loop over its points that puts what the Rust function returns.
+    fn loop_in_rust(&self, names: &str, own: Range<usize>) -> String {
         let normal = if self.takes_normal() { "[p[3], p[4], p[5]], " } else { "" };
         let call = format!(
             "lobefit::{}([p[0], p[1], p[2]], {normal}[p[6], p[7], p[8]], p[9], {names})",
@@ -473,6 +476,39 @@ impl Emitted {
             1 => format!("out.extend({call});"),
             _ => format!("let taps = {call}; out.extend(taps.fetches.concat()); out.extend(taps.weights);"),
         };
-        run(rust, 10, &format!("{declared}    for p in &points {{ {put} }}\n"), &bytes(points))
+        format!("    for p in &points[{own:?}] {{ {put} }}\n")
+    }
+
+    /// What a loop of a language of C's family does at a point, where it is one of its own.
+    fn body_in_c(&self, language: Language, names: &str, own: Range<usize>) -> String {
+        let [three, four] = [3, 4].map(|n| vector(language, n));
+        let argument = |name: &str, first: usize| match language {
+            Language::C => {
+                format!(
+                    "        const {three} {name} = {{p[{first}], p[{}], p[{}]}};\n",
+                    first + 1,
+                    first + 2
+                )
+            }
+            _ => format!("        const {three} {name}(p[{first}], p[{}], p[{}]);\n", first + 1, first + 2),
+        };
+        let arguments =
+            [("place", 0), ("normal", 3), ("last", 6)].map(|(name, first)| argument(name, first)).concat();
+        let parts = |name: &str| ["x", "y", "z", "w"].map(|part| format!("put({name}.{part}); ")).concat();
+        let (name, taps) = (self.name(), self.lookup.taps);
+        let (unused, normal) = if self.takes_normal() { ("", "normal, ") } else { ("(void)normal;", "") };
+        let call = format!("{name}(place, {normal}last, p[9], {names})");
+        let put = match taps {
+            1 => format!("const {four} fetch = {call};\n        {}", parts("fetch")),
+            _ => {
+                let fetches: String = (0..taps).map(|i| parts(&format!("taps.fetch_{i}"))).collect();
+                let weights: String = (0..taps).map(|i| format!("put(taps.weight_{i}); ")).collect();
+                format!("const parallax_taps_{taps} taps = {call};\n        {fetches}{weights}")
+            }
+        };
+        let [from, to] = [own.start, own.end].map(|i| 10 * i);
+        let other = format!("if (p < points + {from} || p >= points + {to}) continue;");
+        // C99 has declarations after statements.
+        format!("        {other}\n{arguments}        {unused}{put}\n")
     }
 }

@@ -66,7 +66,7 @@ fn a_card_costs_what_its_call_costs() -> Outcome {
         let page = String::from_utf8(baked.files["reports/index.html"].clone())?;
         Ok((serde_json::from_slice(&baked.files["manifest.json"])?, page))
     };
-    let (manifest, page) = index("best", r#"{"max_error": 0.05}"#)?;
+    let (manifest, page) = index("best", r#"{"max_error": 0.05, "max_ops": 16}"#)?;
     let [ops, three] = [&manifest["fits"], &manifest["calls"]].map(|list| list[0]["cost"]["ops"].clone());
     assert!(
         page.contains(&format!("<dt>Cost</dt><dd>{three} operations for three channels</dd>")),
@@ -75,7 +75,7 @@ fn a_card_costs_what_its_call_costs() -> Outcome {
     assert!(page.contains(&format!("{ops} operations for one channel</dd>")), "{ops}");
     assert!(page.contains("every error that the scene states is kept."));
     assert!(!page.contains("<dt>Scene</dt>"), "the scene has no name");
-    let (_, page) = index("frontier", r#"{"max_error": 0.05}"#)?;
+    let (_, page) = index("frontier", r#"{"max_error": 0.05, "max_ops": 14}"#)?;
     assert!(page.contains("what is recommended keeps every error that the scene states"));
     assert!(page.contains("<td>yes</td>"), "the list of calls marks it");
     let (_, page) = index("frontier", r#"{"max_ops": 12}"#)?;

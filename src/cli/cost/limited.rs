@@ -3,6 +3,8 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use lobefit_shade::code::Language;
+
 use super::super::CliError;
 use super::super::calls::{MARK, cosines, table};
 use super::super::input;
@@ -59,14 +61,17 @@ struct Snippet {
 
 /// Bakes each job by itself, in memory, under the limits, and says what keeps them.
 pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
+    let input = input::load(&options.scene)?;
+    let languages = &input.scene.output.languages;
+    let of_scene = languages.first().filter(|_| !languages.contains(&Language::Wgsl));
     let limits = Limits {
         budget: options.budget,
         vendor: options.vendor,
         max_error: options.max_error,
         max_bytes: options.max_bytes,
-        language: options.language,
+        language: options.language.or(of_scene.copied()).unwrap_or(Language::Wgsl),
     };
-    let input = input::load(&options.scene)?.limited(&limits);
+    let input = input.limited(&limits);
     let plan = plan::plan(&input.scene);
     let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
     let (progress, cache) =

@@ -74,7 +74,7 @@ fn code(language: Language, tables: &[BakedTable], context: &Context) -> Result<
     let mut stems: Vec<&str> = Vec::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let header = header::lookup_lines(table, &baked.approximation.certificate, baked.note);
+        let header = header::lookup_lines(table, baked.decode, &baked.approximation.certificate, baked.note);
         let readable = readable(baked, table, context, &header);
         if !stems.contains(&baked.names.stem.as_str()) {
             text += &format!("\n{}", readable.print_parts(language)?);

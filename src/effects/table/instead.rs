@@ -78,7 +78,7 @@ pub(super) fn instead(
     }
     let sizes = (grown, kept.as_deref().unwrap_or(&largest));
     for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
-        let but = format!(", layout `{}`", layout.name());
+        let but = format!(", layout `{}` (another fetch in the shader)", layout.name());
         smallest(TableJob { layout, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }
     if job.format == TexelFormat::F16 {
@@ -119,8 +119,9 @@ fn narrowed(
         let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
         if error <= limit {
             return Ok(Some(format!(
-                "keeps it only there: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, \
-                 outside of which it errs by more, clamped or not: {bytes} bytes, error {error}",
+                "keeps it only there: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, up to \
+                 the centres of its last texels, where a lookup clamps; outside it errs by more, clamped or not: {bytes} bytes, \
+                 error {error}",
                 size_text(size)
             )));
         }

@@ -1,5 +1,7 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
+use std::collections::BTreeMap;
+
 use super::lookup::Variable;
 use super::{
     BuildError, Family, Further, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, Truths, error_map,
@@ -129,34 +131,34 @@ fn judged(decode: Decode) -> Judged {
     if decode.has_bias() { Judged::Either } else { Judged::E }
 }
 
-/// Points that are sorted at a time to find the worst.
-const SORTED: usize = 1 << 12;
+/// Points among which the worst are looked for first: where the table has many cells, they are there.
+const FIRST: usize = 1 << 12;
 
 /// The worst points of which no two lie in one cell of the table.
 fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Vec<Point> {
     let before = |a: &usize, b: &usize| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b));
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    let (mut rest, mut worst, mut known) = (&mut order[..], Vec::new(), Vec::new());
-    while !rest.is_empty() {
-        let count = SORTED.min(rest.len());
-        if count < rest.len() {
-            rest.select_nth_unstable_by(count, before);
-        }
-        let (head, tail) = rest.split_at_mut(count);
-        head.sort_unstable_by(before);
-        for i in head {
+    let of_cells = |among: &[usize]| {
+        let mut worst = BTreeMap::new();
+        for i in among {
             let cell = lookup.position(&points[*i]).map(|x| x.floor() as i64);
-            if !known.contains(&cell) {
-                known.push(cell);
-                worst.push(points[*i]);
-            }
-            if worst.len() == places {
-                return worst;
+            let known = worst.entry(cell).or_insert(*i);
+            if before(i, known).is_lt() {
+                *known = *i;
             }
         }
-        rest = tail;
+        let mut worst: Vec<usize> = worst.into_values().collect();
+        worst.sort_unstable_by(before);
+        worst
+    };
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    if FIRST < order.len() {
+        order.select_nth_unstable_by(FIRST, before);
     }
-    worst
+    let mut worst = of_cells(&order[..FIRST.min(order.len())]);
+    if worst.len() < places && FIRST < order.len() {
+        worst = of_cells(&order);
+    }
+    worst.into_iter().take(places).map(|i| points[i]).collect()
 }
 
 /// Points even in the coordinates of a table. Those of a region are even in its inputs: none of

@@ -50,8 +50,8 @@ Exit codes:
   3  --out, or standard output, cannot be written
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
-and of a file with that attribute at lookups, at texels and between them: where it claims something, and it passes no --limit if its axes cover
-more. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
+and of a file with that attribute at lookups, at texels and between them, where it claims something: the verdict says what its axes cover
+beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
 roughness and E at normal incidence for an average are over it unless options say that they are meant.";
 
 /// Measure a table or shader function that somebody ships against the truth

@@ -37,11 +37,6 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
 pub(super) fn of_stated(said: &Declared, limit: Option<f64>) -> String {
     let worst = said.worst();
     match limit.filter(|_| said.holds()) {
-        Some(limit) if worst <= limit => format!(
-            "audit failed: {} is not judged, since the file claims nothing of it; with options that say how it is read (--axes, --registration) \
-             every texel is",
-            said.beyond.join(" and ")
-        ),
         Some(limit) => format!(
             "audit failed: looked up as the file says, at texels and between them, the largest error is {worst:.3e}, the limit {limit:e}"
         ),

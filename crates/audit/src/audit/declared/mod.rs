@@ -76,8 +76,7 @@ pub struct Declared {
     pub held: Vec<Held>,
     /// Names of the truth's inputs and the places along each.
     pub places: Vec<(&'static str, Vec<f64>)>,
-    /// What its axes cover without its claiming anything of it, for which it passes no limit:
-    /// `alpha below 0.02`.
+    /// What its axes cover without its claiming anything of it, and so is not judged: `alpha below 0.02`.
     pub beyond: Vec<String>,
     /// What it claims where the truth is not had, so that it was not judged.
     pub cut: Vec<String>,
@@ -106,9 +105,9 @@ impl Declared {
         self.held.iter().all(|h| h.figures.max <= SLACK * h.share() * self.claimed + self.truth_error)
     }
 
-    /// Whether it is what it says, and within a limit wherever its axes lead.
+    /// Whether it is what it says, and within a limit wherever it claims something.
     pub fn passes(&self, limit: Option<f64>) -> bool {
-        self.holds() && limit.is_none_or(|l| self.worst() <= l && self.beyond.is_empty())
+        self.holds() && limit.is_none_or(|limit| self.worst() <= limit)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::statement::Axis;
 use super::{Declared, SLACK};
+use crate::audit::column::Column;
 use crate::audit::verdict::{long, number, place};
 
 /// Letter, input, registration, formula.
@@ -59,7 +60,13 @@ pub(super) fn paragraph(found: &Declared) -> String {
             ", where it was measured; here it is off by more, within the factor {SLACK} that other places may make"
         );
         let places = if above { more } else { String::new() };
-        out.push(format!("It claims {}{places}.", number(found.claimed)));
+        let difference = found.held.iter().any(|held| held.column == Column::A);
+        let of = if difference {
+            " of f0 A + B for every f0 in [0, 1], which leaves A alone twice that"
+        } else {
+            ""
+        };
+        out.push(format!("It claims {}{of}{places}.", number(found.claimed)));
     }
     if !found.cut.is_empty() {
         out.push(format!(

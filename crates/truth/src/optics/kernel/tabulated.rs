@@ -70,15 +70,21 @@ pub struct Tabulated {
 struct Shape {
     ln_alpha: f64,
     nodes: Vec<Node>,
+    /// Nodes up to k/n, of n even parts of [0, 1]: where a search for a node begins.
+    up_to: Vec<usize>,
 }
 
-/// A node: where, and the energy from the axis, its density and the density's slope there.
+/// A node: where, and the energy from the axis, its density and the density's slope there; and of the
+/// cubic to the next node the inverse of its width and the energy as a polynomial of the part of it, from
+/// the first power on.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     x: f64,
     energy: f64,
     density: f64,
     slope: f64,
+    inverse: f64,
+    quartic: [f64; 4],
 }
 
 /// Fewest angles of a lobe.
@@ -90,8 +96,14 @@ const WIDEST: f64 = 1e-9;
 /// Least step of x between angles: below it densities over x are rounding.
 const CLOSEST: f64 = 1e-12;
 
+/// How far from the horizon's x an angle of pi/2 may be that is written with seven digits.
+const HORIZON: f64 = 1e-6;
+
 /// Least jump of a density at its end, over its largest.
 const JUMP: f64 = 1e-3;
+
+/// Even parts of [0, 1] for each node, of which each knows the nodes up to it.
+const PARTS: usize = 4;
 
 /// Hexadecimal digits of a table's hash in its word.
 const DIGITS: usize = 12;
@@ -285,7 +297,8 @@ impl Shape {
                 let h = x[i] - last.x;
                 last.energy + h * (0.5 * (last.density + q[i]) + h / 12.0 * (last.slope - slopes[i]))
             });
-            nodes.push(Node { x: x[i], energy, density: q[i], slope: slopes[i] });
+            let (inverse, quartic) = (0.0, [0.0; 4]);
+            nodes.push(Node { x: x[i], energy, density: q[i], slope: slopes[i], inverse, quartic });
         }
         let whole = nodes.last().map_or(0.0, |node| node.energy);
         if !(whole.is_finite() && whole > 0.0 && (1.0 / whole).is_finite()) {
@@ -299,13 +312,29 @@ impl Shape {
             node.density /= whole;
             node.slope /= whole;
         }
-        Ok(Shape { ln_alpha: ops::log(lobe.alpha), nodes })
+        for i in 1..nodes.len() {
+            let [a, b] = [nodes[i - 1], nodes[i]];
+            let h = b.x - a.x;
+            nodes[i - 1].inverse = 1.0 / h;
+            nodes[i - 1].quartic = [
+                a.density,
+                0.5 * h * a.slope,
+                b.density - a.density - h * (2.0 * a.slope + b.slope) / 3.0,
+                0.5 * (a.density - b.density) + 0.25 * h * (a.slope + b.slope),
+            ]
+            .map(|c| h * c);
+        }
+        let parts = PARTS * nodes.len();
+        let part = |k: usize| nodes.partition_point(|node| node.x <= k as f64 / parts as f64);
+        let up_to = (0..=parts).map(part).collect();
+        Ok(Shape { ln_alpha: ops::log(lobe.alpha), nodes, up_to })
     }
 
-    /// Whether the density jumps to 0 before the horizon, by a part of its largest that shows.
+    /// Whether the density jumps to 0 before the horizon, as far as a file writes pi/2, by a part of its largest that
+    /// shows.
     fn is_cut(&self) -> bool {
         let most = self.nodes.iter().map(|node| node.density).fold(0.0, f64::max);
-        self.nodes.last().is_some_and(|last| 1.0 - last.x > CLOSEST && last.density > JUMP * most)
+        self.nodes.last().is_some_and(|last| 1.0 - last.x > HORIZON && last.density > JUMP * most)
     }
 
     /// The u of the cone that holds half of the energy, to 1e-9.
@@ -321,9 +350,17 @@ impl Shape {
 
     /// The nodes about x and where it is between them; `None` beyond the last.
     fn between(&self, x: f64) -> Option<(&Node, &Node, f64)> {
-        let after = self.nodes.partition_point(|node| node.x <= x).max(1);
-        let (before, after) = (&self.nodes[after - 1], self.nodes.get(after)?);
-        Some((before, after, (x - before.x) / (after.x - before.x)))
+        let parts = self.up_to.len() - 1;
+        let mut after = self.up_to[((x * parts as f64) as usize).min(parts)].max(1);
+        // The part's beginning is rounded: a node may lie on either side of it.
+        while after > 1 && self.nodes[after - 1].x > x {
+            after -= 1;
+        }
+        while self.nodes.get(after)?.x <= x {
+            after += 1;
+        }
+        let (before, after) = (&self.nodes[after - 1], &self.nodes[after]);
+        Some((before, after, (x - before.x) * before.inverse))
     }
 
     fn density(&self, x: f64) -> f64 {
@@ -338,12 +375,9 @@ impl Shape {
     }
 
     fn energy(&self, x: f64) -> f64 {
-        let Some((a, b, t)) = self.between(x) else { return 1.0 };
-        let h = b.x - a.x;
-        let (t2, t3, t4) = (t * t, t * t * t, t * t * t * t);
-        let first = a.density * (t - t3 + 0.5 * t4) + h * a.slope * (0.5 * t2 - 2.0 / 3.0 * t3 + 0.25 * t4);
-        let second = b.density * (t3 - 0.5 * t4) + h * b.slope * (0.25 * t4 - t3 / 3.0);
-        (a.energy + h * (first + second)).min(1.0)
+        let Some((a, _, t)) = self.between(x) else { return 1.0 };
+        let [first, second, third, fourth] = a.quartic;
+        (a.energy + t * (first + t * (second + t * (third + t * fourth)))).min(1.0)
     }
 }
 
