@@ -70,7 +70,7 @@ float3 ggx_compensate_glass(float3 f, float e) {
 /// Fourteen operations. One reciprocal, and a nested sum in which each monomial is another one times a step. mu and alpha times
 /// the reciprocal depend on mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness. Exactly 1 for a mirror.
 ///
-/// ggx-reflection E, smith correlated; 14 operations, and 1 more for alpha, which the lobe needs too; constants minimise the largest error
+/// ggx_norm_i14: ggx-reflection E, smith correlated; 14 operations, and 1 more for alpha, which the lobe needs too; constants minimise the largest error
 /// error (furnace error |E N - 1|): max 0.009712, rms 0.005961, mean -0.0004252
 ///   worst at alpha = 1, mu = 0.06746851, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], mu [0.01, 1], roughness [0.02, 1]
@@ -97,7 +97,7 @@ float3 ggx_energy_compensation_rgb(float roughness, float n_dot_v, float3 f0) {
 /// Twelve operations: a quotient in roughness and alpha, good to some units of f32.
 /// Exactly 1 for a mirror.
 ///
-/// ggx-average E_avg, smith correlated; 12 operations, and 1 more for alpha, which the lobe needs too; constants minimise the largest error
+/// ggx_eavg_12: ggx-average E_avg, smith correlated; 12 operations, and 1 more for alpha, which the lobe needs too; constants minimise the largest error
 /// error (absolute): max 0.000001997, rms 0.000001291, mean 0.00000008931
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
@@ -288,7 +288,7 @@ float ggx_glass_albedo_inside(
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Eighteen operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.
 ///
-/// diffuse-coupling factor, specular normalised, smith correlated; 18 operations; constants minimise the largest error
+/// coupling_normalised_18: diffuse-coupling factor, specular normalised, smith correlated; 18 operations; constants minimise the largest error
 /// error (of the factor: of the furnace, the lobe exact and the base white): max 0.006601, rms 0.003157, mean -0.00168
 ///   worst at alpha = 0.0004, f0 = 0.04, mu = 0.087113336, roughness = 0.02; measured at 352262 points in f32
 ///   domain: alpha [0.0004, 1], f0 [0.04, 0.04], mu [0.01, 1], roughness [0.02, 1]
@@ -335,7 +335,7 @@ float3 diffuse_coupled_normalised_rgb(float3 lobe, float3 albedo, float roughnes
 /// Width of a fetch from a probe: the flow of `parallax_1` with a factor that changes with both widths. At rho = 1 it is alpha, at rho = 0
 /// it is 0, and it is never above 1.
 ///
-/// parallax-alpha alpha_adjusted, for chains prefiltered with the half-cosine lobe D(theta/2) cos(theta), alpha = roughness^2
+/// parallax_cubic: parallax-alpha alpha_adjusted, for chains prefiltered with the half-cosine lobe D(theta/2) cos(theta), alpha = roughness^2
 /// 13 operations; constants minimise the largest error
 /// error (of the width, relative to the best one, where that is below 1): max 0.02851, rms 0.0145, mean -0.00901
 ///   worst at alpha = 0.06489429, rho = 8, roughness = 0.25474358; measured at 6347 points in f32

@@ -76,6 +76,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let (out, quiet) = (&options.output.out, options.output.quiet || options.output.json);
     let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
+    if !quiet {
+        input::say_notes(&input.notes);
+    }
     let progress = Bar::new(quiet, (&input.scene, &plan), 0);
     let cache = if options.no_cache { None } else { Cache::of_user() };
     if let Some(shard) = options.shard {

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 
 use super::CliError;
 use super::options::{PagesOption, SceneOption};
+use super::output::say_each;
 use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
 use crate::bake::{
     BakeError, Baked, Progress, Selection, Shard, Silent, UserHypothesis, bake, context, merge, shard,
 };
 use crate::plan::Plan;
+use crate::scene::gltf::{self, FromGltf, Note};
 use crate::scene::{self, Limits, Scene, SceneError, limits};
 use crate::store::{self, Cache};
 use lobefit_fit::FitError;
@@ -25,6 +27,8 @@ pub struct Input {
     pub scene: Scene,
     /// Its file, as the user named it.
     name: String,
+    /// What the file says that the scene does not hold: of a glTF file.
+    pub notes: Vec<Note>,
     /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
     /// The paths at which they were read, by the paths that the scene gives: for messages only,
@@ -136,26 +140,14 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         return Ok(Input {
             scene: Scene::built_in()?,
             name: "the built-in scene".into(),
+            notes: Vec::new(),
             hypotheses: Vec::new(),
             paths: BTreeMap::new(),
         });
     };
-    let (bytes, name, folder) = if path.as_os_str() == "-" {
-        let name = "<stdin>".to_owned();
-        (store::read_stream(io::stdin().lock(), &name, limits::FILE_BYTES)?, name, PathBuf::new())
-    } else {
-        let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-        (store::read(path, limits::FILE_BYTES)?, path.display().to_string(), folder)
-    };
-    let scene = Scene::with_kernels(&bytes, &name, |path, field| {
-        let file = store::inside(&folder, path)?;
-        let bytes = store::read(&file, limits::FILE_BYTES).map_err(|source| CliError::NamedFile {
-            scene: name.clone(),
-            field,
-            source,
-        })?;
-        Ok::<_, CliError>(scene::kernel(&bytes, &file.display().to_string())?)
-    })?;
+    let text = text(path)?;
+    let scene = parsed(&text)?;
+    let Text { name, folder, notes, .. } = text;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
         let file = store::inside(&folder, path)?;
@@ -165,7 +157,61 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         paths.insert(path.to_owned(), shown);
         hypotheses.push(UserHypothesis { file: path.into(), source });
     }
-    Ok(Input { scene, name, hypotheses, paths })
+    Ok(Input { scene, name, notes, hypotheses, paths })
+}
+
+/// The JSON of a scene.
+pub(super) struct Text {
+    /// As the file has it, or made from a glTF file.
+    pub bytes: Vec<u8>,
+    /// Its file, as the user named it.
+    pub name: String,
+    /// Where the files are that it names.
+    folder: PathBuf,
+    /// Whether it was made from a glTF file.
+    pub is_foreign: bool,
+    /// What that file says that the scene does not hold.
+    pub notes: Vec<Note>,
+}
+
+/// Reads the JSON of a scene: a file of ours, or one of glTF, of which a scene is made.
+///
+/// # Errors
+/// A file that cannot be read; one of glTF that is refused.
+pub(super) fn text(path: &Path) -> Result<Text, CliError> {
+    let (bytes, name, folder) = if path.as_os_str() == "-" {
+        let name = "<stdin>".to_owned();
+        (store::read_stream(io::stdin().lock(), &name, limits::FILE_BYTES)?, name, PathBuf::new())
+    } else {
+        let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+        (store::read_beginning(path, gltf::BYTES)?, path.display().to_string(), folder)
+    };
+    if !gltf::is_gltf(&bytes, &name) {
+        return Ok(Text { bytes, name, folder, is_foreign: false, notes: Vec::new() });
+    }
+    let FromGltf { json, notes } = gltf::from_gltf(&bytes, &name)?;
+    Ok(Text { bytes: json.into_bytes(), name, folder, is_foreign: true, notes })
+}
+
+/// Says what a file holds that the scene does not.
+pub(super) fn say_notes(notes: &[Note]) {
+    say_each("note", &notes.iter().map(Note::to_string).collect::<Vec<_>>());
+}
+
+/// The scene of a text, with the kernels that it names.
+///
+/// # Errors
+/// A scene, or a kernel, that is refused.
+pub(super) fn parsed(text: &Text) -> Result<Scene, CliError> {
+    Scene::with_kernels(&text.bytes, &text.name, |path, field| {
+        let file = store::inside(&text.folder, path)?;
+        let bytes = store::read(&file, limits::FILE_BYTES).map_err(|source| CliError::NamedFile {
+            scene: text.name.clone(),
+            field,
+            source,
+        })?;
+        Ok::<_, CliError>(scene::kernel(&bytes, &file.display().to_string())?)
+    })
 }
 
 /// The kernel of a word of a command line: one of those with a formula, or the path of a table.

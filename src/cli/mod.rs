@@ -19,6 +19,7 @@ pub mod output;
 mod plan;
 mod points;
 pub mod progress;
+mod scene_from;
 mod schema;
 
 use std::ffi::OsString;
@@ -78,6 +79,9 @@ enum Verb {
     /// Say what the cache of bakes holds, or clear it
     #[command(after_help = cache::EXAMPLES)]
     Cache(cache::Options),
+    /// Print the scene that a glTF file is read as
+    #[command(after_help = scene_from::EXAMPLES)]
+    SceneFrom(scene_from::Options),
     /// Print the JSON Schema of the scene
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::Options),
@@ -107,6 +111,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),
         Verb::Cache(options) => cache::run(&options),
+        Verb::SceneFrom(options) => scene_from::run(&options),
         Verb::Schema(options) => schema::run(&options),
         Verb::Completions(options) => manual::completions(&options, Cli::command()),
         Verb::Man(options) => manual::man(&options, Cli::command()),

@@ -15,7 +15,7 @@ use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 /// The scene of a verb.
 #[derive(Args)]
 pub struct SceneOption {
-    /// Scene file (JSON; `-`: standard input); without it, the built-in scene
+    /// Scene file (JSON, or glTF: .gltf, .glb; `-`: standard input); without it, the built-in scene
     pub scene: Option<PathBuf>,
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use clap::Args;
+use serde::Serialize;
 
 use super::CliError;
 use super::input;
@@ -13,12 +14,17 @@ use crate::emit::header::short;
 use crate::plan::{self, Plan};
 use crate::scene::UNNAMED;
 use crate::scene::escape::visible;
+use crate::scene::gltf::Note;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit plan                          the built-in scene
   lobefit plan scene.json               a scene of your own
+  lobefit plan room.glb                 the materials of a glTF file
   lobefit plan scene.json --json        the same for machines";
+
+/// Reasons of an effect that are named.
+const REASONS: usize = 3;
 
 /// Options of `plan`.
 #[derive(Args)]
@@ -34,17 +40,28 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
-    let plan = plan::plan(&input::load(&options.scene)?.scene);
+    let input = input::load(&options.scene)?;
+    let plan = plan::plan(&input.scene);
     if options.json {
-        print_json(&plan)?
+        print_json(&Planned { plan: &plan, notes: &input.notes })?
     } else {
-        print(text(&plan).as_bytes())?
+        print(text(&plan, &input.notes).as_bytes())?
     }
     Ok(Outcome::Done)
 }
 
+/// The plan for machines.
+#[derive(Serialize)]
+struct Planned<'a> {
+    #[serde(flatten)]
+    plan: &'a Plan,
+    /// What a glTF file says that the scene does not hold.
+    #[serde(skip_serializing_if = "<[Note]>::is_empty")]
+    notes: &'a [Note],
+}
+
 /// The plan for people.
-fn text(plan: &Plan) -> String {
+fn text(plan: &Plan, notes: &[Note]) -> String {
     let name = if plan.scene == UNNAMED { "without a name".into() } else { visible(&plan.scene) };
     let mut out = format!("scene {name}\n");
     if plan.is_empty() {
@@ -58,13 +75,23 @@ fn text(plan: &Plan) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "  {:<17}{}", left.effect, visible(&left.reason));
     }
+    if !notes.is_empty() {
+        out += "notes\n";
+    }
+    for note in notes {
+        let _ = writeln!(out, "  {}", visible(&note.to_string()));
+    }
     out
 }
 
 fn effect_text(effect: &Called) -> String {
     let mut out = format!("{}\n", effect.effect);
-    for reason in &effect.because {
+    let shown = if effect.because.len() > REASONS + 1 { REASONS } else { effect.because.len() };
+    for reason in &effect.because[..shown] {
         let _ = writeln!(out, "  because {}", visible(reason));
+    }
+    if shown < effect.because.len() {
+        let _ = writeln!(out, "  because of {} more (--json names them)", effect.because.len() - shown);
     }
     for job in &effect.jobs {
         let _ = writeln!(out, "  {}: {}", job.name, job.approximation);

@@ -92,7 +92,7 @@ fn lines(fit: &Fit) -> Vec<String> {
     };
     let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));
     let ops = [header::operations(a.cost.ops), beside(fit)].concat();
-    lines.push(format!("{} {}{smith}; {ops}; {}", a.quantity, a.column, constants(fit)));
+    lines.push(format!("{}: {} {}{smith}; {ops}; {}", a.name, a.quantity, a.column, constants(fit)));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines.extend(header::half_line(a));
     lines

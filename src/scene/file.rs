@@ -167,7 +167,7 @@ impl Scene {
 
     /// The fields, each right by itself.
     fn parsed(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
-        let parsed: SceneFile = read_object(bytes, file)?;
+        let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES)?;
         let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
         let formats = formats(parsed.formats.0).map_err(|message| whole(("formats".into(), message)))?;
         let languages = output::languages(parsed.languages.0);
@@ -370,9 +370,13 @@ pub fn schema() -> Schema {
     schemars::schema_for!(SceneFile)
 }
 
-/// An object of a file of ours; `file` is its name in messages.
-pub(super) fn read_object<T: DeserializeOwned>(bytes: &[u8], file: &str) -> Result<T, SceneError> {
-    let text = text::accept(bytes, file)?;
+/// An object of a file whose strings have at most `longest` bytes; `file` is its name in messages.
+pub(super) fn read_object<T: DeserializeOwned>(
+    bytes: &[u8],
+    file: &str,
+    longest: usize,
+) -> Result<T, SceneError> {
+    let text = text::accept(bytes, file, longest)?;
     let mut json = serde_json::Deserializer::from_str(text);
     let mut track = serde_path_to_error::Track::new();
     let parsed = T::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));

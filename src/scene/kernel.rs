@@ -149,7 +149,7 @@ from_file!(Lobe, LobeFile);
 /// # Errors
 /// What is no such table, with its place and field.
 pub fn kernel(bytes: &[u8], file: &str) -> Result<Kernel, SceneError> {
-    let table: KernelFile = read_object(bytes, file)?;
+    let table: KernelFile = read_object(bytes, file, limits::STRING_BYTES)?;
     let lobes: Vec<TableLobe> = table.lobes.0.into_iter().map(|lobe| lobe.0).collect();
     kernel::tabulated(&table.name.0, &lobes).map_err(|error| SceneError::Whole {
         file: file.into(),

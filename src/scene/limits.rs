@@ -9,6 +9,10 @@ pub const HYPOTHESIS_BYTES: u64 = 1 << 20;
 pub const DEPTH: usize = 64;
 /// Most materials of a scene.
 pub const MATERIALS: usize = 65_536;
+/// Most meshes of a glTF file.
+pub const GLTF_MESHES: usize = 1 << 20;
+/// Most extensions that a glTF file uses.
+pub const GLTF_EXTENSIONS: usize = 1024;
 /// Longest string or key, in bytes as written between its quotes.
 pub const STRING_BYTES: usize = 4096;
 /// Fewest texels of a table axis: a lookup interpolates between two.

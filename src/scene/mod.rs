@@ -7,6 +7,7 @@
 mod error;
 pub mod escape;
 mod file;
+pub mod gltf;
 mod goals;
 mod kernel;
 mod layers;

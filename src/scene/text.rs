@@ -5,8 +5,8 @@ use super::error::{Position, SceneError};
 use super::limits;
 
 /// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and
-/// strings.
-pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneError> {
+/// strings, which have at most `longest` bytes.
+pub(super) fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
     if bytes.len() as u64 > limits::FILE_BYTES {
         return Err(SceneError::TooLarge { file: file.into(), limit: limits::FILE_BYTES });
     }
@@ -15,7 +15,7 @@ pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneEr
     encoding(bytes).map_err(|message| fail(0, message.into()))?;
     let text = std::str::from_utf8(bytes)
         .map_err(|e| fail(e.valid_up_to(), "this byte is not UTF-8; save the file as UTF-8".into()))?;
-    nesting(bytes).map_err(|(at, message)| fail(at, message))?;
+    nesting(bytes, longest).map_err(|(at, message)| fail(at, message))?;
     Ok(text)
 }
 
@@ -35,7 +35,7 @@ fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
 
 /// Follows brackets and strings only, so that hostile nesting never reaches a recursive parser; a
 /// comment between them is named.
-fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
+fn nesting(bytes: &[u8], longest: usize) -> Result<(), (usize, String)> {
     let (mut depth, mut i) = (0, 0);
     while i < bytes.len() {
         match bytes[i] {
@@ -44,7 +44,7 @@ fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
             }
             b'{' | b'[' => depth += 1,
             b'}' | b']' => depth = depth.saturating_sub(1),
-            b'"' => i = string_end(bytes, i)?,
+            b'"' => i = string_end(bytes, i, longest)?,
             b'#' => return Err((i, comment("#"))),
             b'/' if bytes.get(i + 1) == Some(&b'/') => return Err((i, comment("//"))),
             b'/' if bytes.get(i + 1) == Some(&b'*') => return Err((i, comment("/*"))),
@@ -66,12 +66,12 @@ fn comment(mark: &str) -> String {
 
 /// Index of the closing quote of the string that opens at `start` (the end of the file where there
 /// is none).
-fn string_end(bytes: &[u8], start: usize) -> Result<usize, (usize, String)> {
+fn string_end(bytes: &[u8], start: usize, longest: usize) -> Result<usize, (usize, String)> {
     let mut i = start + 1;
     while i < bytes.len() && bytes[i] != b'"' {
         i += if bytes[i] == b'\\' { 2 } else { 1 };
-        if i.min(bytes.len()) - (start + 1) > limits::STRING_BYTES {
-            return Err((start, format!("a string longer than {} bytes", limits::STRING_BYTES)));
+        if i.min(bytes.len()) - (start + 1) > longest {
+            return Err((start, format!("a string longer than {longest} bytes")));
         }
     }
     Ok(i)
@@ -87,6 +87,10 @@ fn position(bytes: &[u8], at: usize) -> Position {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneError> {
+        super::accept(bytes, file, limits::STRING_BYTES)
+    }
 
     #[test]
     fn depth_holds_at_the_limit_only() {

@@ -23,5 +23,5 @@ pub use cache::{Cache, Held, VARIABLE as CACHE_VARIABLE};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::{LocalDisk, LocalTemp};
-pub use read::{Entry, is_folder, list, read, read_set, read_stream};
+pub use read::{Entry, is_folder, list, read, read_beginning, read_set, read_stream};
 pub use write::{temporary, write};

@@ -15,6 +15,11 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StoreError> {
     bounded(bytes, path, limit)
 }
 
+/// The first bytes of a file, at most `limit` of them.
+pub fn read_beginning(path: &Path, limit: u64) -> Result<Vec<u8>, StoreError> {
+    LocalDisk.read(path, limit).map_err(StoreError::reading(path, Operation::Read))
+}
+
 /// A stream, for instance standard input, of at most `limit` bytes; `name` stands for it in
 /// messages.
 pub fn read_stream(stream: impl Read, name: &str, limit: u64) -> Result<Vec<u8>, StoreError> {

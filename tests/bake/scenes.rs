@@ -156,7 +156,7 @@ fn a_limit_that_no_size_keeps_names_ranges_that_keep_it() {
     let text = baked(&metal("[0.02, 1]", &wants(""))).broken.concat();
     let line = text
         .lines()
-        .find(|line| line.starts_with("keeps it only there: 256x8 over `n_dot_v` "))
+        .find(|line| line.starts_with("keeps it over a part: 256x8 over `n_dot_v` "))
         .expect(&text);
     let range = |name: &str| {
         let from = &line[line.find(name).expect(name) + name.len()..];

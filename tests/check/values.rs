@@ -122,7 +122,8 @@ fn pages_are_left_out_on_request() {
     assert_eq!(check(folder.path(), &["--no-reports"]).0, 0);
     let (code, text) = check(folder.path(), &[]);
     assert_eq!(code, 1);
-    let said = "the scene changed: output.reports: false became true\n  without pages: lobefit check - --no-reports\n";
+    let said =
+        "the scene changed: reports: false became true\n  without pages: lobefit check - --no-reports\n";
     assert!(text.starts_with(said), "{text}");
 }
 

@@ -38,6 +38,7 @@ fn every_verb_has_a_manual_page() {
         "merge",
         "plan",
         "report",
+        "scene-from",
         "schema",
     ];
     let expected: Vec<String> = verbs.iter().map(|verb| format!("lobefit-{verb}.1")).collect();

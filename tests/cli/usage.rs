@@ -7,7 +7,8 @@ use std::process::{Command, Stdio};
 use common::{lobefit, names, stderr};
 use serde_json::{Value, json};
 
-const VERBS: [&str; 8] = ["plan", "bake", "check", "eval", "cost", "schema", "completions", "man"];
+const VERBS: [&str; 9] =
+    ["plan", "bake", "check", "eval", "cost", "scene-from", "schema", "completions", "man"];
 
 #[test]
 fn wrong_usage_is_exit_2_and_writes_nothing() {

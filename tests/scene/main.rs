@@ -4,6 +4,7 @@
 mod common;
 
 mod expected_time;
+mod gltf;
 mod limits;
 mod plan;
 mod schema;

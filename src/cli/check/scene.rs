@@ -9,7 +9,7 @@ use crate::store::{Files, MANIFEST};
 const NAMED: usize = 5;
 
 /// How the change begins where the bake has no pages and the scene asks for them.
-pub(super) const PAGES: &str = "output.reports: false became";
+pub(super) const PAGES: &str = "reports: false became";
 
 /// The changes from the scene of the manifest among `found` to that of the manifest among `baked`,
 /// as `materials[0].roughness[0]: 0.05 became 0.1`; none where a manifest does not hold its scene.
@@ -22,6 +22,8 @@ pub(super) fn changes(found: &Files, baked: &Files) -> Vec<String> {
     }
     let mut all = Vec::new();
     compare("", &whole(&old["made_from"]), &whole(&new["made_from"]), &mut all);
+    // Its own object in the manifest, and fields of the scene in a file.
+    all.iter_mut().for_each(|change| *change = change.trim_start_matches("output.").to_string());
     if all.len() > NAMED {
         let more = all.len() - NAMED;
         all.truncate(NAMED);

@@ -155,7 +155,7 @@ impl Shipped {
             let lacks = || BakeError::Internal(format!("{file} does not declare {}", call.function));
             let include::Called { call: snippet, parameters } =
                 include::call(&code, &call.function).ok_or_else(lacks)?;
-            let field = field(plan, &entries, call).filter(|_| is_first);
+            let field = field(plan, &entries, (call, &baked.calls), limits).filter(|_| is_first);
             let gives = gives(&entries, call);
             let (call, code) = (call.clone(), code.to_string());
             self.ship.push(Snippet { call, snippet, parameters, field, code, gives });
@@ -217,14 +217,18 @@ impl Shipped {
 
 /// The fields of a scene by which `bake` picks what a call is made of: of a table its size and error,
 /// of a formula its error, which no cheaper one keeps. A probe's limit is on another error.
-fn field(plan: &Plan, entries: &Entries, call: &Call) -> Option<String> {
+fn field(plan: &Plan, entries: &Entries, (call, all): (&Call, &[Call]), limits: &Limits) -> Option<String> {
     let demand = plan.effects.first()?.work.first()?.demands.first()?;
     let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
     if call.file.is_none() {
-        return Some(format!("{field}: \"max_error\": {}", call.max_error));
+        let cost = limits.vendor.map(|vendor| format!("; \"cost\": \"{}\" of the scene", vendor.word()));
+        return Some(format!("{field}: \"max_error\": {}{}", call.max_error, cost.unwrap_or_default()));
     }
+    // Of both sides of glass: the scene has one limit.
+    let max_error =
+        all.iter().filter(|call| call.file.is_some()).map(|call| call.max_error).fold(0.0, f64::max);
     let sizes = table_of(entries, call)?.axes.iter().map(|axis| axis.size).collect::<Vec<_>>();
-    Some(format!("{field}: \"size\": {sizes:?}, \"max_error\": {}", call.max_error))
+    Some(format!("{field}: \"size\": {sizes:?}, \"max_error\": {max_error}"))
 }
 
 /// The table that a call fetches from.

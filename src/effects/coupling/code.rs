@@ -39,7 +39,8 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
     let mut lines = documented(fit);
     let (smith, ops) = (lobe.spec.smith.name(), header::operations(a.cost.ops));
     lines.push(format!(
-        "{} {}, specular {}, smith {smith}; {ops}; {}",
+        "{}: {} {}, specular {}, smith {smith}; {ops}; {}",
+        a.name,
         a.quantity,
         a.column,
         lobe.spec.specular.name(),

@@ -95,8 +95,8 @@ pub(super) fn instead(
     Ok(said(&choices, (limit, job.layout), narrowed, chosen))
 }
 
-/// The line with the widest ranges of n_dot_v and roughness, from one of [`LOWS`] on, over which a
-/// table of two axes in this size keeps the limit, if any. They end at the centre of the last texel:
+/// The line with the widest ranges of n_dot_v and roughness that both begin at one of [`LOWS`] over which a
+/// table of two axes in this size keeps the limit, if any: others that begin apart may be wider. They end at the centre of the last texel:
 /// beyond it a lookup clamps. Outside of them the table errs by more: its texels are optimised for
 /// what is inside, and a shader that clamps its arguments is no nearer to the truth.
 fn narrowed(
@@ -119,7 +119,7 @@ fn narrowed(
         let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
         if error <= limit {
             return Ok(Some(format!(
-                "keeps it only there: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, up to \
+                "keeps it over a part: {} over `n_dot_v` {mu:?} of the table and `roughness` {roughness:?} of the materials, up to \
                  the centres of its last texels, where a lookup clamps; outside it errs by more, clamped or not: {bytes} bytes, \
                  error {error}",
                 size_text(size)

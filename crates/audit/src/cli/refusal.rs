@@ -37,6 +37,10 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
 pub(super) fn of_stated(said: &Declared, limit: Option<f64>) -> String {
     let worst = said.worst();
     match limit.filter(|_| said.holds()) {
+        Some(limit) if worst <= limit => format!(
+            "audit failed: the file itself claims an error of {:e} at most, the limit is {limit:e}; here it is {worst:.3e}",
+            said.claimed
+        ),
         Some(limit) => format!(
             "audit failed: looked up as the file says, at texels and between them, the largest error is {worst:.3e}, the limit {limit:e}"
         ),

@@ -43,7 +43,7 @@ fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
     let a = &fit.approximation;
     let mut lines = documented(fit);
     let ops = header::operations(a.cost.ops);
-    lines.push(format!("{} {}, {}", a.quantity, a.column, paired(lobe)));
+    lines.push(format!("{}: {} {}, {}", a.name, a.quantity, a.column, paired(lobe)));
     lines.push(format!("{ops}; {}", constants(fit)));
     lines.extend(header::certificate_lines(
         "of the width, relative to the best one, where that is below 1",
