@@ -15,7 +15,7 @@ use crate::bake::{
 use crate::plan::Plan;
 use crate::scene::gltf::{self, FromGltf, Note};
 use crate::scene::{self, Limits, Scene, SceneError, limits};
-use crate::store::{self, Cache};
+use crate::store::{self, Cache, StoreError};
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
 use lobefit_truth::optics::kernel::Kernel;
@@ -187,6 +187,9 @@ pub(super) fn text(path: &Path) -> Result<Text, CliError> {
         (store::read_beginning(path, gltf::BYTES)?, path.display().to_string(), folder)
     };
     if !gltf::is_gltf(&bytes, &name) {
+        if bytes.len() as u64 > limits::FILE_BYTES {
+            return Err(StoreError::TooLarge { path: path.to_owned(), limit: limits::FILE_BYTES }.into());
+        }
         return Ok(Text { bytes, name, folder, is_foreign: false, notes: Vec::new() });
     }
     let FromGltf { json, notes } = gltf::from_gltf(&bytes, &name)?;

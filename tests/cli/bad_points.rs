@@ -12,9 +12,9 @@ fn bad_points_are_refused_and_nothing_is_written() {
         (b"\n\r\n", "points.csv:1: the file is empty"),
         (b"alpha\n0.5\n", "column `mu` is missing"),
         (b"Alpha,mu\n0.5,1\n", "column `alpha` is missing"),
-        (b"alpha;mu\n0.5;1\n", "column `alpha` is missing"),
-        (b"alpha\tmu\n0.5\t1\n", "column `alpha` is missing"),
-        (b"0.5,1\n", "column `alpha` is missing"),
+        (b"alpha;mu\n0.5;1\n", "columns `alpha`, `mu` are missing"),
+        (b"alpha\tmu\n0.5\t1\n", "columns `alpha`, `mu` are missing"),
+        (b"0.5,1\n", "columns `alpha`, `mu` are missing"),
         (b"alpha,mu,mu\n0.5,1,1\n", "column `mu` is there twice"),
         (b"alpha,mu,loss\n0.5,1,1\n", "column `loss` is one that ggx-reflection appends"),
         (b"alpha,mu\n0.5\n", "points.csv:2: row 1: 1 fields where the header has 2"),
@@ -31,7 +31,7 @@ fn bad_points_are_refused_and_nothing_is_written() {
         (b"alpha,mu\n\x1b[2J,1\n", "column `alpha`: `\\u{1b}[2J` is not a number"),
         (b"alpha,mu\n\xff,1\n", "column `alpha`: "),
         (b"alpha,mu,note\n1,1,\"open\n", "points.csv:2: a double quote is not closed"),
-        (b"a\0l\0p\0h\0a\0,\0m\0u\0\n\0", "column `alpha` is missing"),
+        (b"a\0l\0p\0h\0a\0,\0m\0u\0\n\0", "columns `alpha`, `mu` are missing"),
     ] {
         std::fs::write(folder.path().join("points.csv"), text).unwrap();
         let arguments = ["eval", "ggx-reflection", "--points", "points.csv", "--out", "out.csv"];
