@@ -119,8 +119,10 @@ fn anisotropy_keeps_both_widths() {
             "pbrMetallicRoughness": { "roughnessFactor": roughness },
             "extensions": { "KHR_materials_anisotropy": { "anisotropyStrength": strength } }
         }));
-        let (alpha, aspect) =
-            (scene.materials[0].roughness[0].powi(2), (1.0 - 0.9 * scene.materials[0].anisotropy[0]).sqrt());
+        let (alpha, aspect) = (
+            scene.materials[0].roughness[0] * scene.materials[0].roughness[0],
+            (1.0 - 0.9 * scene.materials[0].anisotropy[0]).sqrt(),
+        );
         let across: f64 = roughness * roughness;
         let along = across + (1.0 - across) * strength * strength;
         assert!((alpha / aspect - along).abs() < 1e-7, "{roughness} {strength}: {}", alpha / aspect);

@@ -6,6 +6,7 @@ use super::document::{Extensions, Glossiness, Material, Metallic};
 use crate::scene::limits::GLASS_IOR;
 use crate::scene::number::{DielectricIor, In, Interval, Numbers};
 use crate::scene::value::Maybe;
+use lobefit_truth::optics::fresnel::f0_of_ior;
 
 /// Index of refraction where a material states none.
 const IOR: f64 = 1.5;
@@ -123,7 +124,7 @@ fn reflectance(ior: f64, with: &Extensions) -> (&'static str, Value) {
 
 /// f0 of an index; glTF's 0 stands for an infinite one.
 fn f0_of(ior: f64) -> f64 {
-    if ior == 0.0 { 1.0 } else { ((ior - 1.0) / (ior + 1.0)).powi(2) }
+    if ior == 0.0 { 1.0 } else { f0_of_ior(ior) }
 }
 
 /// Specular-glossiness, which glTF had before: a dielectric of this f0 over a diffuse base.
