@@ -39,9 +39,12 @@ fn fits(plan: &Plan) -> Option<&Job> {
 /// kernel.
 #[test]
 fn reading_a_scene_integrates_nothing() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scene");
-    for entry in folder.read_dir().expect("a folder") {
-        let path = entry.expect("an entry").path();
+    let mut paths = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scene")];
+    while let Some(path) = paths.pop() {
+        if path.is_dir() {
+            paths.extend(path.read_dir().expect("a folder").map(|entry| entry.expect("an entry").path()));
+            continue;
+        }
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
         // A word of scenes, and the ends of a domain.
         let text = text.replace("lobefit_truth::quantity::footprint::RHO[", "");
