@@ -69,8 +69,8 @@ pub fn decoding_line(table: &Table, meaning: &str) -> String {
     format!("{meaning} from a texel: {}.", parts(table))
 }
 
-/// What the error of a table with A and B is of. It is the larger of the errors of E = A + B and of B, which bounds
-/// that of f0 A + B, a lerp of the two; A is their difference.
+/// What the error of a table with A and B is of. It is the larger of the errors of E = A + B and of B,
+/// which bounds that of f0 A + B, a lerp of the two; A is their difference.
 fn both_line(decode: Decode) -> Option<String> {
     let line = "The error is of f0 A + B for every f0 in [0, 1], and so of B and of E = A + B; that of A alone is at most twice it.";
     decode.has_bias().then(|| line.into())

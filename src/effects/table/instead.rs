@@ -95,10 +95,11 @@ pub(super) fn instead(
     Ok(said(&choices, (limit, job.layout), narrowed, chosen))
 }
 
-/// The line with the widest ranges of n_dot_v and roughness that both begin at one of [`LOWS`] over which a
-/// table of two axes in this size keeps the limit, if any: others that begin apart may be wider. They end at the centre of the last texel:
-/// beyond it a lookup clamps. Outside of them the table errs by more: its texels are optimised for
-/// what is inside, and a shader that clamps its arguments is no nearer to the truth.
+/// The line with the widest ranges of n_dot_v and roughness that both begin at one of [`LOWS`] over which
+/// a table of two axes in this size keeps the limit, if any: others that begin apart may be wider. They end
+/// at the centre of the last texel: beyond it a lookup clamps. Outside of them the table errs by more: its
+/// texels are optimised for what is inside, and a shader that clamps its arguments is no nearer to the
+/// truth.
 fn narrowed(
     family: &dyn Family,
     (job, size): (&TableJob, &[usize]),

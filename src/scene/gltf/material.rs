@@ -140,9 +140,9 @@ fn of_glossiness(of: &Glossiness, out: &mut Parts) {
     out.add("dielectric", fields);
 }
 
-/// Roughness and anisotropy of the reflecting lobe. glTF has alpha_b = roughness^2 and alpha_t = mix(alpha_b,
-/// 1, strength^2); a scene alpha = sqrt(alpha_t alpha_b) and alpha_b/alpha_t = 1 - 0.9 anisotropy, both of which
-/// rise with the strength; the first rises with roughness, the second falls.
+/// Roughness and anisotropy of the reflecting lobe. glTF has alpha_b = roughness^2 and alpha_t =
+/// mix(alpha_b, 1, strength^2); a scene alpha = sqrt(alpha_t alpha_b) and alpha_b/alpha_t = 1 - 0.9
+/// anisotropy, both of which rise with the strength; the first rises with roughness, the second falls.
 fn shape(roughness: [f64; 2], with: &Extensions, out: &mut Parts) -> Fields {
     let strength = with
         .anisotropy

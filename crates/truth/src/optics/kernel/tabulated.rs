@@ -330,8 +330,8 @@ impl Shape {
         Ok(Shape { ln_alpha: ops::log(lobe.alpha), nodes, up_to })
     }
 
-    /// Whether the density jumps to 0 before the horizon, as far as a file writes pi/2, by a part of its largest that
-    /// shows.
+    /// Whether the density jumps to 0 before the horizon, as far as a file writes pi/2, by a part of its
+    /// largest that shows.
     fn is_cut(&self) -> bool {
         let most = self.nodes.iter().map(|node| node.density).fold(0.0, f64::max);
         self.nodes.last().is_some_and(|last| 1.0 - last.x > HORIZON && last.density > JUMP * most)
