@@ -13,6 +13,7 @@ pub mod coupling;
 pub mod demand;
 mod deviation;
 mod effect;
+pub mod eon;
 mod error;
 pub mod explore;
 pub mod glass;
@@ -45,6 +46,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &anisotropy::Anisotropy,
         &glass::Glass,
         &coupling::DiffuseCoupling,
+        &eon::Eon,
         &sheen::Sheen,
         &parallax::Parallax,
     ]

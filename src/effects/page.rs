@@ -37,7 +37,13 @@ pub fn left_out(dropped: &[Dropped]) -> Vec<LeftOut> {
     dropped.iter().map(fit).collect()
 }
 
+/// The most accurate emitted fit.
+pub fn best(fits: &[Fit]) -> Option<&Fit> {
+    let error = |fit: &Fit| fit.approximation.certificate.max_abs;
+    fits.iter().filter(|f| f.emitted).min_by(|a, b| error(a).total_cmp(&error(b)))
+}
+
 /// The largest error of the most accurate emitted fit.
 pub fn smallest_error(fits: &[Fit]) -> Option<f64> {
-    fits.iter().filter(|f| f.emitted).map(|f| f.approximation.certificate.max_abs).reduce(f64::min)
+    best(fits).map(|fit| fit.approximation.certificate.max_abs)
 }

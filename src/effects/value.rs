@@ -11,11 +11,12 @@ use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
-use crate::data::Use;
+use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
+use crate::data::{Arguments, Use};
 use crate::report::explore::Drawn;
 use crate::report::{ApproximationFinding, Findings};
 use crate::scene::{Goals, Scene};
+use lobefit_shade::code::Language;
 use lobefit_truth::quantity::{Quantity, Variant};
 
 /// What is fitted and how its page shows it.
@@ -44,7 +45,12 @@ pub struct ValueFits<'a> {
     pub seconds: [f64; 2],
     /// A table beside the fits.
     pub table: Option<ValueTable>,
+    /// What the include files have beside the fits: functions that call the most accurate one.
+    pub around: Option<Around>,
 }
+
+/// Prints, in a language, functions that call a fit.
+pub type Around = fn(Language, &Fit) -> Result<String, BakeError>;
 
 impl ValueFits<'_> {
     /// The demand of the material at place `of` in the scene for fits over its roughness.
@@ -97,7 +103,11 @@ impl ValueFits<'_> {
         if !made.broken.is_empty() {
             return Ok(made);
         }
-        made.code(context, |language| code::functions(language, &fits, false))?;
+        let around = self.around.zip(page::best(&fits));
+        made.code(context, |language| {
+            let own = code::functions(language, &fits, false)?;
+            Ok(own + &around.map_or_else(|| Ok(String::new()), |(print, fit)| print(language, fit))?)
+        })?;
         made.tables(context, tables)?;
         if context.reports(called.effect) {
             let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
@@ -127,7 +137,16 @@ impl ValueFits<'_> {
             norms: &job.goals.norms,
             max_ops: job.goals.max_ops,
             safe_range: None,
-            emission: job.emission(scene, self.role),
+            emission: self.emission(job, scene),
+        }
+    }
+
+    /// A quantity of roughness itself has no alpha, whatever other functions of the scene take.
+    fn emission(&self, job: &Job, scene: &Scene) -> Emission {
+        let emission = job.emission(scene, self.role);
+        match self.quantity.inputs().iter().any(|input| input.name == "alpha") {
+            true => emission,
+            false => Emission { arguments: Arguments::Roughness, ..emission },
         }
     }
 

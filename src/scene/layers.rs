@@ -11,12 +11,16 @@ use super::value::{Maybe, Word, from_file};
 use crate::data::AlphaMap;
 use lobefit_truth::quantity::Specular;
 
-/// A diffuse base: Lambert's lobe under the specular one.
+/// A diffuse base under the specular lobe: Lambert's, or where it is rough that of EON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Base {
     /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light and the error
     /// of the share: the factor does not depend on the albedo.
     pub albedo: [f64; 3],
+    /// Roughness range of the base itself in [0, 1], lo <= hi: that of Oren and Nayar's lobe, not
+    /// squared; 0 is Lambert's.
+    #[serde(skip_serializing_if = "is_smooth")]
+    pub roughness: [f64; 2],
     /// What multiplies the specular lobe above it: the factor is what that leaves.
     pub specular: Specular,
     /// What the fits of the factor must keep.
@@ -29,11 +33,21 @@ impl Base {
     pub fn is_black(&self) -> bool {
         self.albedo == [0.0; 3]
     }
+
+    /// Whether its lobe is another than Lambert's.
+    pub fn is_rough(&self) -> bool {
+        !is_smooth(&self.roughness)
+    }
 }
 
-/// The diffuse base of a dielectric (Lambert's lobe), which calls for fits of the factor that a
-/// white base is multiplied by so that base and specular lobe together send back exactly all light.
-/// An albedo below 1 scales the base's share alone, and its error as well.
+fn is_smooth(roughness: &[f64; 2]) -> bool {
+    roughness[1] == 0.0
+}
+
+/// The diffuse base of a dielectric. Lambert's lobe calls for fits of the factor that a white base
+/// is multiplied by so that base and specular lobe together send back exactly all light; an albedo
+/// below 1 scales the base's share alone, and its error as well. A rough base calls for fits of the
+/// albedo of its own lobe, and for no factor.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Base")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a diffuse base")]
@@ -42,6 +56,11 @@ struct BaseFile {
     /// calls for nothing.
     #[serde(default)]
     albedo: Maybe<Numbers<In<Unit>, 3, true>>,
+    /// Roughness of the base itself: a number, or the range [lo, hi] that the material's texture
+    /// spans; default 0, Lambert's lobe. Above 0 the base is that of EON (Portsmouth, Kutz and Hill
+    /// 2024), whose roughness is not squared.
+    #[serde(default)]
+    roughness: Maybe<Span<Unit, true>>,
     /// What the renderer multiplies the specular lobe by: `single` nothing; `normalised` 1/E (the
     /// default); `compensated` 1 + f0 (1/E - 1).
     #[serde(default)]
@@ -65,6 +84,7 @@ impl TryFrom<BaseFile> for Base {
     fn try_from(file: BaseFile) -> Result<Self, String> {
         Ok(Base {
             albedo: file.albedo.0.map_or([1.0; 3], |Numbers([r, g, b])| [r.0, g.0, b.0]),
+            roughness: file.roughness.0.map_or([0.0; 2], |range| range.0),
             specular: file.specular.0.map_or_else(Specular::default, |w| w.0),
             goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
         })

@@ -14,6 +14,7 @@ mod lookup_support;
 
 mod committed;
 mod coupling;
+mod eon;
 mod fitted_lobe;
 mod formats;
 mod furnace;

@@ -18,7 +18,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 107] = [
+const COSTS: [(&str, u32); 113] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -71,6 +71,11 @@ const COSTS: [(&str, u32); 107] = [
     ("charlie_e_exp", 17),
     ("charlie_e_gauss", 17),
     ("charlie_e_rational", 11),
+    ("eon_e_5", 5),
+    ("eon_e_6", 6),
+    ("eon_e_7", 7),
+    ("eon_e_9", 9),
+    ("eon_e_12", 12),
     ("coupling_compensated_7", 7),
     ("coupling_compensated_17", 17),
     ("coupling_compensated_24", 24),
@@ -100,6 +105,7 @@ const COSTS: [(&str, u32); 107] = [
     ("ggx_blend_14", 14),
     ("ggx_blend_30", 30),
     ("published/charlie_e_threejs", 18),
+    ("published/eon_e_portsmouth", 12),
     ("published/ggx_blend_karis", 15),
     ("published/ggx_blend_lazarov", 16),
     ("published/ggx_blend_materialx_m1", 49),

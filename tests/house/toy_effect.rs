@@ -71,6 +71,7 @@ const FITS: ValueFits = ValueFits {
         format: TexelFormat::F16,
         seconds: 0.5,
     }),
+    around: None,
 };
 
 pub struct Moon;

@@ -220,6 +220,40 @@ fn transmission_is_reciprocal() {
     }
 }
 
+/// Points that an attack on the bounds found: at each, the pair of rules differs by less than its
+/// finer rule errs by the square law.
+#[test]
+fn error_columns_are_bounds_where_two_rules_err_alike() {
+    for (alpha, mu, phi) in [
+        (
+            [2.305_541_204_704_004_3, 0.496_963_600_593_302_86],
+            0.011_089_568_027_419_76,
+            0.372_186_502_603_526,
+        ),
+        (
+            [2.932_071_738_077_47, 0.300_505_862_079_207_26],
+            0.004_313_587_774_673_272,
+            0.533_003_798_336_989_1,
+        ),
+        ([0.176_420_282_389_214_3, 3.151_913_726_009_204], 0.003_209_052_467_673_675, 0.280_927_634_693_738),
+    ] {
+        let value = aniso(Smith::Separable, alpha, mu, Some(phi), aniso::TOLERANCE).expect("the promise");
+        let finer = aniso::with_nodes(Smith::Separable, alpha, mu, phi, 48).expect("in the domain");
+        let error = (value.e - finer.e).abs().max((value.loss - finer.loss).abs());
+        assert!(error <= value.error, "{alpha:?} {mu} {phi}: {error:e} {:e}", value.error);
+    }
+    for (alpha, mu, ior) in [
+        (0.024_202_153_117_226_267, 0.827_996_636_339_067_8, 2.306_667_986_900_82),
+        (0.018_352_324_462_158_297, 0.856_030_502_459_525_1, 3.343_371_223_446_271),
+    ] {
+        let value =
+            glass(Smith::Correlated, alpha, mu, ior, Side::Inside, glass::TOLERANCE).expect("promise");
+        let finer = glass::with_nodes(Smith::Correlated, alpha, mu, ior, Side::Inside, 48).expect("in");
+        let error = (value.r - finer.r).abs().max((value.loss - finer.loss).abs());
+        assert!(error <= value.error, "{alpha} {mu} {ior}: {error:e} {:e}", value.error);
+    }
+}
+
 #[test]
 fn error_columns_are_bounds() {
     for smith in BOTH {

@@ -318,6 +318,7 @@ fn it_names_and_describes_every_field() {
             "roughness",
             "roughness",
             "roughness",
+            "roughness",
             "schema_version",
             "serves",
             "sheen",

@@ -67,9 +67,15 @@ impl Effect for DiffuseCoupling {
         let black = about(&black, |m| {
             format!("{} {} a black base, which sends back nothing", named(m), verb(m, "have"))
         });
+        let (rough, lit): (Vec<&Material>, Vec<&Material>) =
+            lit.into_iter().partition(|m| m.base.as_ref().is_some_and(Base::is_rough));
+        let rough = about(&rough, |m| {
+            let of = if m.len() == 1 { "a rough base" } else { "rough bases" };
+            format!("{} {} {of}, for which this version has no factor", named(m), verb(m, "have"))
+        });
         let lit =
             about(&lit, |m| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(m)));
-        let why = reasons([black, lit]).unwrap_or_default();
+        let why = reasons([black, rough, lit]).unwrap_or_default();
         format!("no dielectric with a diffuse base calls for it: {why}")
     }
 
@@ -140,7 +146,7 @@ impl Effect for DiffuseCoupling {
 
 /// What a dielectric with a base that sends back light wants, if its lobe is rough.
 fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]) -> Option<Demand> {
-    let base = material.base.as_ref().filter(|base| !base.is_black())?;
+    let base = material.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())?;
     let [first, rest @ ..] = material.f0?.map(twelve);
     let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
     let roughness = Span::roughness(roughness, scene.alpha);

@@ -32,6 +32,7 @@ const FITS: ValueFits = ValueFits {
     curves: &[0.1, 0.2, 0.3, 0.5, 1.0],
     seconds: [2.0, 0.15],
     table: None,
+    around: None,
 };
 
 impl Effect for Sheen {

@@ -7,6 +7,7 @@
 mod aniso;
 mod average;
 pub mod coupling;
+pub mod eon;
 mod glass;
 mod over_f0;
 mod parallax;
@@ -18,6 +19,7 @@ mod variant;
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
+pub use eon::EonSingle;
 pub use glass::GgxGlass;
 pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
@@ -375,7 +377,7 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 8] = [
+pub static QUANTITIES: [&dyn Quantity; 9] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
@@ -384,6 +386,7 @@ pub static QUANTITIES: [&dyn Quantity; 8] = [
     &DiffuseCoupling,
     &ParallaxAlpha,
     &BECKMANN_REFLECTION,
+    &EonSingle,
 ];
 
 /// The quantity of a name.

@@ -77,7 +77,7 @@ pub fn aniso(
 }
 
 /// Rounding of the nested sums in units of a single one's: a floor of 2e-11, a fiftieth of the
-/// promise, which also covers the rare points where both rules err alike.
+/// promise.
 const FLOOR: f64 = 300.0;
 
 const QUANTITY: &str = "ggx-reflection-aniso";

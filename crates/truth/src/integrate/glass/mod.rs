@@ -122,7 +122,8 @@ fn at(
     fine: &PanelRule,
 ) -> Result<Glass, IntegrateError> {
     let [a, b] = [coarse, fine].map(|rule| sweep::energies(smith, alpha, mu, interface, rule));
-    let estimate = |i: usize, scale: f64| Estimate::from_pair(a[i], b[i], scale).with_rounding(4.0, scale);
+    let estimate =
+        |i: usize, scale: f64| Estimate::from_slow_pair(a[i], b[i], scale).with_rounding(4.0, scale);
     let (r, t) = (estimate(0, 1.0), estimate(1, 1.0));
     let scale = if b[2] > 0.0 { b[2] } else { 1.0 };
     let loss = estimate(2, scale);

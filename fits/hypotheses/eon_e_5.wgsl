@@ -1,0 +1,10 @@
+override c0: f32 = 0.3874226;
+override c1: f32 = -0.086021736;
+override d1: f32 = -0.23711957;
+
+/// Directional albedo E of the single-scattering Oren-Nayar lobe in the form of Fujii and of EON, exactly 1 at grazing.
+/// Five operations. A polynomial of mu of degree 2 times one of roughness, for both factors of the loss.
+fn eon_e_5(roughness: f32, mu: f32) -> f32 {
+    let lost = mu * roughness * (c0 + mu * c1);
+    return 1.0 - lost * (1.0 + roughness * d1);
+}

@@ -1,0 +1,117 @@
+//! The effect `eon`: a rough diffuse base, as of clay, plaster or dust. Quantity `eon-single`.
+
+mod lobe;
+
+use super::context::Context;
+use super::demand::{Demand, Job};
+use super::effect::Note;
+use super::value::ValueFits;
+use super::who::{about, named, reasons, verb};
+use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::approximate::target::Target;
+use crate::approximate::{Entry, own, published};
+use crate::data::Use;
+use crate::scene::{Material, Scene};
+use lobefit_truth::quantity::{EonSingle, Quantity};
+
+/// The effect.
+pub struct Eon;
+
+/// E(roughness, mu) with free parameters, by rising cost.
+pub const HYPOTHESES: [Entry; 5] = own!["eon_e_5", "eon_e_6", "eon_e_7", "eon_e_9", "eon_e_12"];
+
+/// E(roughness, mu) as published: measured and reported, not emitted.
+pub const PUBLISHED: [Entry; 1] = published!["eon_e_portsmouth" by "Portsmouth, Kutz and Hill, EON, 2024"];
+
+const FITS: ValueFits = ValueFits {
+    quantity: &EonSingle,
+    column: "E",
+    own: &HYPOTHESES,
+    published: &PUBLISHED,
+    role: "eon_albedo",
+    of: "eon",
+    field: "base",
+    because: "with a rough diffuse base",
+    caption: "E of the single-scattering lobe: 1 at grazing and where the base is smooth, smallest face on, where light is lost \
+              between facets. The lobe of several bounces sends it back.",
+    curves: &[0.25, 0.5, 0.75, 1.0],
+    seconds: [0.3, 0.1],
+    table: None,
+    around: Some(lobe::in_language),
+};
+
+/// The base's roughness, if it is rough and sends back light.
+fn rough(material: &Material) -> Option<[f64; 2]> {
+    let base = material.base.as_ref().filter(|base| base.is_rough() && !base.is_black())?;
+    Some(base.roughness)
+}
+
+impl Effect for Eon {
+    fn name(&self) -> &'static str {
+        "eon"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        let demand = |(of, material): (usize, &Material)| {
+            let (base, range) = (material.base.as_ref()?, rough(material)?);
+            Some(FITS.demand(scene, of, range, base.goals.clone()))
+        };
+        scene.materials.iter().enumerate().filter_map(demand).collect()
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        let based = |m: &&Material| m.base.is_some();
+        let (black, smooth): (Vec<&Material>, Vec<&Material>) =
+            scene.materials.iter().filter(based).partition(|m| m.base.as_ref().is_some_and(|b| b.is_rough()));
+        let smooth =
+            about(&smooth, |m| format!("the diffuse base of {} {} smooth", named(m), verb(m, "are")));
+        let black = about(&black, |m| format!("the rough base of {} {} black", named(m), verb(m, "are")));
+        reasons([smooth, black]).unwrap_or_else(|| "no material has a diffuse base".into())
+    }
+
+    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        FITS.expects(jobs)
+    }
+
+    fn formulas(&self) -> Vec<&'static Entry> {
+        HYPOTHESES.iter().chain(&PUBLISHED).collect()
+    }
+
+    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
+        let suits = target.quantity.name() == EonSingle.name() && target.used_as == Use::VALUE;
+        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        lobe::NAMES.map(String::from).into()
+    }
+
+    fn prefixes(&self) -> &'static [&'static str] {
+        &["eon_albedo"]
+    }
+
+    fn sources(&self) -> Vec<&'static str> {
+        self.formulas().into_iter().map(|entry| entry.source).chain([lobe::TEXT]).collect()
+    }
+
+    fn lobe(&self, _: &Scene) -> String {
+        "Oren-Nayar diffuse lobe in the form of EON; roughness is its own, not squared".into()
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[(
+            &["eon_"],
+            &[
+                "`eon_albedo` is E of the single-scattering lobe of a rough diffuse base, `eon_brdf` the whole base.",
+            ],
+        )]
+    }
+
+    fn is_explored(&self) -> bool {
+        true
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        FITS.bake(called, context)
+    }
+}
