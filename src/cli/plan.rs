@@ -89,13 +89,14 @@ fn text(plan: &Plan, notes: &[Note]) -> String {
 }
 
 fn effect_text(effect: &Called) -> String {
-    let mut out = format!("{}\n", effect.effect);
-    let shown = if effect.because.len() > REASONS + 1 { REASONS } else { effect.because.len() };
-    for reason in &effect.because[..shown] {
+    let all = bytes(effect.bytes, effect.bytes_at_most);
+    let mut out = format!("{}: in all {all}, about {:.1} s on one core\n", effect.effect, effect.seconds);
+    let shown = if effect.reasons.len() > REASONS + 1 { REASONS } else { effect.reasons.len() };
+    for reason in &effect.reasons[..shown] {
         let _ = writeln!(out, "  because {}", visible(reason));
     }
-    if shown < effect.because.len() {
-        let _ = writeln!(out, "  because of {} more (--json names them)", effect.because.len() - shown);
+    if shown < effect.reasons.len() {
+        let _ = writeln!(out, "  because of {} more (--json names them)", effect.reasons.len() - shown);
     }
     for job in &effect.jobs {
         let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
@@ -120,8 +121,6 @@ fn effect_text(effect: &Called) -> String {
             let _ = writeln!(out, "    merged: {}", visible(merging));
         }
     }
-    let all = bytes(effect.bytes, effect.bytes_at_most);
-    let _ = writeln!(out, "  in all {all}, about {:.1} s on one core", effect.seconds);
     out
 }
 

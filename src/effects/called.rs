@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::demand::{Demand, Job, Ranges, hull, merged};
+use super::who::grouped;
 use super::{BakeError, Effect};
 use crate::approximate::Emission;
 use crate::data::Pick;
@@ -41,6 +42,9 @@ pub struct Called {
     pub effect: &'static str,
     /// The materials or probes that call for it, and why: one sentence each.
     pub because: Vec<String>,
+    /// The same for people: sentences that differ in names and ranges alone are one.
+    #[serde(skip)]
+    pub reasons: Vec<String>,
     /// Hull of the jobs' domains, by input.
     pub ranges: Ranges,
     /// The jobs' approximations in words.
@@ -103,6 +107,7 @@ impl Called {
                 because.push(demand.because.clone());
             }
         }
+        let reasons = grouped(&demands);
         let mut work = merged(demands);
         if scene.output.pick == Pick::Best {
             work.iter_mut().for_each(Job::promise_once);
@@ -123,6 +128,7 @@ impl Called {
         Some(Called {
             effect: by.name(),
             because,
+            reasons,
             ranges,
             approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
             bytes: jobs.iter().map(|j| j.bytes).sum(),

@@ -30,6 +30,9 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
         "key must be a string" => "object keys must be strings in double quotes",
         other => other,
     };
+    let message = &["usize", "u64"].iter().fold(message.to_string(), |text, kind| {
+        text.replace(&format!("expected {kind}"), "expected a whole number, 0 or above")
+    });
     // serde_path_to_error ends a path with "?" where the reader stood between two fields.
     let path = path.strip_suffix(".?").unwrap_or(path);
     let (inner, message) = told(message);

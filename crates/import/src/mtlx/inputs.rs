@@ -9,7 +9,7 @@ use roxmltree::Node;
 use super::Document;
 use super::xml::wrong;
 use crate::note::Said;
-use crate::texture::{Extremes, Place, Textures, linear, relative};
+use crate::texture::{Place, Textures, linear, relative};
 
 /// Most inputs of a node.
 const INPUTS: usize = 1024;
@@ -82,7 +82,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
                     inside::<I>(x, x).map_err(|message| self.wrong(name, message))?;
                     Ok([x; 2])
                 }
-                _ => Err(self.wrong(name, format!("{} numbers where 1 is called for", values.len()))),
+                _ => Err(self.wrong(name, count(&values, "1 is"))),
             },
             Value::Image(ranges) => Ok(ranges[0].map(|x| x.clamp(I::MIN, I::MAX.min(most)))),
             Value::Graph => {
@@ -99,7 +99,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         match value {
             Value::Constant(values) => {
                 let [r, g, b] = values[..] else {
-                    return Err(self.wrong(name, format!("{} numbers where 3 are called for", values.len())));
+                    return Err(self.wrong(name, count(&values, "3 are")));
                 };
                 for x in [r, g, b] {
                     inside::<lobefit_strict::number::Unit>(x, x)
@@ -204,11 +204,14 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         output: &str,
     ) -> Result<Option<Ranges>, SceneError> {
         let path = self.path(name);
-        let Some((&file, uri)) = own.get("file").and_then(|file| Some((file, file.attribute("value")?)))
-        else {
-            return Ok(None);
+        let Some(&file) = own.get("file").filter(|file| file.has_attribute("value")) else { return Ok(None) };
+        let channel = match output {
+            "g" | "outg" | "outy" => 1,
+            "b" | "outb" | "outz" => 2,
+            "a" | "outa" | "outw" => 3,
+            _ => 0,
         };
-        let mut ranges = self.texels(name, file, uri, scopes)?;
+        let mut ranges = self.texels(name, file, scopes, channel)?;
         let space = space(file);
         if space == Some("srgb_texture") {
             for range in &mut ranges[..3] {
@@ -230,12 +233,6 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
             }
         }
         self.beyond_edges(own, &path, &mut ranges)?;
-        let channel = match output {
-            "g" | "outg" | "outy" => 1,
-            "b" | "outb" | "outz" => 2,
-            "a" | "outa" | "outw" => 3,
-            _ => 0,
-        };
         if channel > 0 {
             ranges[0] = ranges[channel];
         }
@@ -265,18 +262,22 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
     }
 
     /// The values of the file of an image, which may be anything where images are not read.
-    fn texels(&mut self, name: &str, file: Node, uri: &str, scopes: [Node; 3]) -> Result<Ranges, SceneError> {
+    fn texels(
+        &mut self,
+        name: &str,
+        file: Node,
+        scopes: [Node; 3],
+        channel: usize,
+    ) -> Result<Ranges, SceneError> {
         let Some(textures) = self.textures.as_deref_mut() else { return Ok([[0.0, 1.0]; 4]) };
-        let prefix = scopes.iter().find_map(|scope| scope.attribute("fileprefix")).unwrap_or_default();
         let refused = |message| wrong(file, self.document.file, path(self.shader, name), message);
-        let place = Place::Beside(relative(&format!("{prefix}{uri}")).map_err(refused)?, None);
+        let prefix = scopes.iter().find_map(|scope| scope.attribute("fileprefix")).unwrap_or_default();
+        let uri = format!("{prefix}{}", file.attribute("value").unwrap_or_default());
+        let place = Place::Beside(relative(&uri).map_err(refused)?, None);
         let quantile = textures.quantile();
         match textures.image(&place, || Ok(Vec::new())).map_err(refused)? {
             Ok(channels) => {
-                let differs = channels.iter().max_by(|a, b| spread(a).total_cmp(&spread(b)));
-                if let Some(extremes) = differs {
-                    self.said.beyond(name, extremes, quantile);
-                }
+                self.said.beyond(name, &channels[channel], quantile);
                 Ok(channels.map(|extremes| extremes.kept))
             }
             Err(why) => {
@@ -309,11 +310,6 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
     }
 }
 
-/// How far the texels that a quantile leaves out reach beyond the others.
-fn spread(Extremes { kept, all }: &Extremes) -> f64 {
-    (kept[0] - all[0]).max(all[1] - kept[1])
-}
-
 fn path(shader: Node, name: &str) -> String {
     format!("{}.{name}", shader.attribute("name").unwrap_or_default())
 }
@@ -321,6 +317,11 @@ fn path(shader: Node, name: &str) -> String {
 /// The colour space of an input: its own, or of the nearest element around it.
 fn space<'d>(input: Node<'d, '_>) -> Option<&'d str> {
     input.ancestors().find_map(|node| node.attribute("colorspace"))
+}
+
+fn count(values: &[f64], called_for: &str) -> String {
+    let numbers = if values.len() == 1 { "number" } else { "numbers" };
+    format!("{} {numbers} where {called_for} called for", values.len())
 }
 
 /// The numbers of a value.

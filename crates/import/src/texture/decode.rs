@@ -23,7 +23,7 @@ pub(super) enum Decoded {
 /// # Errors
 /// A broken image, in words.
 pub(super) fn decode(bytes: &[u8], left: u64) -> Result<Decoded, String> {
-    let broken = |kind: &str, e: &dyn std::fmt::Display| format!("a broken {kind}: {e}");
+    let broken = |kind: &str, e: &dyn std::fmt::Display| format!("a broken {kind}: {}", e.to_string().trim());
     match bytes {
         [0x89, b'P', b'N', b'G', ..] => png(bytes, left).map_err(|e| broken("PNG", &e)),
         [0xff, 0xd8, 0xff, ..] => jpeg(bytes, left).map_err(|e| broken("JPEG", &e)),
