@@ -1,5 +1,7 @@
 //! What a plan says of an effect: why the scene calls for it, its jobs, and what they should take.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use super::demand::{Demand, Job, Ranges, hull, merged};
@@ -101,12 +103,9 @@ impl JobSummary {
 impl Called {
     /// An effect with the jobs that demands merge into; `None` where there is no demand.
     pub fn new(by: &'static dyn Effect, scene: &Scene, demands: Vec<Demand>) -> Option<Called> {
-        let mut because: Vec<String> = Vec::new();
-        for demand in &demands {
-            if !because.contains(&demand.because) {
-                because.push(demand.because.clone());
-            }
-        }
+        let mut seen = BTreeSet::new();
+        let because: Vec<String> =
+            demands.iter().map(|demand| &demand.because).filter(|why| seen.insert(*why)).cloned().collect();
         let reasons = grouped(&demands);
         let mut work = merged(demands);
         if scene.output.pick == Pick::Best {

@@ -1,5 +1,7 @@
 //! Which materials of a scene are rough, and how reasons name them.
 
+use std::collections::BTreeSet;
+
 use super::demand::Demand;
 use crate::scene::{Material, Scene};
 
@@ -37,14 +39,14 @@ pub(super) fn about(materials: &[&Material], sentence: impl Fn(&[&Material]) -> 
 /// differ in the name and in what stands in brackets are one, with the first names and the last.
 pub(super) fn grouped(demands: &[Demand]) -> Vec<String> {
     let mut groups: Vec<(String, &str, Vec<&str>)> = Vec::new();
-    for Demand { because, name, .. } in demands {
+    let mut seen = BTreeSet::new();
+    for Demand { because, name, .. } in demands.iter().filter(|demand| seen.insert(&demand.because)) {
         let rest = because.strip_prefix(&format!("{name}: ")).unwrap_or(because);
         let shape = match (rest.find(" ("), rest.find(')')) {
             (Some(open), Some(close)) if open < close => format!("{}{}", &rest[..open], &rest[close + 1..]),
             _ => rest.to_string(),
         };
         match groups.iter_mut().find(|(known, ..)| *known == shape) {
-            Some((_, _, names)) if names.contains(&name.as_str()) => {}
             Some((_, _, names)) => names.push(name),
             None => groups.push((shape, because, vec![name])),
         }

@@ -182,7 +182,7 @@ fn documents_have_materials_and_colour_spaces() {
     assert_eq!(names, ["first", "second"]);
     assert!(close(materials[0].f0.expect("f0"), [0.214041140482; 3]), "{:?}", materials[0].f0);
     assert!(
-        notes[0].text.starts_with("`b.mtlx` is included: this version opens no other document"),
+        notes[0].to_string().starts_with("b.mtlx: it is included, and this version opens no other document"),
         "{notes:?}"
     );
     let (_, notes) = shader("gltf_pbr", &[("base_color", "1,1,1")]);

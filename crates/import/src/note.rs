@@ -1,5 +1,6 @@
 //! What is said of a file beside its scene.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Serialize;
@@ -55,12 +56,25 @@ impl Said {
     }
 }
 
-/// Adds a note, or a name to the one of its text.
-pub(crate) fn add(notes: &mut Vec<Note>, (about, text): (About, String), of: Option<&str>) {
-    let of = of.map(String::from);
-    match notes.iter_mut().find(|note| note.text == text) {
-        Some(note) => note.of.extend(of),
-        None => notes.push(Note { about, text, of: of.into_iter().collect() }),
+/// Notes, each text once.
+#[derive(Default)]
+pub(crate) struct Notes {
+    all: Vec<Note>,
+    places: BTreeMap<String, usize>,
+}
+
+impl Notes {
+    /// Adds a note, or a name to the one of its text.
+    pub fn add(&mut self, (about, text): (About, String), of: Option<&str>) {
+        let place = *self.places.entry(text).or_insert_with_key(|text| {
+            self.all.push(Note { about, text: text.clone(), of: Vec::new() });
+            self.all.len() - 1
+        });
+        self.all[place].of.extend(of.map(String::from));
+    }
+
+    pub fn finish(self) -> Vec<Note> {
+        self.all
     }
 }
 

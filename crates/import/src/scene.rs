@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use super::Imported;
-use super::note::{About, Note, Said, add};
+use super::note::{About, Notes, Said};
 
 /// Longest name of a material, in characters.
 const NAME: usize = 64;
@@ -31,7 +31,7 @@ pub(crate) struct Parts {
 #[derive(Default)]
 pub(crate) struct Writer {
     lines: Vec<String>,
-    notes: Vec<Note>,
+    notes: Notes,
     names: BTreeMap<String, usize>,
 }
 
@@ -47,20 +47,20 @@ impl Writer {
             self.lines.push(format!("    {{ {} }}", all.join(", ")));
         }
         for said in found.said.0 {
-            add(&mut self.notes, said, Some(&name));
+            self.notes.add(said, Some(&name));
         }
     }
 
-    /// Says something of the file.
-    pub fn note(&mut self, about: About, text: String) {
-        add(&mut self.notes, (about, text), None);
+    /// Says something of the file, or of what it names.
+    pub fn note(&mut self, about: About, text: String, of: Option<&str>) {
+        self.notes.add((about, text), of);
     }
 
     pub fn finish(self) -> Imported {
         let scene =
             if self.lines.is_empty() { String::new() } else { format!("\n{}\n  ", self.lines.join(",\n")) };
         let json = format!("{{\n  \"schema_version\": 1,\n  \"materials\": [{scene}]\n}}\n");
-        Imported { json, notes: self.notes }
+        Imported { json, notes: self.notes.finish() }
     }
 
     /// A name that no other material has, which is then taken; of each name the last number that was

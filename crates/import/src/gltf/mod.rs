@@ -64,14 +64,14 @@ pub(crate) fn read(
     if materials.len() > drawn.of.len() {
         let more = materials.len() - drawn.of.len();
         let (materials, are) = if more == 1 { ("material", "is") } else { ("materials", "are") };
-        writer.note(About::Reading, format!("{more} {materials} that no primitive has {are} left out"));
+        writer.note(About::Reading, format!("{more} {materials} that no primitive has {are} left out"), None);
     }
     let used = document.extensions_used.0.map_or_else(Vec::new, |list| list.0);
     for extension in
         used.iter().filter(|name| name.contains("_materials_") && !KNOWN.contains(&name.as_str()))
     {
         let text = format!("this version does not read `{extension}`: its materials are planned without it");
-        writer.note(About::Missing, text);
+        writer.note(About::Missing, text, None);
     }
     Ok(writer.finish())
 }

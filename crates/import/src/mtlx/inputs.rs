@@ -11,8 +11,9 @@ use super::xml::wrong;
 use crate::note::Said;
 use crate::texture::{Place, Textures, linear, relative};
 
-/// Most inputs of a node.
-const INPUTS: usize = 1024;
+/// Most inputs of a node: more than twice those of any model. Materials may share a shader, and each looks
+/// at all its inputs.
+const INPUTS: usize = 128;
 
 /// Ranges of red, green, blue and alpha.
 type Ranges = [[f64; 2]; 4];

@@ -45,14 +45,13 @@ pub(crate) fn read(
         match child.tag_name().name() {
             "include" => {
                 let href = child.attribute("href").unwrap_or_default();
-                let text =
-                    format!("`{href}` is included: this version opens no other document: read it by itself");
-                writer.note(About::Missing, text);
+                let text = "it is included, and this version opens no other document: read it by itself";
+                writer.note(About::Missing, text.into(), Some(href));
             }
             "material" => {
                 let text =
                     "materials of MaterialX before 1.37 are not read: this version reads `surfacematerial`";
-                writer.note(About::Missing, text.into());
+                writer.note(About::Missing, text.into(), None);
             }
             _ => {}
         }
@@ -64,6 +63,8 @@ pub(crate) fn read(
 struct Document<'d, 'b, 'f> {
     root: Node<'d, 'b>,
     named: BTreeMap<(u32, &'d str), Node<'d, 'b>>,
+    /// The first output of each graph.
+    outputs: BTreeMap<u32, Node<'d, 'b>>,
     file: &'f str,
 }
 
@@ -73,10 +74,13 @@ impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
             let message = format!("`{}` is not a `materialx` document", root.tag_name().name());
             return Err(wrong(root, file, String::new(), message));
         }
-        let mut named = BTreeMap::new();
+        let (mut named, mut outputs) = (BTreeMap::new(), BTreeMap::new());
         let graphs = root.children().filter(|node| node.has_tag_name("nodegraph"));
         for scope in [root].into_iter().chain(graphs) {
             for node in scope.children().filter(Node::is_element) {
+                if node.has_tag_name("output") {
+                    outputs.entry(scope.id().get()).or_insert(node);
+                }
                 if let Some(name) = node.attribute("name")
                     && named.insert((scope.id().get(), name), node).is_some()
                 {
@@ -84,7 +88,7 @@ impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
                 }
             }
         }
-        Ok(Document { root, named, file })
+        Ok(Document { root, named, outputs, file })
     }
 
     /// The element of a name that stands in another.
@@ -159,7 +163,7 @@ impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
         };
         let output = match input.attribute("output") {
             Some(name) => Some(self.find(graph, name, input, path)?),
-            None => graph.children().find(|node| node.has_tag_name("output")),
+            None => self.outputs.get(&graph.id().get()).copied(),
         };
         let named = output.and_then(|output| Some((output, output.attribute("nodename")?)));
         named.map(|(output, name)| Ok((self.find(graph, name, output, path)?, graph, output))).transpose()
