@@ -4,8 +4,9 @@
 //!
 //! Below this package: `lobefit-math` (quadrature rules, sums, lanes), `lobefit-truth` (optics, and
 //! quantities integrated to a value with an error), `lobefit-shade` (the shader language: parse,
-//! evaluate, bound, count, print) and `lobefit-fit` (solver, search, texels). `math` is a package
-//! of its own so that neither `shade` nor `fit` can reach optics through it.
+//! evaluate, bound, count, print), `lobefit-fit` (solver, search, texels), `lobefit-strict` (a user's
+//! files, read strictly) and `lobefit-import` (glTF and MaterialX to scenes). `math` is a package of
+//! its own so that neither `shade` nor `fit` can reach optics through it.
 //!
 //! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's
 //! tables and shader functions against the truth), `lobefit-formula` (a formula of the user's, fitted

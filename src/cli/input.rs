@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
-use super::options::{PagesOption, SceneOption};
+use super::options::{PagesOption, SceneOption, TexturesOption};
 use super::output::say_each;
 use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
@@ -13,10 +13,10 @@ use crate::bake::{
     BakeError, Baked, Progress, Selection, Shard, Silent, UserHypothesis, bake, context, merge, shard,
 };
 use crate::plan::Plan;
-use crate::scene::gltf::{self, FromGltf, Note};
 use crate::scene::{self, Limits, Scene, SceneError, limits};
 use crate::store::{self, Cache, StoreError};
 use lobefit_fit::FitError;
+use lobefit_import::{ENDINGS, Files, Format, Imported, Note, Textures};
 use lobefit_shade::{Hypothesis, ShadeError};
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -27,7 +27,7 @@ pub struct Input {
     pub scene: Scene,
     /// Its file, as the user named it.
     name: String,
-    /// What the file says that the scene does not hold: of a glTF file.
+    /// What the file says that the scene does not hold: of a foreign file.
     pub notes: Vec<Note>,
     /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
@@ -137,6 +137,9 @@ fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
 /// A scene, or a file that it names, that cannot be read or is refused.
 pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     let Some(path) = &option.scene else {
+        if option.textures.textures {
+            return Err(no_images("the built-in scene"));
+        }
         return Ok(Input {
             scene: Scene::built_in()?,
             name: "the built-in scene".into(),
@@ -145,7 +148,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
             paths: BTreeMap::new(),
         });
     };
-    let text = text(path)?;
+    let text = text(path, &option.textures)?;
     let scene = parsed(&text)?;
     let Text { name, folder, notes, .. } = text;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
@@ -162,38 +165,75 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
 
 /// The JSON of a scene.
 pub(super) struct Text {
-    /// As the file has it, or made from a glTF file.
+    /// As the file has it, or made from a foreign file.
     pub bytes: Vec<u8>,
     /// Its file, as the user named it.
     pub name: String,
     /// Where the files are that it names.
     folder: PathBuf,
-    /// Whether it was made from a glTF file.
+    /// Whether it was made from a foreign file.
     pub is_foreign: bool,
     /// What that file says that the scene does not hold.
     pub notes: Vec<Note>,
 }
 
-/// Reads the JSON of a scene: a file of ours, or one of glTF, of which a scene is made.
+/// Reads the JSON of a scene: a file of ours, or a foreign one, of which a scene is made.
 ///
 /// # Errors
-/// A file that cannot be read; one of glTF that is refused.
-pub(super) fn text(path: &Path) -> Result<Text, CliError> {
+/// A file that cannot be read; a foreign one that is refused.
+pub(super) fn text(path: &Path, images: &TexturesOption) -> Result<Text, CliError> {
     let (bytes, name, folder) = if path.as_os_str() == "-" {
         let name = "<stdin>".to_owned();
         (store::read_stream(io::stdin().lock(), &name, limits::FILE_BYTES)?, name, PathBuf::new())
     } else {
         let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-        (store::read_beginning(path, gltf::BYTES)?, path.display().to_string(), folder)
+        (store::read_beginning(path, lobefit_import::BYTES)?, path.display().to_string(), folder)
     };
-    if !gltf::is_gltf(&bytes, &name) {
+    let Some(format) = Format::of(&bytes, &name) else {
         if bytes.len() as u64 > limits::FILE_BYTES {
             return Err(StoreError::TooLarge { path: path.to_owned(), limit: limits::FILE_BYTES }.into());
         }
+        if images.textures {
+            return Err(no_images(&name));
+        }
         return Ok(Text { bytes, name, folder, is_foreign: false, notes: Vec::new() });
-    }
-    let FromGltf { json, notes } = gltf::from_gltf(&bytes, &name)?;
+    };
+    let files = Beside { path, bytes: &bytes, folder: &folder };
+    let mut textures = images.textures.then(|| Textures::new(&files, images.quantile.unwrap_or(0.0)));
+    let Imported { json, notes } = format.read(&bytes, &name, textures.as_mut())?;
     Ok(Text { bytes: json.into_bytes(), name, folder, is_foreign: true, notes })
+}
+
+fn no_images(name: &str) -> CliError {
+    CliError::Usage(format!("--textures: {ENDINGS} is called for; {name} is a scene without images"))
+}
+
+/// A foreign file and the folder that it lies in.
+struct Beside<'a> {
+    path: &'a Path,
+    /// All that is read of standard input.
+    bytes: &'a [u8],
+    folder: &'a Path,
+}
+
+impl Files for Beside<'_> {
+    fn own(&self, at: u64, length: u64) -> Result<Vec<u8>, String> {
+        if self.path.as_os_str() != "-" {
+            return store::read_part(self.path, [at, length]).map_err(|e| e.to_string());
+        }
+        let range = usize::try_from(at).ok().zip(usize::try_from(at.saturating_add(length)).ok());
+        let part = range.and_then(|(from, to)| self.bytes.get(from..to));
+        part.map(<[u8]>::to_vec).ok_or_else(|| "standard input ends before the end of an image".into())
+    }
+
+    fn beside(&self, path: &str, part: Option<[u64; 2]>) -> Result<Vec<u8>, String> {
+        let file = store::beside(self.folder, path).map_err(|e| e.to_string())?;
+        let bytes = match part {
+            Some(part) => store::read_part(&file, part),
+            None => store::read(&file, lobefit_import::limits::IMAGE_BYTES),
+        };
+        bytes.map_err(|e| e.to_string())
+    }
 }
 
 /// Says what a file holds that the scene does not.

@@ -79,7 +79,7 @@ enum Verb {
     /// Say what the cache of bakes holds, or clear it
     #[command(after_help = cache::EXAMPLES)]
     Cache(cache::Options),
-    /// Print the scene that a glTF file is read as
+    /// Print the scene that a glTF or MaterialX file is read as
     #[command(after_help = scene_from::EXAMPLES)]
     SceneFrom(scene_from::Options),
     /// Print the JSON Schema of the scene

@@ -15,8 +15,30 @@ use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 /// The scene of a verb.
 #[derive(Args)]
 pub struct SceneOption {
-    /// Scene file (JSON, or glTF: .gltf, .glb; `-`: standard input); without it, the built-in scene
+    /// Scene file (JSON, glTF: .gltf, .glb, or MaterialX: .mtlx; `-`: standard input); without it, the
+    /// built-in scene
     pub scene: Option<PathBuf>,
+    /// Its textures.
+    #[command(flatten)]
+    pub textures: TexturesOption,
+}
+
+/// What is read of a scene's textures.
+#[derive(Args)]
+pub struct TexturesOption {
+    /// Read the images of a glTF or MaterialX file, in it or in its folder: their values narrow the ranges
+    #[arg(long)]
+    pub textures: bool,
+    /// Share of the texels that is left out at each end of an image's values, in [0, 0.5)
+    #[arg(long, value_name = "SHARE", requires = "textures", value_parser = quantile)]
+    pub quantile: Option<f64>,
+}
+
+fn quantile(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(share) if (0.0..0.5).contains(&share) => Ok(share),
+        _ => Err("a number from 0 to below 0.5 is called for".into()),
+    }
 }
 
 /// Whether a verb that bakes makes pages.

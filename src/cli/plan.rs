@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use clap::Args;
+use lobefit_import::{About, Note};
 use serde::Serialize;
 
 use super::CliError;
@@ -14,13 +15,13 @@ use crate::emit::header::short;
 use crate::plan::{self, Plan};
 use crate::scene::UNNAMED;
 use crate::scene::escape::visible;
-use crate::scene::gltf::Note;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit plan                          the built-in scene
   lobefit plan scene.json               a scene of your own
-  lobefit plan room.glb                 the materials of a glTF file
+  lobefit plan room.glb                 the materials of a glTF file; of MaterialX: room.mtlx
+  lobefit plan room.glb --textures      the same over the values of its images
   lobefit plan scene.json --json        the same for machines";
 
 /// Reasons of an effect that are named.
@@ -55,7 +56,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 struct Planned<'a> {
     #[serde(flatten)]
     plan: &'a Plan,
-    /// What a glTF file says that the scene does not hold.
+    /// What a foreign file says that the scene does not hold.
     #[serde(skip_serializing_if = "<[Note]>::is_empty")]
     notes: &'a [Note],
 }
@@ -75,23 +76,27 @@ fn text(plan: &Plan, notes: &[Note]) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "  {:<17}{}", left.effect, visible(&left.reason));
     }
-    if !notes.is_empty() {
-        out += "notes\n";
-    }
-    for note in notes {
-        let _ = writeln!(out, "  {}", visible(&note.to_string()));
+    for (about, title) in [(About::Missing, "not in this version"), (About::Reading, "notes")] {
+        let all: Vec<&Note> = notes.iter().filter(|note| note.about == about).collect();
+        if !all.is_empty() {
+            let _ = writeln!(out, "{title}");
+        }
+        for note in all {
+            let _ = writeln!(out, "  {}", visible(&note.to_string()));
+        }
     }
     out
 }
 
 fn effect_text(effect: &Called) -> String {
-    let mut out = format!("{}\n", effect.effect);
-    let shown = if effect.because.len() > REASONS + 1 { REASONS } else { effect.because.len() };
-    for reason in &effect.because[..shown] {
+    let all = bytes(effect.bytes, effect.bytes_at_most);
+    let mut out = format!("{}: in all {all}, about {:.1} s on one core\n", effect.effect, effect.seconds);
+    let shown = if effect.reasons.len() > REASONS + 1 { REASONS } else { effect.reasons.len() };
+    for reason in &effect.reasons[..shown] {
         let _ = writeln!(out, "  because {}", visible(reason));
     }
-    if shown < effect.because.len() {
-        let _ = writeln!(out, "  because of {} more (--json names them)", effect.because.len() - shown);
+    if shown < effect.reasons.len() {
+        let _ = writeln!(out, "  because of {} more (--json names them)", effect.reasons.len() - shown);
     }
     for job in &effect.jobs {
         let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
@@ -116,8 +121,6 @@ fn effect_text(effect: &Called) -> String {
             let _ = writeln!(out, "    merged: {}", visible(merging));
         }
     }
-    let all = bytes(effect.bytes, effect.bytes_at_most);
-    let _ = writeln!(out, "  in all {all}, about {:.1} s on one core", effect.seconds);
     out
 }
 

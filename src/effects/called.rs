@@ -1,8 +1,11 @@
 //! What a plan says of an effect: why the scene calls for it, its jobs, and what they should take.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use super::demand::{Demand, Job, Ranges, hull, merged};
+use super::who::grouped;
 use super::{BakeError, Effect};
 use crate::approximate::Emission;
 use crate::data::Pick;
@@ -41,6 +44,9 @@ pub struct Called {
     pub effect: &'static str,
     /// The materials or probes that call for it, and why: one sentence each.
     pub because: Vec<String>,
+    /// The same for people: sentences that differ in names and ranges alone are one.
+    #[serde(skip)]
+    pub reasons: Vec<String>,
     /// Hull of the jobs' domains, by input.
     pub ranges: Ranges,
     /// The jobs' approximations in words.
@@ -97,12 +103,10 @@ impl JobSummary {
 impl Called {
     /// An effect with the jobs that demands merge into; `None` where there is no demand.
     pub fn new(by: &'static dyn Effect, scene: &Scene, demands: Vec<Demand>) -> Option<Called> {
-        let mut because: Vec<String> = Vec::new();
-        for demand in &demands {
-            if !because.contains(&demand.because) {
-                because.push(demand.because.clone());
-            }
-        }
+        let mut seen = BTreeSet::new();
+        let because: Vec<String> =
+            demands.iter().map(|demand| &demand.because).filter(|why| seen.insert(*why)).cloned().collect();
+        let reasons = grouped(&demands);
         let mut work = merged(demands);
         if scene.output.pick == Pick::Best {
             work.iter_mut().for_each(Job::promise_once);
@@ -123,6 +127,7 @@ impl Called {
         Some(Called {
             effect: by.name(),
             because,
+            reasons,
             ranges,
             approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
             bytes: jobs.iter().map(|j| j.bytes).sum(),

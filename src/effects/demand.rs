@@ -1,6 +1,6 @@
 //! What a scene wants of an effect: a demand for each material or probe, merged into jobs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::BakeError;
 use crate::approximate::{Emission, Region};
@@ -250,13 +250,9 @@ impl Job {
 
     /// Names of the materials or probes that want it, each once.
     pub fn wanted_by(&self) -> Vec<String> {
-        let mut names: Vec<String> = Vec::new();
-        for demand in &self.demands {
-            if !names.contains(&demand.name) {
-                names.push(demand.name.clone());
-            }
-        }
-        names
+        let mut seen = BTreeSet::new();
+        let names = self.demands.iter().map(|demand| &demand.name);
+        names.filter(|name| seen.insert(*name)).cloned().collect()
     }
 
     /// What is emitted of its fits, under the name of their role.
@@ -285,19 +281,17 @@ impl Job {
 
 /// What became of one goal, where the demands differ in it.
 fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<String> {
-    let mut values: Vec<(String, Vec<&str>)> = Vec::new();
+    let mut values: Vec<(String, &str, BTreeSet<&str>)> = Vec::new();
     for demand in &job.demands {
         let value = goal(&demand.goals);
-        match values.iter_mut().find(|(known, _)| *known == value) {
-            Some((_, names)) if names.contains(&demand.name.as_str()) => {}
-            Some((_, names)) => names.push(&demand.name),
-            None => values.push((value, vec![&demand.name])),
+        match values.iter_mut().find(|(known, ..)| *known == value) {
+            Some((.., names)) => drop(names.insert(&demand.name)),
+            None => values.push((value, &demand.name, BTreeSet::from([demand.name.as_str()]))),
         }
     }
-    let of = |(value, names): &(String, Vec<&str>)| match names.as_slice() {
-        [name] => format!("{value} of `{name}`"),
-        [first, rest @ ..] => format!("{value} of `{first}` and {} more", rest.len()),
-        [] => value.clone(),
+    let of = |(value, first, names): &(String, &str, BTreeSet<&str>)| match names.len() {
+        1 => format!("{value} of `{first}`"),
+        count => format!("{value} of `{first}` and {} more", count - 1),
     };
     let each: Vec<String> = values.iter().map(of).collect();
     let each = match each.as_slice() {

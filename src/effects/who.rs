@@ -1,5 +1,8 @@
 //! Which materials of a scene are rough, and how reasons name them.
 
+use std::collections::BTreeSet;
+
+use super::demand::Demand;
 use crate::scene::{Material, Scene};
 
 /// Most materials that a reason names; the rest are counted.
@@ -30,6 +33,44 @@ pub(super) fn reasons(groups: impl IntoIterator<Item = Option<String>>) -> Optio
 /// A sentence, where there are materials that it is about.
 pub(super) fn about(materials: &[&Material], sentence: impl Fn(&[&Material]) -> String) -> Option<String> {
     (!materials.is_empty()).then(|| sentence(materials))
+}
+
+/// The reasons of demands, which are sentences `name: kind with this (its ranges) wants that`: those that
+/// differ in the name and in what stands in brackets are one, with the first names and the last.
+pub(super) fn grouped(demands: &[Demand]) -> Vec<String> {
+    let mut groups: Vec<(String, &str, Vec<&str>)> = Vec::new();
+    let mut seen = BTreeSet::new();
+    for Demand { because, name, .. } in demands.iter().filter(|demand| seen.insert(&demand.because)) {
+        let rest = because.strip_prefix(&format!("{name}: ")).unwrap_or(because);
+        let shape = match (rest.find(" ("), rest.find(')')) {
+            (Some(open), Some(close)) if open < close => format!("{}{}", &rest[..open], &rest[close + 1..]),
+            _ => rest.to_string(),
+        };
+        match groups.iter_mut().find(|(known, ..)| *known == shape) {
+            Some((_, _, names)) => names.push(name),
+            None => groups.push((shape, because, vec![name])),
+        }
+    }
+    groups.iter().map(|(shape, because, names)| group(shape, because, names)).collect()
+}
+
+/// `18 dielectrics with a rough specular lobe want fits: plastic 0, plastic 1 ... car paint 3`.
+fn group(shape: &str, because: &str, names: &[&str]) -> String {
+    let [first, second, .., last] = names else {
+        return if let [first, last] = names {
+            of_all(shape, 2, &format!("{first}, {last}"))
+        } else {
+            because.into()
+        };
+    };
+    let dots = if names.len() == 3 { "," } else { " ..." };
+    of_all(shape, names.len(), &format!("{first}, {second}{dots} {last}"))
+}
+
+fn of_all(shape: &str, count: usize, names: &str) -> String {
+    let (kind, rest) = shape.split_once(' ').unwrap_or((shape, ""));
+    let plural = if kind.ends_with('s') { "es" } else { "s" };
+    format!("{count} {kind}{plural} {}: {names}", rest.replacen(" wants ", " want ", 1))
 }
 
 /// The verb as it goes with one material or with several.

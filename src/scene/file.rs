@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use schemars::{JsonSchema, Schema};
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::error::{Position, SceneError};
+use super::SceneError;
 use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;
@@ -14,10 +13,10 @@ use super::number::{Cosine, Span, Version, Whole};
 use super::output::{self, OneOf, Output};
 use super::probe::Probe;
 use super::table::TableWant;
-use super::text;
-use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
+use super::value::{List, Maybe, Text, Word};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_shade::code::{Float, Language};
+use lobefit_strict::read_object;
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
@@ -368,52 +367,4 @@ fn add_table(
 /// The JSON Schema of the scene format.
 pub fn schema() -> Schema {
     schemars::schema_for!(SceneFile)
-}
-
-/// An object of a file whose strings have at most `longest` bytes; `file` is its name in messages.
-pub(super) fn read_object<T: DeserializeOwned>(
-    bytes: &[u8],
-    file: &str,
-    longest: usize,
-) -> Result<T, SceneError> {
-    let text = text::accept(bytes, file, longest)?;
-    let mut json = serde_json::Deserializer::from_str(text);
-    let mut track = serde_path_to_error::Track::new();
-    let parsed = T::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
-    let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
-    json.end().map_err(|e| field_error(&e, "", file))?;
-    Ok(parsed)
-}
-
-/// serde_json's error as ours: its place moved to the front.
-fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError {
-    let at = Position { line: error.line().max(1), column: error.column().max(1) };
-    let text = error.to_string();
-    let suffix = format!(" at line {} column {}", error.line(), error.column());
-    let message = text.strip_suffix(&suffix).unwrap_or(&text);
-    let message = match message {
-        "key must be a string" => "object keys must be strings in double quotes",
-        other => other,
-    };
-    // serde_path_to_error ends a path with "?" where the reader stood between two fields.
-    let path = path.strip_suffix(".?").unwrap_or(path);
-    let (inner, message) = told(message);
-    let path = match (path, inner) {
-        (path, "") => path.into(),
-        ("" | ".", inner) => inner.into(),
-        (path, inner) => format!("{path}.{inner}"),
-    };
-    let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
-    SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }
-}
-
-/// Of the names that a message lists after an unknown one, the one that is spelt like it.
-fn meant(message: &str) -> Option<&str> {
-    let mut names = message.strip_prefix("unknown ")?.split('`').skip(1).step_by(2);
-    let given = names.next()?;
-    let given = given.to_lowercase();
-    let alike = names.map(|name| (strsim::jaro_winkler(&given, &name.to_lowercase()), name));
-    // As clap does for options.
-    let alike = alike.filter(|(likeness, _)| *likeness > 0.7);
-    alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
 }

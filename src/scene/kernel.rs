@@ -6,12 +6,12 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer};
 
-use super::error::SceneError;
-use super::file::read_object;
+use super::SceneError;
 use super::limits;
 use super::name;
 use super::number::{In, NotNegative, QuarterTurn, Version, Whole, Width};
 use super::value::{List, Text, TextRule, from_file};
+use lobefit_strict::read_object;
 use lobefit_truth::optics::kernel::{self, Kernel, TableLobe};
 
 /// A word, or the path of a table.

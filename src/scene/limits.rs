@@ -1,20 +1,11 @@
 //! Every limit on what a scene may ask for, in one place. They bound time and memory before either
 //! is spent.
 
-/// Largest scene file, bytes.
-pub const FILE_BYTES: u64 = 16 << 20;
+pub use lobefit_import::limits::{GLASS_IOR, MATERIALS};
+pub use lobefit_strict::limits::{DEPTH, FILE_BYTES, STRING_BYTES};
+
 /// Largest hypothesis file, bytes.
 pub const HYPOTHESIS_BYTES: u64 = 1 << 20;
-/// Deepest nesting of objects and arrays.
-pub const DEPTH: usize = 64;
-/// Most materials of a scene.
-pub const MATERIALS: usize = 65_536;
-/// Most meshes of a glTF file.
-pub const GLTF_MESHES: usize = 1 << 20;
-/// Most extensions that a glTF file uses.
-pub const GLTF_EXTENSIONS: usize = 1024;
-/// Longest string or key, in bytes as written between its quotes.
-pub const STRING_BYTES: usize = 4096;
 /// Fewest texels of a table axis: a lookup interpolates between two.
 pub const AXIS_MIN: usize = 2;
 /// Most texels of a table axis.
@@ -67,8 +58,6 @@ pub const THREADS: usize = 256;
 /// than 2e-4 for mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is
 /// smooth.
 pub const SMOOTH_ALPHA: f64 = 1e-4;
-/// Largest index of refraction of glass: where the accuracy promise of the integrals ends.
-pub const GLASS_IOR: f64 = 3.0;
 /// Largest index of refraction that the path tracer's tables reach.
 pub const PATH_TRACER_IOR: f64 = 2.0;
 /// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.

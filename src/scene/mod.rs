@@ -4,10 +4,7 @@
 //! fields, `null`, negative zero and anything out of range are refused with file, line, column and
 //! field. Nothing here opens a file.
 
-mod error;
-pub mod escape;
 mod file;
-pub mod gltf;
 mod goals;
 mod kernel;
 mod layers;
@@ -19,11 +16,8 @@ mod number;
 mod output;
 mod probe;
 mod table;
-mod text;
-mod value;
 mod wants;
 
-pub use error::{Position, SceneError};
 pub use file::{Scene, UNNAMED, schema};
 pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};
@@ -34,3 +28,6 @@ pub use output::Output;
 pub use probe::Probe;
 pub use table::{Layout, Serves, TableWant};
 pub use wants::{FitWant, Norm, Wants};
+
+use lobefit_strict::value;
+pub use lobefit_strict::{Position, SceneError, escape};

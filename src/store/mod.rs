@@ -7,6 +7,7 @@
 //! is full tears no set. The operations go through the trait [`Disk`], so that tests can let each
 //! of them fail.
 
+mod beside;
 mod bundle;
 mod cache;
 mod commit;
@@ -18,6 +19,7 @@ mod read;
 mod tests;
 mod write;
 
+pub use beside::{beside, read_part};
 pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written, inside};
 pub use cache::{Cache, Held, VARIABLE as CACHE_VARIABLE};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};

@@ -6,16 +6,20 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::plan::plan;
-use lobefit::scene::gltf::{FromGltf, from_gltf, is_gltf};
-use lobefit::scene::{Kind, Scene};
+use lobefit::scene::{Kind, Scene, SceneError};
+use lobefit_import::{Format, Imported};
 use serde_json::{Value, json};
 
 fn document(materials: Value) -> Value {
     json!({ "asset": { "version": "2.0" }, "materials": materials })
 }
 
+fn from_gltf(bytes: &[u8], file: &str) -> Result<Imported, SceneError> {
+    Format::Gltf.read(bytes, file, None)
+}
+
 fn read(document: &Value) -> (Scene, Vec<String>) {
-    let FromGltf { json, notes } = from_gltf(document.to_string().as_bytes(), "t.gltf").expect("a scene");
+    let Imported { json, notes } = from_gltf(document.to_string().as_bytes(), "t.gltf").expect("a scene");
     let scene = Scene::from_json(json.as_bytes(), "t").unwrap_or_else(|e| panic!("{e}: {json}"));
     (scene, notes.iter().map(ToString::to_string).collect())
 }
@@ -42,7 +46,7 @@ fn examples_call_for_their_own_effects() {
         ("painted", &["reflection", "diffuse-coupling"]),
     ] {
         let bytes = example(name);
-        assert!(is_gltf(&bytes, "-"));
+        assert_eq!(Format::of(&bytes, "-"), Some(Format::Gltf));
         let json = from_gltf(&bytes, name).expect(name).json;
         let plan = plan(&Scene::from_json(json.as_bytes(), name).expect("a scene"));
         let found: Vec<&str> = plan.effects.iter().map(|called| called.effect).collect();
@@ -220,7 +224,7 @@ fn mutated_files_are_scenes_or_refused() {
             }
             match from_gltf(&bytes, "m.glb") {
                 Err(_) => refused += 1,
-                Ok(FromGltf { json, .. }) => {
+                Ok(Imported { json, .. }) => {
                     Scene::from_json(json.as_bytes(), "m").unwrap_or_else(|e| panic!("{e}: {json}"));
                     read += 1;
                 }
@@ -245,8 +249,11 @@ fn a_scene_from_a_file_is_the_files() {
     std::fs::write(folder.path().join("p.json"), &printed.stdout).expect("written");
     let plans = ["p.glb", "p.json"].map(|file| lobefit(folder.path(), &["plan", file], b"").stdout);
     let [of_file, of_scene] = plans.map(|text| String::from_utf8(text).expect("text"));
-    assert!(of_file.starts_with(&of_scene) && of_file.contains("\nnotes\n  car paint: "), "{of_file}");
+    assert!(
+        of_file.starts_with(&of_scene) && of_file.contains("\nnot in this version\n  car paint: "),
+        "{of_file}"
+    );
     let other = lobefit(folder.path(), &["scene-from", "p.json"], b"");
     assert_eq!(other.status.code(), Some(2));
-    assert!(stderr(&other).contains("p.json: neither .gltf nor .glb"), "{}", stderr(&other));
+    assert!(stderr(&other).contains("p.json: .gltf, .glb or .mtlx is called for"), "{}", stderr(&other));
 }

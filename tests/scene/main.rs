@@ -3,9 +3,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bad_files;
 mod expected_time;
 mod gltf;
 mod limits;
+mod materialx;
 mod plan;
 mod schema;
 mod sliced;
+mod textures;

@@ -1,14 +1,11 @@
-//! The kinds of value that a scene field can hold. Each refuses what it is not while the reader
-//! still stands at it, so that the error has the place; each says in the JSON Schema what it takes.
+//! The kinds of value that a field can hold. Each refuses what it is not while the reader still stands
+//! at it, so that the error has the place; each says in the JSON Schema what it takes.
 
-use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::StrDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
-use serde_json::Value;
 
 /// Between a field and the message about it, on their way through the reader's errors, which have
 /// no place for the first.
@@ -16,7 +13,7 @@ const ABOUT: char = '\u{1f}';
 
 /// A message about a field inside of the object that is refused, `lookups[1]`; one about a field
 /// inside of that field goes on from there.
-pub(super) fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
+pub fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
     let message = message.to_string();
     let (inner, text) = told(&message);
     let dot = if inner.is_empty() { "" } else { "." };
@@ -25,13 +22,13 @@ pub(super) fn about(field: impl fmt::Display, message: impl fmt::Display) -> Str
 
 /// The field that a message is [`about`], empty for the whole object, and the message. The text of
 /// a scene, which a message may hold, names no field.
-pub(super) fn told(message: &str) -> (&str, &str) {
+pub fn told(message: &str) -> (&str, &str) {
     let named = |field: &str| field.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c));
     message.split_once(ABOUT).filter(|(field, _)| named(field)).unwrap_or(("", message))
 }
 
 /// An optional field: absent, or a value. `null` is neither.
-pub(super) struct Maybe<T>(pub Option<T>);
+pub struct Maybe<T>(pub Option<T>);
 
 impl<T> Default for Maybe<T> {
     fn default() -> Self {
@@ -45,20 +42,8 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Maybe<T> {
     }
 }
 
-impl<T: JsonSchema> JsonSchema for Maybe<T> {
-    fn inline_schema() -> bool {
-        T::inline_schema()
-    }
-    fn schema_name() -> Cow<'static, str> {
-        T::schema_name()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        T::json_schema(generator)
-    }
-}
-
 /// One of the words of an enum, as a JSON string and nothing else.
-pub(super) struct Word<T>(pub T);
+pub struct Word<T>(pub T);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Word<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -76,26 +61,19 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Word<T> {
     }
 }
 
-impl<T: JsonSchema> JsonSchema for Word<T> {
-    fn inline_schema() -> bool {
-        T::inline_schema()
-    }
-    fn schema_name() -> Cow<'static, str> {
-        T::schema_name()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        T::json_schema(generator)
-    }
-}
-
 /// Strings with a rule: what the rule asks for, and the check.
-pub(super) trait TextRule {
+pub trait TextRule {
+    /// What a message says is called for.
     const EXPECTED: &'static str;
+    /// The check.
+    ///
+    /// # Errors
+    /// What the text breaks.
     fn check(text: &str) -> Result<(), String>;
 }
 
 /// A string that follows a rule.
-pub(super) struct Text<R>(pub String, PhantomData<R>);
+pub struct Text<R>(pub String, PhantomData<R>);
 
 impl<'de, R: TextRule> Deserialize<'de> for Text<R> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -114,20 +92,8 @@ impl<'de, R: TextRule> Deserialize<'de> for Text<R> {
     }
 }
 
-impl<R> JsonSchema for Text<R> {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> Cow<'static, str> {
-        "Text".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string", "minLength": 1, "maxLength": super::limits::STRING_BYTES })
-    }
-}
-
 /// A list of at most `MAX` values.
-pub(super) struct List<T, const MAX: usize>(pub Vec<T>);
+pub struct List<T, const MAX: usize>(pub Vec<T>);
 
 impl<'de, T: Deserialize<'de>, const MAX: usize> Deserialize<'de> for List<T, MAX> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -152,23 +118,10 @@ impl<'de, T: Deserialize<'de>, const MAX: usize> Deserialize<'de> for List<T, MA
     }
 }
 
-impl<T: JsonSchema, const MAX: usize> JsonSchema for List<T, MAX> {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> Cow<'static, str> {
-        "List".into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let items: Value = generator.subschema_for::<T>().into();
-        json_schema!({ "type": "array", "items": items, "maxItems": MAX })
-    }
-}
-
 /// A deserialiser for structs that takes objects only: serde's derived structs would also take
 /// their fields as an array in the order of declaration, which no reader of the scene would see
 /// through.
-pub(super) struct ObjectOnly<D>(pub D);
+pub struct ObjectOnly<D>(pub D);
 
 impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
     type Error = D::Error;
@@ -183,11 +136,12 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
 
 /// Gives the public type of a scene object the reader and the schema of the struct that mirrors the
 /// file.
+#[macro_export]
 macro_rules! from_file {
     ($public:ty, $file:ty) => {
         impl<'de> serde::Deserialize<'de> for $public {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let file = <$file>::deserialize($crate::scene::value::ObjectOnly(deserializer))?;
+                let file = <$file>::deserialize($crate::value::ObjectOnly(deserializer))?;
                 Self::try_from(file).map_err(serde::de::Error::custom)
             }
         }
@@ -201,4 +155,4 @@ macro_rules! from_file {
         }
     };
 }
-pub(super) use from_file;
+pub use crate::from_file;

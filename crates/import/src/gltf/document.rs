@@ -1,23 +1,26 @@
-//! The part of a glTF 2.0 document that says what its surfaces are. Geometry, images and buffers are not
-//! read, and no other file is opened.
+//! The part of a glTF 2.0 document that says what its surfaces are. Geometry is not read; where the
+//! images are is a part of its own ([`super::images`]).
 
 use std::collections::BTreeSet;
 use std::fmt;
 
+use lobefit_strict::number::{In, NotNegative, Numbers, Unit};
+use lobefit_strict::value::{List, Maybe};
+
 use serde::Deserialize;
 use serde::de::{Deserializer, SeqAccess, Visitor};
 
-use crate::scene::limits;
-use crate::scene::number::{In, NotNegative, Numbers, Unit};
-use crate::scene::value::{List, Maybe};
+use crate::limits;
 
 /// A factor of a texture, or the value itself where there is none.
 type Factor = Maybe<In<Unit>>;
 
-/// What a texture's place holds: that it is there.
+/// What a texture's place holds.
 #[derive(Deserialize)]
-#[serde(expecting = "an object that names a texture")]
-pub(super) struct Texture {}
+#[serde(expecting = "an object with the `index` of a texture")]
+pub(super) struct Texture {
+    pub index: usize,
+}
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", expecting = "a glTF document, an object")]
@@ -28,7 +31,7 @@ pub(super) struct Document {
     #[serde(default)]
     pub materials: Maybe<List<Material, { limits::MATERIALS }>>,
     #[serde(default)]
-    pub meshes: Maybe<List<Mesh, { limits::GLTF_MESHES }>>,
+    pub meshes: Maybe<List<Mesh, { limits::GLTF_LIST }>>,
 }
 
 #[derive(Deserialize)]
@@ -179,19 +182,24 @@ macro_rules! extension {
 }
 
 extension!(Anisotropy { anisotropy_strength: Factor, anisotropy_texture: Maybe<Texture>, });
-extension!(Clearcoat { clearcoat_factor: Factor });
-extension!(DiffuseTransmission { diffuse_transmission_factor: Factor });
+extension!(Clearcoat { clearcoat_factor: Factor, clearcoat_texture: Maybe<Texture>, });
+extension!(DiffuseTransmission {
+    diffuse_transmission_factor: Factor,
+    diffuse_transmission_texture: Maybe<Texture>,
+});
 extension!(Dispersion { dispersion: Maybe<In<NotNegative>>, });
 extension!(Ior { ior: Maybe<In<NotNegative>>, });
-extension!(Iridescence { iridescence_factor: Factor });
+extension!(Iridescence { iridescence_factor: Factor, iridescence_texture: Maybe<Texture>, });
 extension!(Glossiness {
     diffuse_factor: Maybe<Numbers<In<Unit>, 4, false>>,
+    diffuse_texture: Maybe<Texture>,
     specular_factor: Maybe<Numbers<In<Unit>, 3, false>>,
     glossiness_factor: Factor,
     specular_glossiness_texture: Maybe<Texture>,
 });
 extension!(Sheen {
     sheen_color_factor: Maybe<Numbers<In<Unit>, 3, false>>,
+    sheen_color_texture: Maybe<Texture>,
     sheen_roughness_factor: Factor,
     sheen_roughness_texture: Maybe<Texture>,
 });
@@ -199,6 +207,7 @@ extension!(Specular {
     specular_factor: Factor,
     specular_texture: Maybe<Texture>,
     specular_color_factor: Maybe<Numbers<In<NotNegative>, 3, false>>,
+    specular_color_texture: Maybe<Texture>,
 });
 extension!(Transmission { transmission_factor: Factor, transmission_texture: Maybe<Texture>, });
 extension!(Unlit {});

@@ -6,29 +6,43 @@ use super::limits;
 
 /// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and
 /// strings, which have at most `longest` bytes.
-pub(super) fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
-    if bytes.len() as u64 > limits::FILE_BYTES {
-        return Err(SceneError::TooLarge { file: file.into(), limit: limits::FILE_BYTES });
-    }
-    let fail =
-        |at: usize, message: String| SceneError::Text { file: file.into(), at: position(bytes, at), message };
-    encoding(bytes).map_err(|message| fail(0, message.into()))?;
-    let text = std::str::from_utf8(bytes)
-        .map_err(|e| fail(e.valid_up_to(), "this byte is not UTF-8; save the file as UTF-8".into()))?;
-    nesting(bytes, longest).map_err(|(at, message)| fail(at, message))?;
+pub(crate) fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
+    let text = plain(bytes, file, "; an object begins with `{`; see `lobefit schema`")?;
+    nesting(bytes, longest).map_err(|(at, message)| refused(bytes, file, at, message))?;
     Ok(text)
 }
 
+/// The bytes as text of at most [`FILE_BYTES`](limits::FILE_BYTES) bytes; `instead` is what a message
+/// about an empty file goes on with.
+///
+/// # Errors
+/// A file that is larger, empty or not UTF-8.
+pub fn plain<'a>(bytes: &'a [u8], file: &str, instead: &str) -> Result<&'a str, SceneError> {
+    if bytes.len() as u64 > limits::FILE_BYTES {
+        return Err(SceneError::TooLarge { file: file.into(), limit: limits::FILE_BYTES });
+    }
+    encoding(bytes, instead).map_err(|message| refused(bytes, file, 0, message))?;
+    std::str::from_utf8(bytes).map_err(|e| {
+        let message = "this byte is not UTF-8; save the file as UTF-8".into();
+        refused(bytes, file, e.valid_up_to(), message)
+    })
+}
+
+/// What is said of a byte of a file.
+pub fn refused(bytes: &[u8], file: &str, at: usize, message: String) -> SceneError {
+    SceneError::Text { file: file.into(), at: position(bytes, at), message }
+}
+
 /// Refuses what is no UTF-8 text from its first bytes on.
-fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
+fn encoding(bytes: &[u8], instead: &str) -> Result<(), String> {
     match bytes {
-        [0xef, 0xbb, 0xbf, ..] => Err("the file begins with a byte order mark; save it as UTF-8 without one"),
+        [0xef, 0xbb, 0xbf, ..] => {
+            Err("the file begins with a byte order mark; save it as UTF-8 without one".into())
+        }
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..] => {
-            Err("the file looks like UTF-16 or UTF-32; save it as UTF-8")
+            Err("the file looks like UTF-16 or UTF-32; save it as UTF-8".into())
         }
-        _ if bytes.iter().all(u8::is_ascii_whitespace) => {
-            Err("the file is empty; an object begins with `{`; see `lobefit schema`")
-        }
+        _ if bytes.iter().all(u8::is_ascii_whitespace) => Err(format!("the file is empty{instead}")),
         _ => Ok(()),
     }
 }

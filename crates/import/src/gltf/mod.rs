@@ -1,0 +1,131 @@
+//! glTF 2.0. A factor beside a texture bounds the texture's values: where images are not read its range
+//! is from 0 to the factor. What is drawn counts: the materials of primitives and of their variants, or
+//! all where the file has no mesh.
+
+mod document;
+mod images;
+pub(crate) mod material;
+
+use std::collections::BTreeSet;
+
+use lobefit_strict::limits::FILE_BYTES;
+use lobefit_strict::{SceneError, read_object};
+
+use super::Imported;
+use super::note::About;
+use super::scene::Writer;
+use super::texture::Textures;
+use document::{Document, KNOWN, Material};
+use images::Images;
+use material::parts;
+
+/// What a binary file begins with.
+pub(crate) const MAGIC: &[u8] = b"glTF";
+
+/// Bytes before the JSON of a binary file: a header of 12 and that of the chunk.
+const HEAD: u64 = 20;
+
+/// Most bytes of a file that are read: of a binary one the JSON stands before all buffers, and behind it
+/// the head of their chunk.
+pub(crate) const BYTES: u64 = FILE_BYTES + HEAD + CHUNK_HEAD;
+
+/// Bytes before the buffer of a binary file.
+const CHUNK_HEAD: u64 = 8;
+
+pub(crate) fn read(
+    bytes: &[u8],
+    file: &str,
+    textures: Option<&mut Textures>,
+) -> Result<Imported, SceneError> {
+    let whole =
+        |path: &str, message: String| SceneError::Whole { file: file.into(), path: path.into(), message };
+    let (json, chunk) = chunks(bytes).map_err(|message| whole("", message))?;
+    let document: Document = read_object(json, file, usize::MAX)?;
+    if !document.asset.version.starts_with("2.") {
+        let message = format!("`{}` is not a version of glTF 2", document.asset.version);
+        return Err(whole("asset.version", message));
+    }
+    let mut images = match textures {
+        Some(textures) => Some(Images::of(json, file, textures, chunk)?),
+        None => None,
+    };
+    let materials = document.materials.0.as_ref().map_or(&[][..], |list| &list.0);
+    let drawn = drawn(&document, materials.len()).map_err(|(path, message)| whole(&path, message))?;
+    let mut writer = Writer::default();
+    for (i, material) in materials.iter().enumerate().filter(|(i, _)| drawn.of.contains(i)) {
+        let found = parts(material, images.as_mut());
+        let found = found.map_err(|(path, message)| whole(&path, format!("{message} (materials[{i}])")))?;
+        writer.add(material.name.0.as_deref().unwrap_or_default(), i, found);
+    }
+    if drawn.has_default {
+        let found = parts(&Material::default(), None).map_err(|(path, message)| whole(&path, message))?;
+        writer.add("glTF default", materials.len(), found);
+    }
+    if materials.len() > drawn.of.len() {
+        let more = materials.len() - drawn.of.len();
+        let (materials, are) = if more == 1 { ("material", "is") } else { ("materials", "are") };
+        writer.note(About::Reading, format!("{more} {materials} that no primitive has {are} left out"), None);
+    }
+    let used = document.extensions_used.0.map_or_else(Vec::new, |list| list.0);
+    for extension in
+        used.iter().filter(|name| name.contains("_materials_") && !KNOWN.contains(&name.as_str()))
+    {
+        let text = format!("this version does not read `{extension}`: its materials are planned without it");
+        writer.note(About::Missing, text, None);
+    }
+    Ok(writer.finish())
+}
+
+/// The JSON of a file, all of it or the first chunk of a binary one; of a binary one the first byte of
+/// its buffer and the length.
+fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<[u64; 2]>), String> {
+    if !bytes.starts_with(MAGIC) {
+        return Ok((bytes, None));
+    }
+    let word = |at: u64| {
+        let at = usize::try_from(at).ok()?;
+        bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes)
+    };
+    let number = |at| word(at).ok_or("the file ends in its header");
+    let (version, length) = (number(4)?, u64::from(number(12)?));
+    if version != 2 {
+        return Err(format!("a binary glTF of version {version}; this program reads version 2"));
+    }
+    if number(16)? != u32::from_le_bytes(*b"JSON") {
+        return Err("the first chunk is not JSON".into());
+    }
+    if length > FILE_BYTES {
+        return Err(format!("its JSON is larger than {FILE_BYTES} bytes"));
+    }
+    let end = HEAD + length;
+    let json = bytes.get(HEAD as usize..end as usize);
+    let json = json.ok_or_else(|| format!("its JSON should be {length} bytes, and the file ends before"))?;
+    let is_buffer = word(end + 4) == Some(u32::from_le_bytes(*b"BIN\0"));
+    let buffer = word(end).filter(|_| is_buffer).map(|length| [end + CHUNK_HEAD, length.into()]);
+    Ok((json, buffer))
+}
+
+/// The materials that are drawn.
+struct Drawn {
+    of: BTreeSet<usize>,
+    /// Whether a primitive has none, and so the default one.
+    has_default: bool,
+}
+
+/// Which materials are drawn; the place of an index that no material has, and the message.
+fn drawn(document: &Document, count: usize) -> Result<Drawn, (String, String)> {
+    let meshes = document.meshes.0.as_ref().map_or(&[][..], |list| &list.0);
+    if meshes.is_empty() {
+        return Ok(Drawn { of: (0..count).collect(), has_default: false });
+    }
+    let mut drawn = Drawn { of: BTreeSet::new(), has_default: false };
+    for (i, mesh) in meshes.iter().enumerate() {
+        drawn.has_default |= mesh.primitives.has_bare;
+        if let Some(index) = mesh.primitives.materials.iter().find(|index| **index >= count) {
+            let message = format!("material {index} is none of the file's {count} materials");
+            return Err((format!("meshes[{i}].primitives"), message));
+        }
+        drawn.of.extend(&mesh.primitives.materials);
+    }
+    Ok(drawn)
+}

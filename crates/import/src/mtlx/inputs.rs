@@ -1,0 +1,342 @@
+//! The inputs of a surface shader: constants, images and graphs, as ranges.
+
+use std::collections::BTreeMap;
+
+use lobefit_strict::SceneError;
+use lobefit_strict::number::{Interval, inside};
+use roxmltree::Node;
+
+use super::Document;
+use super::xml::wrong;
+use crate::note::Said;
+use crate::texture::{Place, Textures, linear, relative};
+
+/// Most inputs of a node: more than twice those of any model. Materials may share a shader, and each looks
+/// at all its inputs.
+const INPUTS: usize = 128;
+
+/// Ranges of red, green, blue and alpha.
+type Ranges = [[f64; 2]; 4];
+
+/// What an input holds.
+enum Value {
+    Constant(Vec<f64>),
+    Image(Ranges),
+    /// Computed by nodes, of which this is the last.
+    Graph,
+}
+
+/// A surface shader, and what is said of its material.
+pub(super) struct Inputs<'i, 'd, 'b, 'f, 't> {
+    document: &'i Document<'d, 'b, 'f>,
+    shader: Node<'d, 'b>,
+    inputs: BTreeMap<&'d str, Node<'d, 'b>>,
+    textures: Option<&'i mut Textures<'t>>,
+    pub said: Said,
+}
+
+/// The inputs of a node by name.
+pub(super) fn children<'d, 'b>(
+    node: Node<'d, 'b>,
+    file: &str,
+) -> Result<BTreeMap<&'d str, Node<'d, 'b>>, SceneError> {
+    let mut inputs = BTreeMap::new();
+    for input in node.children().filter(|child| child.has_tag_name("input")) {
+        let name = input.attribute("name").unwrap_or_default();
+        if inputs.insert(name, input).is_some() {
+            return Err(wrong(input, file, String::new(), format!("the input `{name}` is there twice")));
+        }
+        if inputs.len() > INPUTS {
+            return Err(wrong(input, file, String::new(), format!("more than {INPUTS} inputs")));
+        }
+    }
+    Ok(inputs)
+}
+
+impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
+    pub fn of(
+        document: &'i Document<'d, 'b, 'f>,
+        shader: Node<'d, 'b>,
+        textures: Option<&'i mut Textures<'t>>,
+    ) -> Result<Self, SceneError> {
+        let inputs = children(shader, document.file)?;
+        Ok(Inputs { document, shader, inputs, textures, said: Said::default() })
+    }
+
+    /// The version of the model that the shader asks for.
+    pub fn version(&self) -> Option<&'d str> {
+        self.shader.attribute("version")
+    }
+
+    /// The range of a number in an interval. Of a graph it is the interval, or up to `most` where that has
+    /// no end.
+    pub fn number<I: Interval>(
+        &mut self,
+        name: &str,
+        default: f64,
+        most: f64,
+    ) -> Result<[f64; 2], SceneError> {
+        let Some(value) = self.value(name)? else { return Ok([default; 2]) };
+        match value {
+            Value::Constant(values) => match values[..] {
+                [x] => {
+                    inside::<I>(x, x).map_err(|message| self.wrong(name, message))?;
+                    Ok([x; 2])
+                }
+                _ => Err(self.wrong(name, count(&values, "1 is"))),
+            },
+            Value::Image(ranges) => Ok(ranges[0].map(|x| x.clamp(I::MIN, I::MAX.min(most)))),
+            Value::Graph => {
+                let whole = [I::MIN, I::MAX.min(most)];
+                self.graph(name, &format!("[{}, {}]", whole[0], whole[1]));
+                Ok(whole)
+            }
+        }
+    }
+
+    /// The largest values of a colour, linear, in [0, 1].
+    pub fn colour(&mut self, name: &str, default: [f64; 3]) -> Result<[f64; 3], SceneError> {
+        let Some(value) = self.value(name)? else { return Ok(default) };
+        match value {
+            Value::Constant(values) => {
+                let [r, g, b] = values[..] else {
+                    return Err(self.wrong(name, count(&values, "3 are")));
+                };
+                for x in [r, g, b] {
+                    inside::<lobefit_strict::number::Unit>(x, x)
+                        .map_err(|message| self.wrong(name, message))?;
+                }
+                let space = self.inputs.get(name).and_then(|input| space(*input));
+                Ok(self.linear(space, [r, g, b]))
+            }
+            Value::Image(ranges) => Ok([0, 1, 2].map(|k| ranges[k][1].clamp(0.0, 1.0))),
+            Value::Graph => {
+                self.graph(name, "any colour");
+                Ok([1.0; 3])
+            }
+        }
+    }
+
+    /// Whether a switch is on somewhere.
+    pub fn is_on(&mut self, name: &str) -> Result<bool, SceneError> {
+        match self.value(name)? {
+            Some(Value::Constant(values)) => Ok(values.iter().any(|x| *x != 0.0)),
+            Some(Value::Image(_) | Value::Graph) => {
+                self.graph(name, "true");
+                Ok(true)
+            }
+            None => Ok(false),
+        }
+    }
+
+    fn graph(&mut self, name: &str, range: &str) {
+        self.said.missing(format!(
+            "`{name}` is computed by a graph, which this version does not evaluate: it takes {range}"
+        ));
+    }
+
+    fn value(&mut self, name: &str) -> Result<Option<Value>, SceneError> {
+        let Some(&input) = self.inputs.get(name) else { return Ok(None) };
+        let path = self.path(name);
+        let scope = self.shader.parent_element().unwrap_or(self.document.root);
+        let Some((node, graph, output)) = self.document.connected(input, scope, &path)? else {
+            let connected =
+                ["interfacename", "nodegraph", "output"].iter().any(|key| input.has_attribute(*key));
+            let written = input.attribute("value").filter(|_| !connected);
+            let constant =
+                written.map(|text| numbers(text).map_err(|m| wrong(input, self.document.file, path, m)));
+            return constant.transpose().map(|found| match (found, connected) {
+                (_, true) => Some(Value::Graph),
+                (found, false) => found.map(Value::Constant),
+            });
+        };
+        let channel = output.attribute("output").unwrap_or_default();
+        let own = children(node, self.document.file)?;
+        match node.tag_name().name() {
+            // Which channel of an image: one connection further.
+            "separate2" | "separate3" | "separate4" => {
+                let Some(&inner) = own.get("in") else { return Ok(Some(Value::Graph)) };
+                match self.document.connected(inner, graph, &path)? {
+                    Some((image, graph, _)) => self.node(name, image, graph, channel).map(Some),
+                    None => Ok(Some(Value::Graph)),
+                }
+            }
+            _ => self.node(name, node, graph, channel).map(Some),
+        }
+    }
+
+    /// What a node gives that an input is connected to: a constant or an image.
+    fn node(
+        &mut self,
+        name: &str,
+        node: Node<'d, 'b>,
+        graph: Node<'d, 'b>,
+        channel: &str,
+    ) -> Result<Value, SceneError> {
+        let own = children(node, self.document.file)?;
+        let found = match node.tag_name().name() {
+            "constant" => self.constant(&own, "value", &self.path(name))?.map(Value::Constant),
+            "image" | "tiledimage" | "gltf_image" | "gltf_colorimage" | "UsdUVTexture" => {
+                let scopes = [node, graph, self.document.root];
+                self.image(name, &own, scopes, channel)?.map(Value::Image)
+            }
+            _ => None,
+        };
+        Ok(found.unwrap_or(Value::Graph))
+    }
+
+    /// The numbers of an input that is not connected; none of one that is.
+    fn constant(
+        &self,
+        own: &BTreeMap<&str, Node>,
+        name: &str,
+        path: &str,
+    ) -> Result<Option<Vec<f64>>, SceneError> {
+        let Some(text) = own.get(name).and_then(|input| input.attribute("value")) else { return Ok(None) };
+        numbers(text).map(Some).map_err(|message| wrong(own[name], self.document.file, path.into(), message))
+    }
+
+    /// The ranges of an image, its first channel the one that `output` names.
+    fn image(
+        &mut self,
+        name: &str,
+        own: &BTreeMap<&'d str, Node<'d, 'b>>,
+        scopes: [Node<'d, 'b>; 3],
+        output: &str,
+    ) -> Result<Option<Ranges>, SceneError> {
+        let path = self.path(name);
+        let Some(&file) = own.get("file").filter(|file| file.has_attribute("value")) else { return Ok(None) };
+        let channel = match output {
+            "g" | "outg" | "outy" => 1,
+            "b" | "outb" | "outz" => 2,
+            "a" | "outa" | "outw" => 3,
+            _ => 0,
+        };
+        let mut ranges = self.texels(name, file, scopes, channel)?;
+        let space = space(file);
+        if space == Some("srgb_texture") {
+            for range in &mut ranges[..3] {
+                *range = range.map(linear);
+            }
+        }
+        for (factor, is_sum) in [("factor", false), ("scale", false), ("color", false), ("bias", true)] {
+            let Some(values) = self.constant(own, factor, &path)? else {
+                if own.contains_key(factor) {
+                    return Ok(None);
+                }
+                continue;
+            };
+            let of =
+                |k: usize| if values.len() == 1 { values[0] } else { values.get(k).copied().unwrap_or(1.0) };
+            for (k, range) in ranges.iter_mut().enumerate() {
+                let ends = range.map(|x| if is_sum { x + of(k) } else { x * of(k) });
+                *range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            }
+        }
+        self.beyond_edges(own, &path, &mut ranges)?;
+        if channel > 0 {
+            ranges[0] = ranges[channel];
+        }
+        Ok(Some(ranges))
+    }
+
+    /// Beyond the edges of an image that does not repeat stands its default.
+    fn beyond_edges(
+        &self,
+        own: &BTreeMap<&str, Node>,
+        path: &str,
+        ranges: &mut Ranges,
+    ) -> Result<(), SceneError> {
+        let ends = |key: &&str| {
+            let mode = own.get(*key).and_then(|input| input.attribute("value"));
+            mode.is_some_and(|mode| matches!(mode, "constant" | "black"))
+        };
+        if !["uaddressmode", "vaddressmode", "wrapS", "wrapT"].iter().any(ends) {
+            return Ok(());
+        }
+        let default = self.constant(own, "default", path)?.unwrap_or_default();
+        for (k, [low, high]) in ranges.iter_mut().enumerate() {
+            let there = default.get(k).copied().unwrap_or(0.0);
+            (*low, *high) = (low.min(there), high.max(there));
+        }
+        Ok(())
+    }
+
+    /// The values of the file of an image, which may be anything where images are not read.
+    fn texels(
+        &mut self,
+        name: &str,
+        file: Node,
+        scopes: [Node; 3],
+        channel: usize,
+    ) -> Result<Ranges, SceneError> {
+        let Some(textures) = self.textures.as_deref_mut() else { return Ok([[0.0, 1.0]; 4]) };
+        let refused = |message| wrong(file, self.document.file, path(self.shader, name), message);
+        let prefix = scopes.iter().find_map(|scope| scope.attribute("fileprefix")).unwrap_or_default();
+        let uri = format!("{prefix}{}", file.attribute("value").unwrap_or_default());
+        let place = Place::Beside(relative(&uri).map_err(refused)?, None);
+        let quantile = textures.quantile();
+        match textures.image(&place, || Ok(Vec::new())).map_err(refused)? {
+            Ok(channels) => {
+                self.said.beyond(name, &channels[channel], quantile);
+                Ok(channels.map(|extremes| extremes.kept))
+            }
+            Err(why) => {
+                self.said.unknown(name, why);
+                Ok([[0.0, 1.0]; 4])
+            }
+        }
+    }
+
+    /// A colour of a space in linear values.
+    fn linear(&mut self, space: Option<&str>, colour: [f64; 3]) -> [f64; 3] {
+        match space {
+            Some("srgb_texture") => colour.map(linear),
+            None | Some("" | "none" | "raw" | "lin_rec709" | "linear") => colour,
+            Some(other) => {
+                self.said
+                    .missing(format!("colours in `{other}`: this version takes their values as they are"));
+                colour
+            }
+        }
+    }
+
+    fn path(&self, name: &str) -> String {
+        path(self.shader, name)
+    }
+
+    fn wrong(&self, name: &str, message: String) -> SceneError {
+        let at = self.inputs.get(name).copied().unwrap_or(self.shader);
+        wrong(at, self.document.file, self.path(name), message)
+    }
+}
+
+fn path(shader: Node, name: &str) -> String {
+    format!("{}.{name}", shader.attribute("name").unwrap_or_default())
+}
+
+/// The colour space of an input: its own, or of the nearest element around it.
+fn space<'d>(input: Node<'d, '_>) -> Option<&'d str> {
+    input.ancestors().find_map(|node| node.attribute("colorspace"))
+}
+
+fn count(values: &[f64], called_for: &str) -> String {
+    let numbers = if values.len() == 1 { "number" } else { "numbers" };
+    format!("{} {numbers} where {called_for} called for", values.len())
+}
+
+/// The numbers of a value.
+fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let one = |word: &str| match word.trim() {
+        "true" => Ok(1.0),
+        "false" => Ok(0.0),
+        word => match word.parse::<f64>() {
+            Ok(x) if x.is_finite() => Ok(x + 0.0),
+            _ => Err(format!("`{word}` is no finite number")),
+        },
+    };
+    if text.split(',').count() > 4 {
+        return Err("more than 4 numbers".into());
+    }
+    text.split(',').map(one).collect()
+}

@@ -1,0 +1,104 @@
+//! What is said of a file beside its scene.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::Serialize;
+
+use super::texture::Extremes;
+
+/// What a note is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum About {
+    /// What the file asks for and this version does not have.
+    Missing,
+    /// How the file was read, and how the emitted functions are called with its values.
+    Reading,
+}
+
+/// What a file says that its scene does not hold, and the names of the materials that say it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Note {
+    /// What it is about.
+    pub about: About,
+    /// A sentence.
+    pub text: String,
+    /// Names as the scene has them; none where it is said of the file.
+    pub of: Vec<String>,
+}
+
+/// Names that a message lists.
+const NAMED: usize = 3;
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let named = self.of.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
+        match self.of.len() {
+            0 => f.write_str(&self.text),
+            n if n > NAMED => write!(f, "{named} and {} more: {}", n - NAMED, self.text),
+            _ => write!(f, "{named}: {}", self.text),
+        }
+    }
+}
+
+/// Sentences about one material.
+#[derive(Debug, Default)]
+pub(crate) struct Said(pub Vec<(About, String)>);
+
+impl Said {
+    pub fn missing(&mut self, text: impl Into<String>) {
+        self.0.push((About::Missing, text.into()));
+    }
+
+    pub fn reading(&mut self, text: impl Into<String>) {
+        self.0.push((About::Reading, text.into()));
+    }
+}
+
+/// Notes, each text once.
+#[derive(Default)]
+pub(crate) struct Notes {
+    all: Vec<Note>,
+    places: BTreeMap<String, usize>,
+}
+
+impl Notes {
+    /// Adds a note, or a name to the one of its text.
+    pub fn add(&mut self, (about, text): (About, String), of: Option<&str>) {
+        let place = *self.places.entry(text).or_insert_with_key(|text| {
+            self.all.push(Note { about, text: text.clone(), of: Vec::new() });
+            self.all.len() - 1
+        });
+        self.all[place].of.extend(of.map(String::from));
+    }
+
+    pub fn finish(self) -> Vec<Note> {
+        self.all
+    }
+}
+
+impl Said {
+    /// Says what the quantile leaves out of a texture's range, if anything.
+    pub fn beyond(&mut self, what: &str, extremes: &Extremes, quantile: f64) {
+        let Extremes { kept, all } = extremes;
+        if kept != all {
+            let [[low, high], [least, most]] = [kept, all].map(|ends| ends.map(short));
+            let share = short(100.0 * quantile);
+            self.reading(format!(
+                "{what} without {share} % of the texels at each end is [{low}, {high}] of its factor, with them [{least}, {most}]: \
+                 what is promised is void there"
+            ));
+        }
+    }
+
+    /// Says that a texture's values are not known.
+    pub fn unknown(&mut self, what: &str, why: &str) {
+        self.missing(format!("{what} has an image {why}: it takes [0, 1]"));
+    }
+}
+
+/// Four decimals, which tell the values of 8 bits apart.
+fn short(x: f64) -> f64 {
+    (x * 1e4).round() / 1e4
+}

@@ -1,0 +1,316 @@
+//! Ranges of the images of foreign scenes.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use lobefit::scene::{Kind, Material, Scene};
+use lobefit_import::{Files, Format, Imported, Textures};
+use serde_json::{Value, json};
+
+use crate::common::{lobefit, stderr};
+
+/// Files by name, and which of them were asked for.
+#[derive(Default)]
+struct Held {
+    files: BTreeMap<&'static str, Vec<u8>>,
+    asked: RefCell<Vec<String>>,
+}
+
+impl Files for Held {
+    fn own(&self, _: u64, _: u64) -> Result<Vec<u8>, String> {
+        Err("no file of its own".into())
+    }
+    fn beside(&self, path: &str, part: Option<[u64; 2]>) -> Result<Vec<u8>, String> {
+        self.asked.borrow_mut().push(path.into());
+        let bytes = self.files.get(path).cloned().ok_or("it is not there")?;
+        Ok(part.map_or(bytes.clone(), |[at, length]| bytes[at as usize..(at + length) as usize].to_vec()))
+    }
+}
+
+/// An image of these texels.
+fn png(size: [u32; 2], colour: png::ColorType, depth: png::BitDepth, texels: &[u8]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size[0], size[1]);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(texels)).expect("an image");
+    bytes
+}
+
+fn rgb(texels: &[[u8; 3]]) -> Vec<u8> {
+    png([texels.len() as u32, 1], png::ColorType::Rgb, png::BitDepth::Eight, texels.as_flattened())
+}
+
+/// Images of four columns: red 255, 255, 0, 0, and four rows of green 64 to 160; blue 128. Written by
+/// libjpeg, the second progressive, and libwebp.
+const JPEG: &str = "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAIBAQEBAQIBAQECAgICAgQDAgICAgUEBAMEBgUGBgYFBgYGBwkIBgcJBwYGCAsICQoKCgoKBggLDA\
+    sKDAkKCgr/2wBDAQICAgICAgUDAwUKBwYHCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgr/wAARCAAE\
+    AAQDAREAAhEBAxEB/8QAFAABAAAAAAAAAAAAAAAAAAAABv/EAB4QAAAEBwAAAAAAAAAAAAAAAAABCFQDBgcYJUFh/8QAFQEBAQAAAAAAAAAAAA\
+    AAAAAABgj/xAAjEQAAAwYHAAAAAAAAAAAAAAAABQYCAwQIFmEXIiNSVLK0/9oADAMBAAIRAxEAPwAMsNOlKrjZiwLTZM4PAhRCnOKXh8+/u1cT\
+    lNGsD7HY31OP5XNx/9k=";
+const PROGRESSIVE: &str = "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAIBAQEBAQIBAQECAgICAgQDAgICAgUEBAMEBgUGBgYFBgYGBwkIBgcJBwYGCAsICQoKCgoKBggLDA\
+    sKDAkKCgr/2wBDAQICAgICAgUDAwUKBwYHCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgr/wgARCAAE\
+    AAQDAREAAhEBAxEB/8QAFAABAAAAAAAAAAAAAAAAAAAABf/EABUBAQEAAAAAAAAAAAAAAAAAAAUH/9oADAMBAAIQAxAAAAEJCcf/xAAWEAEBAQ\
+    AAAAAAAAAAAAAAAAAGBRb/2gAIAQEAAQUCYHZWj//EABwRAAEDBQAAAAAAAAAAAAAAAAQAAgUHFiJTs//aAAgBAwEBPwGqMwffZeWvkxf/xAAc\
+    EQABAwUAAAAAAAAAAAAAAAAFAAEDBBUhUbH/2gAIAQIBAT8BCE6y1x5311//xAAZEAABBQAAAAAAAAAAAAAAAAAAAQQjUrL/2gAIAQEABj8CcQ\
+    Vwh//EABQQAQAAAAAAAAAAAAAAAAAAAAD/2gAIAQEAAT8hZ3//2gAMAwEAAgADAAAAEP8A/8QAFhEAAwAAAAAAAAAAAAAAAAAAAJHw/9oACAED\
+    AQE/EKIw/8QAFhEAAwAAAAAAAAAAAAAAAAAAAJHw/9oACAECAQE/ELG4/8QAFxAAAwEAAAAAAAAAAAAAAAAAAAGxwf/aAAgBAQABPxDfKgf/2Q\
+    ==";
+const WEBP: &str = "UklGRjoAAABXRUJQVlA4TC0AAAAvA8AAAD8gEEhxKKMsICjyf7QBnP/YJohgggBBAGTaggULFixYsCCi/0HIzQ4A";
+const LOSSY_WEBP: &str = "UklGRmgAAABXRUJQVlA4IFwAAAAwAwCdASoEAAQAAMASJbACdLcAowFqAegBkgH6AAt2svMQAP7Cv/g83PT/sTQzfeH1OLln3l0x6bHhfG5TM8\
+    v/r8flxrk4j99f/pNA/ayH/ZT/LA9iP0P/rBQAAA==";
+
+fn decoded(base64: &str) -> Vec<u8> {
+    STANDARD.decode(base64).expect("base64")
+}
+
+/// The file of one material and its images, one for each texture.
+fn gltf(material: Value, images: &[&str]) -> Vec<u8> {
+    let (images, textures): (Vec<_>, Vec<_>) =
+        images.iter().enumerate().map(|(i, uri)| (json!({ "uri": uri }), json!({ "source": i }))).unzip();
+    json!({ "asset": { "version": "2.0" }, "materials": [material], "images": images, "textures": textures })
+        .to_string()
+        .into_bytes()
+}
+
+fn metallic_roughness(factors: Value) -> Value {
+    let mut pbr = factors;
+    pbr["metallicRoughnessTexture"] = json!({ "index": 0 });
+    json!({ "name": "m", "pbrMetallicRoughness": pbr })
+}
+
+fn read(format: Format, bytes: &[u8], held: &Held, quantile: f64) -> (Vec<Material>, Vec<String>) {
+    let mut textures = Textures::new(held, quantile);
+    let read = format.read(bytes, "t", Some(&mut textures)).unwrap_or_else(|e| panic!("{e}"));
+    let Imported { json, notes } = read;
+    let scene = Scene::from_json(json.as_bytes(), "t").unwrap_or_else(|e| panic!("{e}: {json}"));
+    (scene.materials, notes.iter().map(ToString::to_string).collect())
+}
+
+fn held(name: &'static str, bytes: Vec<u8>) -> Held {
+    Held { files: BTreeMap::from([(name, bytes)]), ..Held::default() }
+}
+
+/// The range of the roughness of a dielectric with an image, and what is said.
+fn roughness(bytes: Vec<u8>, quantile: f64) -> ([f64; 2], Vec<String>) {
+    let file = gltf(metallic_roughness(json!({ "metallicFactor": 0 })), &["a%20b/c.png"]);
+    let (materials, notes) = read(Format::Gltf, &file, &held("a b/c.png", bytes), quantile);
+    (materials[0].roughness, notes)
+}
+
+fn near(found: [f64; 2], expected: [f64; 2], within: f64) {
+    let is_near = (found[0] - expected[0]).abs() <= within && (found[1] - expected[1]).abs() <= within;
+    assert!(is_near, "{found:?} for {expected:?}");
+}
+
+/// Green is roughness, blue is metalness: each kind of material over what the texels hold.
+#[test]
+fn channels_narrow_their_ranges() {
+    let image = rgb(&[[0, 51, 255], [0, 102, 255]]);
+    let file = gltf(metallic_roughness(json!({ "roughnessFactor": 0.5 })), &["x.png"]);
+    let (materials, notes) = read(Format::Gltf, &file, &held("x.png", image), 0.0);
+    assert_eq!((materials.len(), materials[0].kind, notes.len()), (1, Kind::Metal, 0), "all metal");
+    assert_eq!(materials[0].roughness, [0.1, 0.2]);
+    let image = rgb(&[[0, 51, 0], [0, 102, 0]]);
+    let (materials, _) = read(Format::Gltf, &file, &held("x.png", image), 0.0);
+    assert_eq!((materials.len(), materials[0].kind), (1, Kind::Dielectric), "no metal");
+}
+
+#[test]
+fn formats_and_depths_are_decoded() {
+    use png::{BitDepth, ColorType};
+    let green = [64.0 / 255.0, 160.0 / 255.0];
+    near(roughness(decoded(WEBP), 0.0).0, green, 1e-9);
+    // What lossy formats keep of them, as libjpeg and libwebp decode it.
+    near(roughness(decoded(JPEG), 0.0).0, [0.251, 0.6314], 0.01);
+    near(roughness(decoded(PROGRESSIVE), 0.0).0, [0.251, 0.6314], 0.01);
+    near(roughness(decoded(LOSSY_WEBP), 0.0).0, [0.2, 0.6745], 0.02);
+    let wide = png([1, 2], ColorType::Grayscale, BitDepth::Sixteen, &[0x40, 0x01, 0x80, 0x02]);
+    near(roughness(wide, 0.0).0, [16385.0 / 65535.0, 32770.0 / 65535.0], 1e-9);
+    let bits = png([2, 1], ColorType::Grayscale, BitDepth::Two, &[0b0110_0000]);
+    near(roughness(bits, 0.0).0, [1.0 / 3.0, 2.0 / 3.0], 1e-9);
+    let alpha = png([1, 1], ColorType::GrayscaleAlpha, BitDepth::Eight, &[51, 7]);
+    near(roughness(alpha, 0.0).0, [0.2; 2], 1e-9);
+}
+
+/// One black texel of 4000 widens the range, and a quantile leaves it out and says so.
+#[test]
+fn quantiles_leave_out_what_they_say() {
+    let mut texels = vec![[0, 128, 0]; 4000];
+    texels[17] = [0, 0, 0];
+    let image = rgb(&texels);
+    near(roughness(image.clone(), 0.0).0, [0.0, 128.0 / 255.0], 1e-9);
+    let (range, notes) = roughness(image.clone(), 0.001);
+    near(range, [128.0 / 255.0; 2], 1e-9);
+    assert_eq!(
+        notes,
+        [
+            "m: roughness without 0.1 % of the texels at each end is [0.502, 0.502] of its factor, with them [0, 0.502]: what is \
+             promised is void there"
+        ]
+    );
+    assert_eq!(roughness(image, 0.0002).0[0], 0.0, "a share below one texel drops none");
+}
+
+#[test]
+fn colours_and_layers_follow_their_channels() {
+    let image = rgb(&[[0, 128, 255]]);
+    let material = json!({
+        "pbrMetallicRoughness": { "metallicFactor": 0, "roughnessFactor": 0.5, "baseColorTexture": { "index": 0 } },
+        "extensions": {
+            "KHR_materials_anisotropy": { "anisotropyStrength": 0.5, "anisotropyTexture": { "index": 0 } },
+            "KHR_materials_sheen": { "sheenColorFactor": [1, 0, 0], "sheenColorTexture": { "index": 0 } },
+            "KHR_materials_clearcoat": { "clearcoatFactor": 1, "clearcoatTexture": { "index": 0 } }
+        }
+    });
+    let (materials, notes) = read(Format::Gltf, &gltf(material, &["x.png"]), &held("x.png", image), 0.0);
+    let albedo = materials[0].base.as_ref().expect("a base").albedo;
+    assert!(albedo[0] == 0.0 && (albedo[1] - 0.21586).abs() < 1e-5 && albedo[2] == 1.0, "{albedo:?}");
+    assert_eq!(materials[0].sheen, None, "red is 0 in the image");
+    assert!(materials[0].anisotropy[0] > 0.0 && materials[0].anisotropy[0] == materials[0].anisotropy[1]);
+    assert!(!notes.iter().any(|note| note.contains("clear coat")), "{notes:?}");
+}
+
+/// What is not decoded may hold anything, and is said; nothing else is opened.
+#[test]
+fn what_is_not_decoded_takes_its_whole_range() {
+    let ktx = b"\xabKTX 20\xbb\r\n\x1a\n".to_vec();
+    let (range, notes) = roughness(ktx, 0.0);
+    assert_eq!(range, [0.0, 1.0]);
+    assert!(
+        notes[0].contains("an image of KTX2 or Basis, which this version does not decode: it takes [0, 1]"),
+        "{notes:?}"
+    );
+    // 8193 x 8193 texels are more than 64 Mi; nothing of them is there.
+    let mut header = png([1, 1], png::ColorType::Grayscale, png::BitDepth::Eight, &[0]);
+    header[16..24].copy_from_slice(&[0, 0, 0x20, 1, 0, 0, 0x20, 1]);
+    let checksum = crc(&header[12..29]);
+    header[29..33].copy_from_slice(&checksum.to_be_bytes());
+    let (range, notes) = roughness(header, 0.0);
+    assert_eq!(range, [0.0, 1.0]);
+    assert!(notes[0].contains("an image of 8193 x 8193 texels, more than 67108864"), "{notes:?}");
+    // Textures that scale nothing that a scene holds stay closed, and so do those of a factor of 0.
+    let material = json!({
+        "pbrMetallicRoughness": { "metallicFactor": 0, "roughnessFactor": 0, "metallicRoughnessTexture": { "index": 0 } },
+        "normalTexture": { "index": 0 }, "emissiveTexture": { "index": 0 }
+    });
+    let files = Held::default();
+    read(Format::Gltf, &gltf(material, &["x.png"]), &files, 0.0);
+    assert!(files.asked.borrow().is_empty());
+}
+
+/// The checksum of a chunk of PNG.
+fn crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0_u32, |crc, byte| {
+        (0..8).fold(
+            crc ^ u32::from(*byte),
+            |crc, _| if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 },
+        )
+    })
+}
+
+#[test]
+fn images_of_materialx_are_read_too() {
+    let image = rgb(&[[128, 51, 255], [128, 102, 255]]);
+    let file = b"<materialx fileprefix=\"maps/\"><image name=\"i\"><input name=\"file\" value=\"x.png\"/></image>\
+        <separate3 name=\"s\"><input name=\"in\" nodename=\"i\"/></separate3>\
+        <image name=\"c\"><input name=\"file\" value=\"x.png\" colorspace=\"srgb_texture\"/></image>\
+        <gltf_pbr name=\"m\"><input name=\"metallic\" value=\"0\"/><input name=\"roughness\" nodename=\"s\" output=\"outy\"/>\
+        <input name=\"base_color\" nodename=\"c\"/></gltf_pbr></materialx>";
+    let files = held("maps/x.png", image);
+    let (materials, notes) = read(Format::MaterialX, file, &files, 0.0);
+    assert_eq!(materials[0].roughness, [0.2, 0.4]);
+    let albedo = materials[0].base.as_ref().expect("a base").albedo;
+    assert!((albedo[0] - 0.21586).abs() < 1e-5 && albedo[2] == 1.0, "{albedo:?}");
+    assert!(notes.is_empty(), "{notes:?}");
+    assert_eq!(files.asked.borrow().len(), 1, "decoded once");
+}
+
+/// On the command line: the images of the game lie in its buffer.
+#[test]
+fn the_game_is_narrower_with_its_images() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::copy(examples.join("game.glb"), folder.path().join("game.glb")).expect("copied");
+    let plan = |arguments: &[&str]| {
+        let output = lobefit(folder.path(), arguments, b"");
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let text = plan(&["plan", "game.glb"]);
+    assert!(text.lines().count() < 40, "{text}");
+    assert!(text.contains("  because 26 dielectrics with a rough specular lobe want a table and fits: plastic 0, plastic 1 ... window\n"), "{text}");
+    assert!(text.contains("roughness 0.01 to 1;"), "{text}");
+    let text = plan(&["plan", "game.glb", "--textures"]);
+    assert!(text.contains("roughness 0.05 to 0.902;") && !text.contains("metalness between"), "{text}");
+    let scene = plan(&["scene-from", "game.glb", "--textures", "--quiet"]);
+    assert!(scene.contains(r#""name": "steel 0", "kind": "metal""#), "{scene}");
+    std::fs::write(folder.path().join("game.json"), scene).expect("written");
+    for (arguments, said) in [
+        (
+            &["plan", "game.json", "--textures"][..],
+            "--textures: .gltf, .glb or .mtlx is called for; game.json is a scene without images",
+        ),
+        (&["plan", "--textures"], "the built-in scene is a scene without images"),
+        (&["plan", "game.glb", "--quantile", "0.1"], "--textures"),
+        (
+            &["plan", "game.glb", "--textures", "--quantile", "0.5"],
+            "a number from 0 to below 0.5 is called for",
+        ),
+    ] {
+        let output = lobefit(folder.path(), arguments, b"");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(said), "{}", stderr(&output));
+    }
+}
+
+/// Whatever a byte of a file becomes, it is refused or read.
+#[test]
+fn mutated_files_are_read_or_refused() {
+    let (mut state, mut refused) = (0x9e37_79b9_u64, 0);
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let mut mutated = |whole: &[u8], marks: &[u8]| {
+        let mut bytes = whole.to_vec();
+        for _ in 0..=random(3) {
+            let at = random(bytes.len());
+            match random(4) {
+                0 => bytes[at] = random(256) as u8,
+                1 => bytes[at] = marks[random(marks.len())],
+                2 if bytes.len() > 1 => drop(bytes.remove(at)),
+                _ => bytes.insert(at, marks[random(marks.len())]),
+            }
+        }
+        bytes
+    };
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let surfaces = std::fs::read(examples.join("surfaces.mtlx")).expect("an example");
+    let own = std::fs::read(examples.join("every-formula.json")).expect("an example");
+    for _ in 0..20_000 {
+        let read = Format::MaterialX.read(&mutated(&surfaces, b"<>\"'/=&-. 0123456789eE"), "m", None);
+        match read {
+            Ok(read) => drop(
+                Scene::from_json(read.json.as_bytes(), "m").unwrap_or_else(|e| panic!("{e}: {}", read.json)),
+            ),
+            Err(_) => refused += 1,
+        }
+    }
+    for _ in 0..20_000 {
+        refused += usize::from(Scene::from_json(&mutated(&own, b"0123456789.-eE[]{},:\""), "m").is_err());
+    }
+    let file = gltf(metallic_roughness(json!({})), &["x"]);
+    let grey = png([4, 4], png::ColorType::Grayscale, png::BitDepth::Eight, &[9; 16]);
+    for whole in [grey, decoded(JPEG), decoded(PROGRESSIVE), decoded(WEBP), decoded(LOSSY_WEBP)] {
+        for _ in 0..20_000 {
+            let files = held("x", mutated(&whole, b"\0\xff\x7f\x80"));
+            let read = Format::Gltf.read(&file, "m", Some(&mut Textures::new(&files, 0.0)));
+            refused += usize::from(read.is_err());
+        }
+    }
+    assert!(refused > 10_000, "{refused}");
+}
