@@ -19,6 +19,7 @@ pub mod glass;
 pub mod grid;
 mod made;
 mod notes;
+pub mod occlusion;
 pub mod page;
 pub mod parallax;
 pub mod reflection;
@@ -47,6 +48,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &coupling::DiffuseCoupling,
         &sheen::Sheen,
         &parallax::Parallax,
+        &occlusion::Occlusion,
     ]
 }
 

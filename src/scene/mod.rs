@@ -4,6 +4,7 @@
 //! fields, `null`, negative zero and anything out of range are refused with file, line, column and
 //! field. Nothing here opens a file.
 
+mod culling;
 mod error;
 pub mod escape;
 mod file;
@@ -23,6 +24,7 @@ mod text;
 mod value;
 mod wants;
 
+pub use culling::{CameraPath, Culling, Pass, World};
 pub use error::{Position, SceneError};
 pub use file::{Scene, UNNAMED, schema};
 pub use goals::Goals;
