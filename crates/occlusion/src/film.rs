@@ -29,7 +29,8 @@ impl Shot {
     /// The camera of a frame.
     pub fn camera(&self, frame: usize, size: [usize; 2]) -> Camera {
         let crossing = [STREETS[self.start % 3], STREETS[self.start / 3 % 3]];
-        let (time, first) = (frame as f64 * self.speed, 0.7 * self.start as f64);
+        // From the middle crossing the first look is along a street.
+        let (time, first) = (frame as f64 * self.speed, 1.45 + 0.7 * (self.start as f64 - 4.0));
         // Degrees a frame at the fastest are those of the amplitude times the frequency.
         let swing = |amplitude: f64, most: f64| amplitude * sin(time * most / amplitude);
         let (along, angles) = match self.path {

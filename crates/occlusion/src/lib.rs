@@ -10,6 +10,10 @@
 //! | [`cull`] | boxes tested against a buffer |
 //! | [`measure`] | errors, holes by their cause, boxes wrongly culled and kept |
 //! | [`study`] | everything that is measured of a scene |
+//! | [`page`] | what a page shows of it |
+
+/// Hash of the code of this package, which results follow from.
+pub const CODE: &str = env!("LOBEFIT_OCCLUSION");
 
 pub mod camera;
 pub mod cull;
@@ -17,7 +21,7 @@ pub mod depth;
 pub mod film;
 pub mod grid;
 pub mod measure;
-
+pub mod page;
 pub mod passes;
 pub mod raster;
 pub mod reproject;

@@ -37,8 +37,8 @@ pub struct Tally {
     pub hidden: u64,
     /// Of these, wrongly kept.
     pub kept: u64,
-    /// Texels and voxels touched by the passes.
-    pub work: u64,
+    /// Texels and voxels touched by each pass.
+    pub work: Work<u64>,
     /// Texels read by the tests of boxes.
     pub reads: u64,
 }
@@ -56,7 +56,7 @@ impl Tally {
 
     /// Texels and voxels touched per texel of the buffer.
     pub fn work_per_texel(&self) -> f64 {
-        part(self.work, self.texels)
+        part(self.work.total(), self.texels)
     }
 
     /// The sum of two.
@@ -72,7 +72,7 @@ impl Tally {
             vanished: self.vanished + other.vanished,
             hidden: self.hidden + other.hidden,
             kept: self.kept + other.kept,
-            work: self.work + other.work,
+            work: self.work.plus(other.work),
             reads: self.reads + other.reads,
         }
     }
@@ -204,7 +204,7 @@ fn tally(
         frames: 1,
         texels: buffer.texels.len() as u64,
         holes: buffer.holes() as u64,
-        work: work.total(),
+        work,
         ..Tally::default()
     };
     for (found, truth) in buffer.texels.iter().zip(&truth.texels) {

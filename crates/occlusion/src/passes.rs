@@ -13,10 +13,12 @@ use crate::reproject::{reproject, reproject_conservatively};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Passes {
     /// Old depth as points, of the buffer's resolution or of `half` twice that; none: no points.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub half: Option<bool>,
     /// Radius of the median that follows each pass of points; 0: none.
     pub median: usize,
     /// Splats of voxels, with their levels of detail.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub voxels: Option<Lod>,
     /// Largest radius of the dilation; 0: none.
     pub dilation: usize,
@@ -43,6 +45,16 @@ impl Work<u64> {
     /// All passes.
     pub fn total(&self) -> u64 {
         self.reproject + self.median + self.voxels + self.dilation
+    }
+
+    /// The sum of two.
+    pub fn plus(self, other: Work<u64>) -> Work<u64> {
+        Work {
+            reproject: self.reproject + other.reproject,
+            median: self.median + other.median,
+            voxels: self.voxels + other.voxels,
+            dilation: self.dilation + other.dilation,
+        }
     }
 }
 

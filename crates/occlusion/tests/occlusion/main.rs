@@ -4,3 +4,4 @@
 mod conservative;
 mod hard;
 mod parts;
+mod study;
