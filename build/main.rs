@@ -1,7 +1,6 @@
 //! Gives the library hashes of its own sources: `LOBEFIT_BUILD` of all, `LOBEFIT_CODE` of all but the
 //! formulas.
 
-#[allow(dead_code, reason = "packages of studies hash their code alone")]
 mod sources;
 
 use std::path::Path;
