@@ -72,3 +72,11 @@ impl Fnv {
         }
     }
 }
+
+/// The lines of a source that are code: comments, blank lines and indentation are none.
+#[allow(dead_code, reason = "the packages of studies call it")]
+pub fn code(bytes: Vec<u8>) -> Vec<u8> {
+    let text = String::from_utf8_lossy(&bytes);
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+    lines.flat_map(|line| [line.as_bytes(), b"\n"].concat()).collect()
+}

@@ -17,7 +17,7 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between".into());
         out.push("normal and view. Pass max(n_dot_v, 1e-4): a negative cosine may meet a pole, and with roughness 0 a cosine of 0".into());
         out.push("makes 0/0, a NaN.".into());
-    } else {
+    } else if parts.iter().any(|part| !part.finding.ranges.is_empty()) {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
     }
     let mut known: Vec<Note> = Vec::new();

@@ -105,6 +105,7 @@ fn effect_text(effect: &Called) -> String {
             .iter()
             .map(|(name, [lo, hi])| format!("{name} {} to {}", short(*lo), short(*hi)))
             .collect();
+        let over = if ranges.is_empty() { String::new() } else { format!("over {}; ", ranges.join(", ")) };
         let error = match (job.expected_error, &job.recommended) {
             (Some(limit), _) => format!("error within {limit}"),
             (None, Some(rule)) => format!("no limit on the error: recommended is {rule}"),
@@ -112,8 +113,7 @@ fn effect_text(effect: &Called) -> String {
         };
         let _ = writeln!(
             out,
-            "    over {}; {error}; {}; about {:.1} s",
-            ranges.join(", "),
+            "    {over}{error}; {}; about {:.1} s",
             bytes(job.bytes, job.bytes_at_most),
             job.seconds
         );

@@ -20,6 +20,7 @@ pub mod glass;
 pub mod grid;
 mod made;
 mod notes;
+pub mod occlusion;
 pub mod page;
 pub mod parallax;
 pub mod reflection;
@@ -49,6 +50,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &eon::Eon,
         &sheen::Sheen,
         &parallax::Parallax,
+        &occlusion::Occlusion,
     ]
 }
 

@@ -75,6 +75,21 @@ pub struct LookupFunction {
     pub cost: CostEntry,
 }
 
+/// A function of masks of sub-voxels.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MaskLookup {
+    /// Effect that called for it.
+    pub effect: String,
+    /// Function in the emitted code.
+    pub function: String,
+    /// Argument names in order; Rust and C take the two halves of a super-voxel as one of 64 bits.
+    pub inputs: Vec<String>,
+    /// What it returns.
+    pub gives: String,
+    /// Cost.
+    pub cost: CostEntry,
+}
+
 impl Call {
     /// Whether it is the one to take of several of its material or probe for its purpose.
     pub fn is_preferred(&self, calls: &[Call]) -> bool {
@@ -104,7 +119,9 @@ impl Manifest {
             let inputs = std::iter::once("table".to_string()).chain(table.inputs.iter().cloned());
             (table.function == call.function).then(|| inputs.collect())
         };
+        let masks = self.entries.masks.iter().filter(|mask| mask.function == call.function);
         let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());
+        let inputs = inputs.or_else(|| masks.map(|mask| mask.inputs.clone()).next());
         let inputs = inputs.or_else(|| self.entries.tables.iter().find_map(of_table))?;
         let named = |input: &String| {
             let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| name == input);

@@ -47,7 +47,8 @@ impl Include {
         let mut items: BTreeMap<String, String> = BTreeMap::new();
         let mut inside: Option<String> = None;
         for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
-            let name = ["fn ", "struct "].iter().find_map(|word| line.strip_prefix(word)).map(first_word);
+            let name =
+                ["fn ", "struct ", "const "].iter().find_map(|word| line.strip_prefix(word)).map(first_word);
             if let Some(name) = name {
                 inside = Some(name.to_owned());
             }
@@ -56,7 +57,7 @@ impl Include {
                 item.push_str(line);
                 item.push('\n');
             }
-            if line == "}" {
+            if line == "}" || line == ");" {
                 inside = None;
             }
         }

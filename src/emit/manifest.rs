@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::call::{Call, LookupFunction};
+use super::call::{Call, LookupFunction, MaskLookup};
 use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table};
 
 /// Version of the manifest's form.
@@ -51,6 +51,9 @@ pub struct Entries {
     /// Functions that look a probe up through a proxy.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lookups: Vec<LookupFunction>,
+    /// Functions of masks of sub-voxels.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub masks: Vec<MaskLookup>,
     /// What each material and probe calls.
     #[serde(default)]
     pub calls: Vec<Call>,
@@ -66,6 +69,7 @@ impl Entries {
         self.fits_left_out.extend(other.fits_left_out);
         self.mips.extend(other.mips);
         self.lookups.extend(other.lookups);
+        self.masks.extend(other.masks);
         self.calls.extend(other.calls);
         self.reports.extend(other.reports);
     }
@@ -78,6 +82,7 @@ impl Entries {
             fits_left_out: self.fits_left_out.iter().filter(|e| e.effect == effect).cloned().collect(),
             mips: self.mips.iter().filter(|e| e.effect == effect).cloned().collect(),
             lookups: self.lookups.iter().filter(|e| e.effect == effect).cloned().collect(),
+            masks: self.masks.iter().filter(|e| e.effect == effect).cloned().collect(),
             calls: self.calls.iter().filter(|e| e.effect == effect).cloned().collect(),
             reports: self.reports.iter().filter(|e| e.effect.as_deref() == Some(effect)).cloned().collect(),
         }

@@ -45,8 +45,8 @@ pub use image::{Image, displayed, luminance};
 pub use json::document;
 pub use page::{Block, Card, Choice, Page, Section, TextTable};
 pub use plot::{
-    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Scale, Scatter,
-    Series, Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
+    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Pixels, Scale,
+    Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
 pub use sections::{figures, words};
 pub use timings::{

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 
+use super::culling::Culling;
 use super::SceneError;
 use super::limits;
 use super::material::{Lobe, Material};
@@ -52,6 +53,9 @@ pub struct Scene {
     // Absent where there is none: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,
+    /// Occlusion culling, where the scene calls for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub culling: Option<Culling>,
 }
 
 /// A scene: the materials that a renderer has, and what it wants of them.
@@ -111,6 +115,9 @@ struct SceneFile {
     /// Probes that capture the scene's light; default none.
     #[serde(default)]
     probes: Maybe<List<Probe, { limits::PROBES }>>,
+    /// Occlusion culling by depth that is frames old; default none.
+    #[serde(default)]
+    culling: Maybe<Culling>,
 }
 
 fn exr_alone(formats: &[Container]) -> bool {
@@ -189,6 +196,7 @@ impl Scene {
             output,
             materials: parsed.materials.0,
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
+            culling: parsed.culling.0,
         };
         scene.settle_slices();
         Ok(scene)

@@ -48,6 +48,8 @@ pub const PLANES_MIN: u32 = 4;
 pub const PLANES_MAX: u32 = 64;
 /// Most fetches of a lookup.
 pub const TAPS_MAX: u32 = 3;
+/// Most voxels of a grid, a byte each.
+pub const VOXELS: u64 = 1 << 25;
 /// Most operations that a fit may be allowed.
 pub const FIT_OPS: u32 = 1000;
 /// Most worker threads.

@@ -4,6 +4,7 @@
 //! fields, `null`, negative zero and anything out of range are refused with file, line, column and
 //! field. Nothing here opens a file.
 
+mod culling;
 mod file;
 mod goals;
 mod kernel;
@@ -18,6 +19,7 @@ mod probe;
 mod table;
 mod wants;
 
+pub use culling::{CameraPath, Culling, Pass, World};
 pub use file::{Scene, UNNAMED, schema};
 pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};

@@ -28,6 +28,14 @@ intervals! {
     Width = 0.0, 1.0, true, "(0, 1]";
     /// An angle from the axis of a lobe, radians; its end is rounded up to any 7 digits.
     QuarterTurn = 0.0, 1.570797, false, "[0, pi/2], in radians";
+    /// Texels of a side of an occlusion buffer.
+    BufferSide = 16.0, 1024.0, false, "[16, 1024]";
+    /// Frames that depth is old.
+    Latency = 1.0, 8.0, false, "[1, 8]";
+    /// Voxels of a side of a grid: an octet has two.
+    GridSide = 2.0, 512.0, false, "[2, 512]";
+    /// Seeds.
+    Seed = 0.0, 4294967295.0, false, "[0, 4294967295]";
     /// Versions of the scene format.
     Version = 1.0, 1.0, false, "the versions that this program reads: 1";
 }

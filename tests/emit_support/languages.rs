@@ -26,7 +26,7 @@ pub fn functions(code: &str) -> Vec<Function> {
     let begins = |line: &str| line.starts_with(|c: char| c.is_ascii_alphabetic()) && line.contains('(');
     let mut found = Vec::new();
     for (start, line) in code.lines().map(|line| (line.as_ptr() as usize - code.as_ptr() as usize, line)) {
-        if !begins(line) || line.starts_with("typedef") {
+        if !begins(line) || line.starts_with("typedef") || line.starts_with("const ") {
             continue;
         }
         let head = code[start..].split(" {\n").next().expect("a body");
@@ -57,6 +57,7 @@ fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
         "bool" => "(p.x > 0.5)".to_string(),
         "float" => "p.x".to_string(),
         "mediump float" => "p.x".to_string(),
+        "uint" | "highp uint" => "uint(p.x)".to_string(),
         "min16float" => "min16float(p.x)".to_string(),
         // planes: the head of the file has an array of as many
         kind if kind.ends_with(']') => format!("planes_{}", planes(kind)),
@@ -75,12 +76,12 @@ fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
     let call = |f: &Function| {
         let arguments: Vec<String> = f.arguments.iter().map(value).collect();
         let part = match f.result.as_str() {
-            "float" | "mediump float" | "min16float" => "",
+            "float" | "mediump float" | "min16float" | "uint" | "highp uint" => "",
             "bool" => " ? 1.0 : 0.0",
             result if result.starts_with("parallax_taps") => ".weight_0",
             _ => ".x",
         };
-        format!("    sum += {}({}){part};\n", f.name, arguments.join(", "))
+        format!("    sum += float({}({}){part});\n", f.name, arguments.join(", "))
     };
     let calls: String = functions.iter().map(call).collect();
     let mut arrays: Vec<usize> = functions

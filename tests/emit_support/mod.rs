@@ -7,6 +7,7 @@ pub mod compilers;
 pub mod languages;
 pub mod programs;
 pub mod solid;
+pub mod subvoxels;
 
 use std::collections::BTreeMap;
 use std::io::Write;

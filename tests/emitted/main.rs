@@ -26,4 +26,5 @@ mod lookup_pictures;
 mod lookups;
 mod parallax;
 mod sliced;
+mod subvoxels;
 mod tools;

@@ -9,7 +9,9 @@ using namespace shim;
 
 // Compilers may keep 32 bits.
 #define mediump
+#define highp
 
+using uint = unsigned;
 using vec2 = float2;
 using vec3 = float3;
 using vec4 = float4;

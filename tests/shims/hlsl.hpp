@@ -12,6 +12,9 @@ using min16float2 = float2;
 using min16float3 = float3;
 using min16float4 = float4;
 
+using uint = unsigned;
+inline uint countbits(uint x) { return static_cast<uint>(__builtin_popcount(x)); }
+
 struct SamplerState {};
 
 template <typename T> struct Texture2D : table {

@@ -196,6 +196,7 @@ pub(super) fn members(module: &naga::Module, ty: naga::Handle<naga::Type>, value
             let each = of.iter().filter_map(|member| Some((member.name.as_ref()?, member.ty)));
             each.flat_map(|(name, ty)| members(module, ty, &format!("{value}.{name}"))).collect()
         }
+        naga::TypeInner::Scalar(naga::Scalar::U32) => vec![format!("bitcast<f32>({value})")],
         _ => vec![value.to_owned()],
     }
 }

@@ -1,5 +1,5 @@
-//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points and vectors in
-//! space.
+//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, vectors in space
+//! and masks of sub-voxels.
 
 pub mod chebyshev;
 pub mod gauss;
@@ -9,5 +9,6 @@ pub mod panels;
 pub mod piecewise;
 pub mod recurrence;
 pub mod sobol;
+pub mod subvoxel;
 pub mod sum;
 pub mod vector;

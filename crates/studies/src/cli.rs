@@ -12,11 +12,12 @@ use lobefit::cli::CliError;
 use lobefit::cli::options::ThreadsOption;
 use lobefit::cli::output::{self, Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
+use lobefit::scene::{Scene, limits};
 use lobefit::store::{self, Folder};
 
 const REMARKS: &str = "\
 Writes reports/studies/NAME/index.html and results.json in the output folder and nothing else; with --reduced, in
-reports/studies/NAME-reduced. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one
+reports/studies/NAME-reduced, with --scene in reports/studies/NAME-scene. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one
 is of other code or other parameters than this version's, as `lobefit check` does.";
 
 /// What the help says after the options: every study, and what is written where.
@@ -41,6 +42,9 @@ struct Options {
     /// The study, one of those below
     #[arg(long, value_name = "NAME", value_parser = study, required_unless_present = "check")]
     study: Option<&'static dyn Study>,
+    /// Scene whose `culling` is simulated, in place of the example's (occlusion)
+    #[arg(long, value_name = "FILE")]
+    scene: Option<PathBuf>,
     /// Fewer and smaller pictures, in seconds
     #[arg(long)]
     reduced: bool,
@@ -48,7 +52,7 @@ struct Options {
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
     /// Say which studies in a folder are not of this version
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["study", "reduced", "out"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["study", "scene", "reduced", "out"])]
     check: Option<PathBuf>,
     #[command(flatten)]
     threads: ThreadsOption,
@@ -71,9 +75,21 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn verb(options: &Options) -> Result<Outcome, CliError> {
     match (&options.check, options.study) {
         (Some(folder), _) => check(options, folder),
-        (None, Some(study)) => make(options, study),
+        (None, Some(study)) => match &options.scene {
+            None => make(options, study),
+            Some(file) => make(options, &*of_scene(study, file)?),
+        },
         (None, None) => Err(CliError::Usage("--study or --check is called for".into())),
     }
+}
+
+/// The study of a scene in a file.
+fn of_scene(study: &dyn Study, file: &Path) -> Result<Box<dyn Study>, CliError> {
+    let name = file.display().to_string();
+    let scene = Scene::from_json(&store::read(file, limits::FILE_BYTES)?, &name)?;
+    let refused =
+        || CliError::Usage(format!("--scene {name}: it does not call for the study {}", study.name()));
+    study.of_scene(&scene).ok_or_else(refused)
 }
 
 /// Runs a study and writes it.

@@ -24,6 +24,7 @@ pub use colour::Shade;
 pub use curves::{Annotation, Curves, Panel, Series, Style};
 pub use gallery::{Cells, Gallery, Tile};
 pub use heat_map::{HeatMap, Worst, signed};
+pub use raster::Pixels;
 pub use scale::{Scale, Spread};
 pub(crate) use scatter::frontier;
 pub use scatter::{Dot, Frontiers, Scatter};

@@ -5,8 +5,36 @@ use std::io::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::canvas::{Align, Frame, INK, TEXT, picture, sheet};
 use super::colour::Shade;
+use super::{Figure, font};
 use crate::report::ReportError;
+
+/// A picture of any shape in colours of a palette, as large on the page as it has pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pixels {
+    /// Line above it.
+    pub title: String,
+    /// Width and height.
+    pub size: (usize, usize),
+    /// Indices of the palette, row by row from the top.
+    pub levels: Vec<u8>,
+    /// Red, green and blue of each colour.
+    pub palette: Vec<u8>,
+}
+
+impl Figure for Pixels {
+    fn svg(&self) -> Result<String, ReportError> {
+        let (left, top) = (4.0, 26.0);
+        let frame = Frame { left, top, right: left + self.size.0 as f64, bottom: top + self.size.1 as f64 };
+        let png = base64(&self.title, smallest(self.size, &self.levels, Some(&self.palette)))?;
+        let under = picture(&png, frame, true);
+        sheet(&self.title, (frame.right + 4.0, frame.bottom + 4.0), &under, |canvas| {
+            let title = font::shorten(&self.title, TEXT, frame.width())?;
+            canvas.text(&title, (left, 12.0), TEXT, Align::Left, INK)
+        })
+    }
+}
 
 /// Palette indices, row by row from the top, as a PNG in base64 with the colours of `shade`.
 pub(crate) fn png(

@@ -1,5 +1,6 @@
 //! Scenes that are refused: exit code 2, a message with place and field, and nothing written.
 
+mod culling;
 mod json;
 mod materials;
 mod probes;

@@ -52,6 +52,9 @@ impl Shader {
         let wrong = |reason: String| GpuError::Bake { place: function.into(), reason };
         let found = module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(function));
         let (_, found) = found.ok_or_else(|| wrong("not in the include file".into()))?;
+        if precision != Precision::F32 && code.contains("u32") {
+            return Ok(None);
+        }
         let number = match precision {
             Precision::F32 => "f32",
             Precision::F16 => "f16",
@@ -115,6 +118,8 @@ impl Arguments {
         };
         let word = match *ty {
             TypeInner::Scalar(Scalar::F32) => next(),
+            // The bits of a number: no instruction.
+            TypeInner::Scalar(Scalar::U32) => format!("bitcast<u32>({})", next()),
             TypeInner::Vector { size: VectorSize::Tri, scalar: Scalar::F32 } if CORNERS.contains(&name) => {
                 self.held += 1;
                 format!("isa_held[{}].xyz", self.held - 1)

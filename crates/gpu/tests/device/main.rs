@@ -16,4 +16,5 @@ mod lookups;
 mod machine;
 mod shaders;
 mod sliced;
+mod subvoxels;
 mod wgsl;

@@ -43,6 +43,7 @@ mod printer;
 mod rust;
 mod rust_table;
 mod spelling;
+mod subvoxels;
 mod table;
 mod wgsl;
 mod words;
@@ -56,6 +57,7 @@ pub use float::Float;
 pub use language::Language;
 pub use lines::lines as wrapped;
 pub use rust_table::RUST_HELPERS;
+pub use subvoxels::{MASK_FUNCTIONS, MaskFunction, subvoxels};
 pub use table::{LETTERS, TableLookup, helpers};
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of

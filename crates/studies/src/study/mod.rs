@@ -3,6 +3,7 @@
 //! any number of threads.
 
 pub mod coupling;
+pub mod occlusion;
 mod page;
 pub mod parallax;
 pub mod stability;
@@ -16,6 +17,7 @@ use lobefit::approximate::FitStageError;
 use lobefit::bake::{Progress, TOOL};
 use lobefit::cli::{CliError, PackageError};
 use lobefit::report::{Origin, Page, ReportError, bar_from, html};
+use lobefit::scene::{Scene, SceneError};
 use lobefit::store::Files;
 use lobefit_fit::FitError;
 use lobefit_formula::fitting::FittingError;
@@ -37,6 +39,17 @@ pub trait Study: Sync {
     /// As [`run`].
     fn parameters(&self, size: Size) -> Result<Value, StudyError>;
 
+    /// The same of a scene of the user's, in a folder of its own; none of a study that takes no scene, or
+    /// of a scene that does not call for it.
+    fn of_scene(&self, _scene: &Scene) -> Option<Box<dyn Study>> {
+        None
+    }
+
+    /// The name of the scene of the user's that it is of.
+    fn scene(&self) -> Option<&str> {
+        None
+    }
+
     /// The formulas that it compares, beside the code of this package.
     fn formulas(&self) -> Vec<&'static str> {
         Vec::new()
@@ -55,8 +68,12 @@ pub trait Study: Sync {
 }
 
 /// Every study of this version.
-pub static STUDIES: [&dyn Study; 3] =
-    [&coupling::DiffuseCouplings, &parallax::ProbeLookups, &stability::Stability];
+pub static STUDIES: [&dyn Study; 4] = [
+    &coupling::DiffuseCouplings,
+    &parallax::ProbeLookups,
+    &stability::Stability,
+    &occlusion::Occlusion { own: None },
+];
 
 /// The study of a name.
 pub fn from_name(name: &str) -> Option<&'static dyn Study> {
@@ -71,8 +88,10 @@ impl dyn Study + '_ {
     /// The files that it writes, relative to the folder of a bake: page and results. The reduced
     /// study has a folder of its own, beside that of the full one, which it so leaves alone.
     pub fn files(&self, size: Size) -> [String; 2] {
+        let own = if self.scene().is_some() { "-scene" } else { "" };
         let reduced = if size == Size::Reduced { "-reduced" } else { "" };
-        ["index.html", "results.json"].map(|file| format!("reports/studies/{}{reduced}/{file}", self.name()))
+        ["index.html", "results.json"]
+            .map(|file| format!("reports/studies/{}{own}{reduced}/{file}", self.name()))
     }
 
     /// Hash of everything that the study follows from: the tool's version, the code of this
@@ -93,11 +112,12 @@ impl dyn Study + '_ {
     /// What made a study: enough to make it again.
     fn origin(&self, size: Size) -> Result<Origin, StudyError> {
         let reduced = if size == Size::Reduced { " --reduced" } else { "" };
+        let of = if self.scene().is_some() { " --scene SCENE.json" } else { "" };
         Ok(Origin {
-            scene: String::new(),
+            scene: self.scene().unwrap_or_default().into(),
             recipe: self.recipe(size)?,
             tool: env!("CARGO_PKG_VERSION").into(),
-            command: format!("lobefit report --study {}{reduced}", self.name()),
+            command: format!("lobefit report --study {}{of}{reduced}", self.name()),
             pages: bar_from("../../")?,
         })
     }
@@ -166,6 +186,12 @@ pub enum StudyError {
         /// Where its probe is.
         probe: [f64; 3],
     },
+    /// The scene of a study that could not be read.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A scene without what its study simulates.
+    #[error("examples/culling.json: it has no `culling`")]
+    NoCulling,
     /// The page refused its data.
     #[error(transparent)]
     Report(#[from] ReportError),

@@ -205,7 +205,10 @@ fn wrong_use_is_refused_and_writes_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     for (options, said) in [
         (&["report"][..], "--study <NAME>"),
-        (&["report", "--study", "rooms"], "no such study; the studies are coupling, parallax, stability"),
+        (
+            &["report", "--study", "rooms"],
+            "no such study; the studies are coupling, parallax, stability, occlusion",
+        ),
         (&["report", "--study", "coupling", "--threads", "0"], "1 to 256"),
     ] {
         let output = lobefit(folder.path(), options, b"");

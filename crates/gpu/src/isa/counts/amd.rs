@@ -40,7 +40,8 @@ pub(crate) fn amd(machine: &Machine) -> Result<Counts, LineError> {
         ..Counts::default()
     };
     let mut last: Vec<Kind> = Vec::new();
-    for line in machine.assembly.lines() {
+    // Tables of a shader stand behind its code.
+    for line in machine.assembly.lines().take_while(|line| !line.contains("/* constant data */")) {
         // After a semicolon stand the bytes.
         let code = line.split(';').next().unwrap_or_default().trim();
         let times = match repeated(code) {

@@ -1,0 +1,81 @@
+//! Boxes tested against a depth buffer.
+
+use crate::camera::{Camera, NEAR};
+use crate::depth::Depth;
+use crate::raster::Cuboid;
+
+/// What a test says of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Behind the camera or beside the frame: not drawn, whatever the buffer holds.
+    Outside,
+    /// It is, or may be, seen.
+    Kept,
+    /// All of its rectangle is hidden.
+    Culled,
+}
+
+/// What a box covers of a buffer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Footprint {
+    /// First and last column and row.
+    columns: [usize; 2],
+    rows: [usize; 2],
+    /// Depth of its nearest corner.
+    nearest: f32,
+}
+
+impl Footprint {
+    /// The rectangle of a box; a verdict where it has none: [`Verdict::Kept`] where it meets the near
+    /// plane or its corners are not finite. A box without area has the rectangle of one texel.
+    pub fn of(camera: &Camera, cuboid: &Cuboid, size: [usize; 2]) -> Result<Footprint, Verdict> {
+        let corners: [_; 8] = std::array::from_fn(|i| camera.view(cuboid.corner(i)));
+        if corners.iter().flatten().any(|x| !x.is_finite()) {
+            return Err(Verdict::Kept);
+        }
+        let depths = corners.map(|corner| corner[2]);
+        let nearest = depths.into_iter().fold(f32::INFINITY, f32::min);
+        if depths.into_iter().all(|z| z < NEAR) {
+            return Err(Verdict::Outside);
+        }
+        if nearest < NEAR {
+            return Err(Verdict::Kept);
+        }
+        let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
+        for pixel in corners.iter().filter_map(|corner| camera.pixel(*corner, size)) {
+            for k in 0..2 {
+                (low[k], high[k]) = (low[k].min(pixel[k]), high[k].max(pixel[k]));
+            }
+        }
+        if (0..2).any(|k| high[k] < 0.0 || low[k] >= size[k] as f32) {
+            return Err(Verdict::Outside);
+        }
+        let ends = [0, 1].map(|k| [low[k].max(0.0) as usize, (high[k] as usize).min(size[k] - 1)]);
+        Ok(Footprint { columns: ends[0], rows: ends[1], nearest })
+    }
+
+    /// Whether a buffer hides all of it, its depths taken for farther by the part `bias`; with the texels
+    /// read. Empty texels hide nothing.
+    pub fn is_hidden(&self, depth: &Depth, bias: f32) -> (bool, u64) {
+        let mut read = 0;
+        for y in self.rows[0]..=self.rows[1] {
+            for z in &depth.texels[y * depth.size[0] + self.columns[0]..=y * depth.size[0] + self.columns[1]]
+            {
+                read += 1;
+                if *z < 0.0 || z * (1.0 + bias) >= self.nearest {
+                    return (false, read);
+                }
+            }
+        }
+        (true, read)
+    }
+}
+
+/// What a buffer says of a box.
+pub fn test(depth: &Depth, camera: &Camera, cuboid: &Cuboid, bias: f32) -> Verdict {
+    match Footprint::of(camera, cuboid, depth.size) {
+        Err(verdict) => verdict,
+        Ok(footprint) if footprint.is_hidden(depth, bias).0 => Verdict::Culled,
+        Ok(_) => Verdict::Kept,
+    }
+}

@@ -1,0 +1,138 @@
+//! A rasteriser of boxes along the axes, exact at pixel centres up to rounding: on a plane 1/z is
+//! linear over the picture.
+
+use crate::camera::{Camera, NEAR, Place, dot};
+use crate::depth::Depth;
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid {
+    /// Its corner of least coordinates.
+    pub low: Place,
+    /// Its corner of largest coordinates.
+    pub high: Place,
+}
+
+/// A polygon of four corners, cut by the near plane at most once.
+type Polygon = ([[f32; 2]; 5], usize);
+
+impl Cuboid {
+    /// About a place of its base, so wide along x and y, and so high.
+    pub fn on([x, y, z]: Place, [width, depth, height]: Place) -> Cuboid {
+        Cuboid {
+            low: [x - 0.5 * width, y - 0.5 * depth, z],
+            high: [x + 0.5 * width, y + 0.5 * depth, z + height],
+        }
+    }
+
+    /// Corner i: bits 0, 1, 2 of i choose the end along x, y, z.
+    pub fn corner(&self, i: usize) -> Place {
+        [0, 1, 2].map(|k| if i >> k & 1 == 1 { self.high[k] } else { self.low[k] })
+    }
+}
+
+/// Corners of the face at the lower (0) or upper (1) end of an axis, round about.
+fn face(cuboid: &Cuboid, axis: usize, end: usize) -> [Place; 4] {
+    let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
+    [0, u, u | v, v].map(|i| cuboid.corner(i | end << axis))
+}
+
+/// Corners in the view, cut at the near plane, in pixels.
+fn projected(camera: &Camera, corners: [Place; 4], size: [usize; 2]) -> Polygon {
+    let view = corners.map(|corner| camera.view(corner));
+    let mut out = ([[0.0; 2]; 5], 0);
+    let mut put = |p: Place| {
+        // On the near plane rounding may lie on either side.
+        if let Some(pixel) = camera.pixel([p[0], p[1], p[2].max(NEAR)], size) {
+            out.0[out.1] = pixel;
+            out.1 += 1;
+        }
+    };
+    for (i, &a) in view.iter().enumerate() {
+        let b = view[(i + 1) % 4];
+        if a[2] >= NEAR {
+            put(a);
+        }
+        if (a[2] >= NEAR) != (b[2] >= NEAR) {
+            let t = (NEAR - a[2]) / (b[2] - a[2]);
+            put([0, 1, 2].map(|k| a[k] + t * (b[k] - a[k])));
+        }
+    }
+    out
+}
+
+/// Columns of a row whose centres lie in a convex polygon: first, and behind the last.
+fn span((points, count): &Polygon, row: usize, width: usize) -> (usize, usize) {
+    let y = row as f32 + 0.5;
+    let (mut low, mut high) = (f32::INFINITY, f32::NEG_INFINITY);
+    for i in 0..*count {
+        let (a, b) = (points[i], points[(i + 1) % count]);
+        if (a[1] <= y) != (b[1] <= y) {
+            let x = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+            (low, high) = (low.min(x), high.max(x));
+        }
+    }
+    // A cast of what is below 0 or too large is the nearest end.
+    let column = |x: f32| ((x - 0.5).ceil().max(0.0) as usize).min(width);
+    (column(low), column(high))
+}
+
+/// Calls `draw` for each row of each face that the camera is in front of: row, columns, 1/z at the first
+/// column and its step. A box that holds the camera has none.
+pub fn faces(
+    camera: &Camera,
+    cuboid: &Cuboid,
+    size: [usize; 2],
+    mut draw: impl FnMut(usize, (usize, usize), [f32; 2]),
+) {
+    let [corner, across, down] = camera.rays(size);
+    for axis in 0..3 {
+        let ends = [cuboid.low[axis] - camera.eye[axis], cuboid.high[axis] - camera.eye[axis]];
+        let seen = [ends[0] > 0.0, ends[1] < 0.0];
+        let Some(end) = seen.iter().position(|seen| *seen) else { continue };
+        let polygon = projected(camera, face(cuboid, axis, end), size);
+        // The distance along the axis over that of the ray: 1/z.
+        let inverse = [corner, across, down].map(|ray| ray[axis] / ends[end]);
+        let all = &polygon.0[..polygon.1];
+        let rows =
+            all.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), p| (l.min(p[1]), h.max(p[1])));
+        let row = |y: f32| ((y - 0.5).ceil().max(0.0) as usize).min(size[1]);
+        for y in row(rows.0)..row(rows.1) {
+            let (first, last) = span(&polygon, y, size[0]);
+            if first < last {
+                let start = inverse[0] + inverse[2] * (y as f32 + 0.5) + inverse[1] * (first as f32 + 0.5);
+                draw(y, (first, last), [start, inverse[1]]);
+            }
+        }
+    }
+}
+
+/// The depth of boxes.
+pub fn rendered(camera: &Camera, boxes: &[Cuboid], size: [usize; 2]) -> Depth {
+    let mut inverse = vec![0.0_f32; size[0] * size[1]];
+    for cuboid in boxes.iter().filter(|cuboid| is_ahead(camera, cuboid)) {
+        faces(camera, cuboid, size, |y, (first, last), [start, step]| {
+            for (i, texel) in inverse[y * size[0] + first..y * size[0] + last].iter_mut().enumerate() {
+                *texel = texel.max(start + step * i as f32);
+            }
+        });
+    }
+    Depth { size, texels: inverse.into_iter().map(|x| 1.0 / x).collect() }
+}
+
+/// Whether any corner lies beyond the near plane: nothing else can be drawn.
+fn is_ahead(camera: &Camera, cuboid: &Cuboid) -> bool {
+    let ahead = camera.axes[2];
+    let far = [0, 1, 2].map(|k| if ahead[k] > 0.0 { cuboid.high[k] } else { cuboid.low[k] });
+    dot(ahead, [0, 1, 2].map(|k| far[k] - camera.eye[k])) >= NEAR
+}
+
+/// Whether a box would be seen at any pixel centre in front of a depth.
+pub fn is_seen(camera: &Camera, cuboid: &Cuboid, depth: &Depth) -> bool {
+    let mut seen = false;
+    faces(camera, cuboid, depth.size, |y, (first, last), [start, step]| {
+        let texels = &depth.texels[y * depth.size[0] + first..y * depth.size[0] + last];
+        seen |= texels.iter().enumerate().any(|(i, z)| (start + step * i as f32) * z > 1.0);
+    });
+    seen
+}

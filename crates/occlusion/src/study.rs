@@ -1,0 +1,361 @@
+//! Everything that is measured of a scene's culling.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::depth::Depth;
+use crate::film::{Film, Shot};
+use crate::grid::{Grid, Lod};
+use crate::measure::{Holes, Span, Tally, Trial, measured};
+use crate::passes::{Late, Passes};
+use crate::raster::Cuboid;
+use crate::world::{objects, world};
+use lobefit::scene::{CameraPath, Culling, Pass};
+
+/// Boxes that are tested in each frame.
+const BOXES: usize = 8000;
+/// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
+pub const FRAMES: usize = 60;
+const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
+/// What a scene does not say: radius of the median and of the dilation, levels of detail, margin.
+const MEDIAN: usize = 1;
+const DILATION: usize = 2;
+const LOD: Lod = Lod { near: 12.0, far: 48.0 };
+const BIAS: f32 = 0.01;
+/// Largest parts of visible boxes that parameters may cull, and of hidden ones that they may keep.
+pub const ALLOWED: [f64; 2] = [0.005, 0.1];
+
+/// What a row of the comparison is.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// In words.
+    pub name: String,
+    /// The passes and the margin.
+    pub trial: Trial,
+    /// What was measured.
+    pub tally: Tally,
+}
+
+/// One measurement in a sweep.
+#[derive(Clone, Debug, Serialize)]
+pub struct Point {
+    /// The path.
+    pub path: CameraPath,
+    /// Frames that depth is old.
+    pub latency: usize,
+    /// Times the usual speed.
+    pub speed: f64,
+    /// Of the old depth alone.
+    pub points: Tally,
+    /// Of all passes of the scene.
+    pub all: Tally,
+}
+
+/// One resolution.
+#[derive(Clone, Debug, Serialize)]
+pub struct Resolution {
+    /// Of the buffer.
+    pub buffer: [usize; 2],
+    /// Of the grid.
+    pub voxels: [u32; 3],
+    /// Of all passes of the scene.
+    pub tally: Tally,
+}
+
+/// Holes on a path.
+#[derive(Clone, Debug, Serialize)]
+pub struct Causes {
+    /// The path.
+    pub path: CameraPath,
+    /// By cause.
+    pub holes: Holes,
+}
+
+/// A choice of the free parameters.
+#[derive(Clone, Debug, Serialize)]
+pub struct Choice {
+    /// The parameters.
+    pub trial: Trial,
+    /// On the shots that it was chosen on.
+    pub chosen: Tally,
+    /// On the others.
+    pub reported: Tally,
+}
+
+/// Buffers of one frame, in the order of the sheet.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    /// The depth of the frame.
+    pub truth: Depth,
+    /// The depth that is there.
+    pub old: Depth,
+    /// Names, and buffers: depth, voxels, both; then these with medians; then all.
+    pub buffers: Vec<(&'static str, Depth)>,
+}
+
+/// Everything that was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct Results {
+    /// What the scene asks for.
+    pub culling: Culling,
+    /// Every way to make the buffer, on the scene's path.
+    pub rows: Vec<Row>,
+    /// Holes of the old depth by cause, on each path.
+    pub causes: Vec<Causes>,
+    /// Over latency at the usual speed, then over speed at the scene's latency.
+    pub sweep: Vec<Point>,
+    /// Over resolutions.
+    pub resolutions: Vec<Resolution>,
+    /// What the scene's parameters do, and the choice of least work that keeps [`ALLOWED`].
+    pub choices: [Choice; 2],
+    /// Combinations that the choice was made of.
+    pub combinations: usize,
+    /// The frame of the pictures.
+    #[serde(skip)]
+    pub pictures: Pictures,
+}
+
+/// The passes of a scene.
+pub fn passes(culling: &Culling) -> Passes {
+    let has = |pass: Pass| culling.passes.contains(&pass);
+    Passes {
+        half: has(Pass::ReprojectHalf).then_some(true).or(has(Pass::Reproject).then_some(false)),
+        median: if has(Pass::Median) { MEDIAN } else { 0 },
+        voxels: has(Pass::Voxels).then_some(LOD),
+        dilation: if has(Pass::Dilation) { DILATION } else { 0 },
+        conservative: culling.conservative,
+    }
+}
+
+/// Every way to make the buffer.
+fn ways() -> Vec<(String, Passes)> {
+    let none = Passes { half: None, median: 0, voxels: None, dilation: 0, conservative: false };
+    let sources = [
+        ("depth", Passes { half: Some(false), ..none }),
+        ("depth of twice the resolution", Passes { half: Some(true), ..none }),
+        ("voxels", Passes { voxels: Some(LOD), ..none }),
+        ("depth and voxels", Passes { half: Some(false), voxels: Some(LOD), ..none }),
+    ];
+    let fills = [
+        ("", 0, 0),
+        (", median", MEDIAN, 0),
+        (", dilation", 0, DILATION),
+        (", median, dilation", MEDIAN, DILATION),
+    ];
+    let mut ways: Vec<(String, Passes)> = Vec::new();
+    for (source, passes) in sources {
+        ways.extend(fills.map(|(fill, median, dilation)| {
+            (format!("{source}{fill}"), Passes { median, dilation, ..passes })
+        }));
+    }
+    ways.push(("conservative".into(), Passes { half: Some(false), conservative: true, ..none }));
+    ways
+}
+
+/// The world of a scene, its boxes to be culled, and what a scene asks for.
+struct Set<'a> {
+    culling: &'a Culling,
+    boxes: Vec<Cuboid>,
+    objects: Vec<Cuboid>,
+    size: [usize; 2],
+}
+
+impl Set<'_> {
+    fn shot(&self, path: CameraPath, start: usize, speed: f64) -> (Shot, usize) {
+        (Shot { path, start, speed }, FRAMES)
+    }
+
+    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film {
+        let latency = self.culling.latency as usize;
+        let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
+        Film::new(&self.boxes, shot, self.size, fineness, &late)
+    }
+
+    fn span(&self, latency: usize) -> Span<'static> {
+        Span { latency, frames: &MEASURED, voxels: self.culling.grid }
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let film = self.film(self.shot(self.culling.path, 4, 1.0), &[2, 4]);
+        let ways = ways();
+        let trials: Vec<Trial> =
+            ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
+        let tallies = measured(&film, &self.span(self.culling.latency as usize), &trials, &self.objects);
+        let rows = ways.into_iter().zip(trials).zip(tallies);
+        rows.map(|(((name, _), trial), tally)| Row { name, trial, tally }).collect()
+    }
+
+    fn causes(&self, path: CameraPath) -> Causes {
+        let film = self.film(self.shot(path, 4, 1.0), &[]);
+        let points = Passes { half: Some(false), median: 0, voxels: None, dilation: 0, conservative: false };
+        let mut sum = Holes::default();
+        for &frame in &MEASURED {
+            let late = frame - self.culling.latency as usize;
+            let (now, old) =
+                ((&film.depth[frame], &film.cameras[frame]), (&film.depth[late], &film.cameras[late]));
+            let given = Late { camera: old.1, depth: old.0, grid: None };
+            let holes = Holes::of(&points.run(given, now.1, self.size).0, now, old);
+            sum.texels += holes.texels;
+            sum.out_of_frame += holes.out_of_frame;
+            sum.stretched += holes.stretched;
+            sum.disoccluded += holes.disoccluded;
+        }
+        Causes { path, holes: sum }
+    }
+
+    /// Latencies at the usual speed, and speeds at the scene's latency.
+    fn sweep(&self) -> Vec<Point> {
+        let latency = self.culling.latency as usize;
+        let speeds = [0.25, 0.5, 2.0, 4.0].map(|speed| (speed, latency..latency + 1));
+        let cases = [(1.0, 1..9)].into_iter().chain(speeds);
+        let cases: Vec<_> = cases
+            .flat_map(|case| [CameraPath::Turn, CameraPath::Strafe].map(|path| (path, case.clone())))
+            .collect();
+        let own = passes(self.culling);
+        // Finer depth is rendered of one latency alone.
+        let own = Passes { half: own.half.map(|_| false), conservative: false, ..own };
+        let points = Passes { half: Some(false), median: 0, voxels: None, dilation: 0, conservative: false };
+        let trials = [points, own].map(|passes| Trial { passes, bias: BIAS });
+        let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
+            let film = self.film(self.shot(*path, 4, *speed), &[]);
+            let at = |latency: usize| {
+                let found = measured(&film, &self.span(latency), &trials, &self.objects);
+                Point { path: *path, latency, speed: *speed, points: found[0], all: found[1] }
+            };
+            latencies.clone().into_par_iter().map(at).collect::<Vec<_>>()
+        };
+        cases.par_iter().flat_map_iter(one).collect()
+    }
+
+    fn resolutions(&self) -> Vec<Resolution> {
+        let buffers = [0.5, 1.0, 1.5].map(|times| self.size.map(|n| ((n as f64 * times) as usize).max(16)));
+        let grids = [4, 2, 1].map(|part| self.culling.grid.map(|n| (n / part).max(2)));
+        let trial = Trial { passes: Passes { conservative: false, ..passes(self.culling) }, bias: BIAS };
+        let one = |buffer: &[usize; 2]| {
+            let set =
+                Set { size: *buffer, boxes: self.boxes.clone(), objects: self.objects.clone(), ..*self };
+            let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2]);
+            let at = |voxels: &[u32; 3]| {
+                let span = Span { voxels: *voxels, ..set.span(self.culling.latency as usize) };
+                let tally = measured(&film, &span, &[trial], &set.objects)[0];
+                Resolution { buffer: *buffer, voxels: *voxels, tally }
+            };
+            grids.iter().map(at).collect::<Vec<_>>()
+        };
+        buffers.iter().flat_map(one).collect()
+    }
+
+    fn pictures(&self) -> Pictures {
+        let (film, latency) =
+            (self.film(self.shot(self.culling.path, 4, 1.0), &[]), self.culling.latency as usize);
+        // Of those measured on a turn, it is the fastest here.
+        let frame = MEASURED[7];
+        let mut grid = Grid::new(self.culling.grid);
+        film.accumulated(&mut grid, 0..frame - latency + 1);
+        let late = Late {
+            camera: &film.cameras[frame - latency],
+            depth: &film.depth[frame - latency],
+            grid: Some(&grid),
+        };
+        let whole = Passes {
+            half: Some(false),
+            median: MEDIAN,
+            voxels: Some(LOD),
+            dilation: DILATION,
+            conservative: false,
+        };
+        let sheet = |median: usize| {
+            let passes = Passes { median, dilation: 0, ..whole };
+            [Passes { voxels: None, ..passes }, Passes { half: None, ..passes }, passes]
+        };
+        let all = [&sheet(0)[..], &sheet(MEDIAN), &[whole]].concat();
+        let names = [
+            "depth",
+            "voxels",
+            "both",
+            "depth, median",
+            "voxels, median",
+            "both, median",
+            "both, median, dilation",
+        ];
+        let made = |passes: &Passes| passes.run(late, &film.cameras[frame], self.size).0;
+        Pictures {
+            truth: film.depth[frame].clone(),
+            old: film.depth[frame - latency].clone(),
+            buffers: names.into_iter().zip(all.iter().map(made)).collect(),
+        }
+    }
+
+    /// Combinations of the free parameters.
+    fn combinations(&self) -> Vec<Trial> {
+        let mut trials = Vec::new();
+        let half = passes(self.culling).half.or(Some(false));
+        for (median, dilation) in [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)] {
+            let lods = [(0.0, 0.0), (0.0, 24.0), (0.0, 96.0), (12.0, 48.0), (24.0, 96.0)];
+            for voxels in lods.map(|(near, far)| Some(Lod { near, far })).into_iter().chain([None]) {
+                for bias in [0.0, 0.01, 0.03, 0.1] {
+                    let passes = Passes { half, median, voxels, dilation, conservative: false };
+                    trials.push(Trial { passes, bias });
+                }
+            }
+        }
+        trials
+    }
+
+    /// What trials do on shots: three paths from places.
+    fn on(&self, starts: &[usize], trials: &[Trial]) -> Vec<Tally> {
+        let shots: Vec<_> = [CameraPath::Turn, CameraPath::Strafe, CameraPath::Walk]
+            .into_iter()
+            .flat_map(|path| starts.iter().map(move |start| (path, *start)))
+            .collect();
+        let one = |(path, start): &(CameraPath, usize)| {
+            let film = self.film(self.shot(*path, *start, 1.0), &[2]);
+            let span = Span { frames: &MEASURED[6..], ..self.span(self.culling.latency as usize) };
+            measured(&film, &span, trials, &self.objects)
+        };
+        let all: Vec<Vec<Tally>> = shots.par_iter().map(one).collect();
+        let sum = |i: usize| all.iter().fold(Tally::default(), |sum, of_shot| sum.plus(of_shot[i]));
+        (0..trials.len()).map(sum).collect()
+    }
+
+    /// The scene's own parameters, and of all combinations the one of least work that keeps [`ALLOWED`]
+    /// on some shots; where none does, the one that breaks it least. There are few enough to try all.
+    fn choices(&self) -> ([Choice; 2], usize) {
+        let own = Trial { passes: Passes { conservative: false, ..passes(self.culling) }, bias: BIAS };
+        let mut trials = self.combinations();
+        let count = trials.len();
+        trials.push(own);
+        let found = self.on(&[0, 5], &trials);
+        let broken = |i: usize| {
+            let rates = [found[i].wrongly_culled(), found[i].wrongly_kept()];
+            (0..2).map(|k| rates[k] / ALLOWED[k]).fold(1.0, f64::max)
+        };
+        let work = |i: &usize| found[*i].work.total();
+        let rank = |a: &usize, b: &usize| broken(*a).total_cmp(&broken(*b)).then(work(a).cmp(&work(b)));
+        let best = (0..count).min_by(rank).unwrap_or(count);
+        let reported = self.on(&[2, 7], &[trials[count], trials[best]]);
+        let choice =
+            |i: usize, k: usize| Choice { trial: trials[i], chosen: found[i], reported: reported[k] };
+        ([choice(count, 0), choice(best, 1)], count)
+    }
+}
+
+/// Measures the culling of a scene: the same results on every run, for any number of threads.
+pub fn results(culling: &Culling) -> Results {
+    let boxes = world(culling.world, culling.seed);
+    let (objects, size) = (objects(culling.seed, BOXES), culling.buffer.map(|n| n as usize));
+    let set = Set { culling, boxes, objects, size };
+    let (choices, combinations) = set.choices();
+    Results {
+        culling: culling.clone(),
+        rows: set.rows(),
+        causes: [CameraPath::Turn, CameraPath::Strafe, CameraPath::Walk]
+            .map(|path| set.causes(path))
+            .to_vec(),
+        sweep: set.sweep(),
+        resolutions: set.resolutions(),
+        choices,
+        combinations,
+        pictures: set.pictures(),
+    }
+}

@@ -1,0 +1,74 @@
+//! In the conservative mode no box is culled of which a pixel of the frame would be seen, as long as
+//! nothing moves but the camera.
+
+use lobefit::scene::World;
+use lobefit_occlusion::camera::Camera;
+use lobefit_occlusion::cull::{Verdict, test};
+use lobefit_occlusion::passes::{Late, Passes};
+use lobefit_occlusion::raster::{Cuboid, is_seen, rendered};
+use lobefit_occlusion::world::{Random, world};
+use rayon::prelude::*;
+
+const SIZE: [usize; 2] = [80, 48];
+const PASSES: Passes = Passes { half: None, median: 0, voxels: None, dilation: 0, conservative: true };
+
+/// Cases of a pair of cameras: of seen boxes culled, of hidden ones culled, and all that are in the frame.
+fn cases(seed: u64, boxes: usize) -> [usize; 3] {
+    let mut random = Random::new(seed);
+    let world = world(if seed.is_multiple_of(3) { World::Forest } else { World::Town }, (seed / 40) as u32);
+    let street = 32.0 * (1.0 + random.within(0.0, 3.0).floor());
+    let along = random.within(8.0, 120.0);
+    let lane = street + random.within(-3.0, 3.0);
+    let eye = if seed.is_multiple_of(2) { [lane, along, 1.7] } else { [along, lane, 1.7] };
+    let turn = f64::from(random.within(0.0, 6.3));
+    let old = Camera::new(eye, [turn, 0.0], SIZE);
+    // Up to five frames of the fastest path of the study, and of a fast turn.
+    let step = [0, 1, 2].map(|k| if k < 2 { random.within(-2.0, 2.0) } else { random.within(-0.2, 0.2) });
+    let turned = turn + f64::from(random.within(-0.4, 0.4));
+    let new =
+        Camera::new([0, 1, 2].map(|k| eye[k] + step[k]), [turned, f64::from(random.within(-0.1, 0.1))], SIZE);
+    let fine = SIZE.map(|n| n * PASSES.fineness());
+    let depth = rendered(&old, &world, fine);
+    let truth = rendered(&new, &world, fine);
+    let buffer = PASSES.run(Late { camera: &old, depth: &depth, grid: None }, &new, SIZE).0;
+    let mut found = [0; 3];
+    for _ in 0..boxes {
+        let base = [random.within(0.0, 128.0), random.within(0.0, 128.0), random.within(0.0, 6.0)];
+        let large = random.within(0.2, 5.0);
+        let cuboid = Cuboid::on(base, [0, 1, 2].map(|_| random.within(0.1, large)));
+        let verdict = test(&buffer, &new, &cuboid, 0.0);
+        if verdict == Verdict::Outside {
+            continue;
+        }
+        let (seen, culled) = (is_seen(&new, &cuboid, &truth), verdict == Verdict::Culled);
+        found[0] += usize::from(seen && culled);
+        found[1] += usize::from(!seen && culled);
+        found[2] += 1;
+        if seen && culled {
+            println!("seed {seed}: {cuboid:?} is seen and culled");
+        }
+    }
+    found
+}
+
+fn over(pairs: u64, boxes: usize) -> [usize; 3] {
+    let all: Vec<[usize; 3]> = (0..pairs).into_par_iter().map(|seed| cases(seed, boxes)).collect();
+    all.into_iter().fold([0; 3], |sum, one| [0, 1, 2].map(|k| sum[k] + one[k]))
+}
+
+#[test]
+fn no_seen_box_is_culled() {
+    let [wrong, right, all] = over(60, 1000);
+    assert!(all > 10_000 && right > all / 8, "{right} of {all} culled");
+    assert_eq!(wrong, 0);
+}
+
+/// A million boxes in frames: minutes.
+#[test]
+#[ignore = "a minute of processor time"]
+fn no_seen_box_of_a_million_is_culled() {
+    let [wrong, right, all] = over(2000, 2200);
+    println!("{all} boxes in frames, {right} culled, {wrong} of them seen");
+    assert!(all >= 1_000_000, "{all}");
+    assert_eq!(wrong, 0);
+}

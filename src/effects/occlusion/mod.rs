@@ -1,0 +1,169 @@
+//! The effect `occlusion`: lookups of binary sub-voxels, for occlusion culling by voxels that depth
+//! was accumulated in. They are exact: no quantity is approximated.
+
+use serde::Serialize;
+
+use super::context::Context;
+use super::demand::{Demand, Job};
+use super::effect::Note;
+use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::emit::call::{Call, MaskLookup};
+use crate::emit::manifest::CostEntry;
+use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
+use crate::scene::{Goals, Pass, Scene};
+use lobefit_shade::code::{MASK_FUNCTIONS, MaskFunction, subvoxels};
+
+/// The effect.
+pub struct Occlusion;
+
+/// Who calls for it, and the field.
+const CULLING: &str = "culling";
+
+/// What their error is, in words.
+const METRIC: &str = "none: exact";
+
+impl Effect for Occlusion {
+    fn name(&self) -> &'static str {
+        "occlusion"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        let culling = scene.culling.iter().filter(|culling| culling.passes.contains(&Pass::Voxels));
+        let demand = culling.map(|culling| Demand {
+            job: "subvoxels".into(),
+            rank: 0,
+            of: 0,
+            item: 0,
+            name: CULLING.into(),
+            field: CULLING.into(),
+            because: format!(
+                "culling: voxels are splatted ({} a side)",
+                culling.grid.map(|n| n.to_string()).join(" x ")
+            ),
+            spans: Default::default(),
+            goals: Goals::error(None),
+        });
+        demand.collect()
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        match scene.culling {
+            Some(_) => "`voxels` is none of the passes of culling".into(),
+            None => "the scene has no `culling`".into(),
+        }
+    }
+
+    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        let summary = |job: &Job| JobSummary {
+            name: job.name.clone(),
+            approximation: "lookups of sub-voxel masks, exact".into(),
+            ranges: job.ranges.clone(),
+            bytes: 0,
+            bytes_at_most: false,
+            expected_error: Some(0.0),
+            recommended: None,
+            seconds: 0.0,
+            merging: None,
+        };
+        jobs.iter().map(summary).collect()
+    }
+
+    fn report_seconds(&self, _: &Scene, _: &[Job]) -> f64 {
+        0.0
+    }
+
+    fn functions(&self) -> Vec<String> {
+        MASK_FUNCTIONS.map(|function| function.name.into()).to_vec()
+    }
+
+    fn lobe(&self, _: &Scene) -> String {
+        "Sub-voxel masks: bit x + 2 y + 4 z of a byte is the sub-voxel at (x, y, z) of a cell of 2 x 2 x 2"
+            .into()
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[(
+            &["subvoxel_centroid"],
+            &[
+                "`subvoxel_centroid` is where to splat a voxel whose sub-voxels are not splatted one by one; `supervoxel_mask` makes",
+                "the mask of eight voxels, whose splat lies at its centroid. Logical operations, shifts, counts of bits, conversions: 1.",
+            ],
+        )]
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        let mut made = Made::new(called, Some(0.0), METRIC);
+        for function in &MASK_FUNCTIONS {
+            made.part.entries.masks.push(entry(function));
+            made.part.entries.calls.push(call(function));
+        }
+        made.code(context, |language| Ok(subvoxels(language)))?;
+        if context.reports(self.name()) {
+            let finding = called.finding(Some(0.0), METRIC);
+            made.page(
+                page(context.origin()),
+                &Figures { effect: finding, functions: made.part.entries.masks.clone() },
+            )?;
+        }
+        Ok(made)
+    }
+}
+
+/// The figures of the page.
+#[derive(Serialize)]
+struct Figures {
+    effect: EffectFinding,
+    functions: Vec<MaskLookup>,
+}
+
+fn cost(function: &MaskFunction) -> CostEntry {
+    CostEntry { ops: function.ops, fetches: u32::from(function.bytes > 0), bytes: function.bytes }
+}
+
+fn entry(function: &MaskFunction) -> MaskLookup {
+    MaskLookup {
+        effect: Occlusion.name().into(),
+        function: function.name.into(),
+        inputs: function.inputs.iter().map(ToString::to_string).collect(),
+        gives: function.gives.into(),
+        cost: cost(function),
+    }
+}
+
+/// What the culling calls, each for itself: which way to the centroid is cheaper, compiled code says.
+fn call(function: &MaskFunction) -> Call {
+    Call {
+        effect: Occlusion.name().into(),
+        of: CULLING.into(),
+        purpose: function.name.into(),
+        recommended: false,
+        function: function.name.into(),
+        name: function.name.into(),
+        file: None,
+        max_error: 0.0,
+        metric: METRIC.into(),
+        cost: cost(function),
+        price: None,
+    }
+}
+
+fn page(origin: Origin) -> Page {
+    let columns = [("function", false), ("gives", false), ("ops", true), ("fetches", true), ("bytes", true)];
+    let row = |function: &MaskFunction| {
+        let CostEntry { ops, fetches, bytes } = cost(function);
+        let call = format!("{}({})", function.name, function.inputs.join(", "));
+        vec![call, function.gives.into(), ops.to_string(), fetches.to_string(), bytes.to_string()]
+    };
+    let caption = "Errors are 0: the nearest floats of the exact means, where a division is rounded once. Compiled costs: docs/occlusion.md.";
+    let table = words::table(&columns, MASK_FUNCTIONS.iter().map(row).collect(), caption);
+    let lead = "Bit b = x + 2 y + 4 z of a mask is the sub-voxel at (x, y, z), each 0 or 1, with its centre at 0.25 or 0.75 of the cell. Mask 0 \
+                has no centroid: (-1, -1, -1) stands for it. Byte b of a super-voxel of 64 bits is the mask of the cell at (x, y, z) of the same order.";
+    let section = Section {
+        id: "masks".into(),
+        title: "Masks".into(),
+        lead: lead.into(),
+        blocks: vec![Block::Table(table)],
+    };
+    let conclusion = "Counting bits gives the centroid of a mask of sub-voxels without a table, exactly.";
+    Page { title: "lobefit: occlusion".into(), origin, lead: conclusion.into(), sections: vec![section] }
+}

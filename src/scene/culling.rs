@@ -1,0 +1,154 @@
+//! Occlusion culling by depth that arrives late: what the lookups of sub-voxels are emitted for, and
+//! what `lobefit report --study occlusion` simulates.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::limits;
+use super::number::{BufferSide, GridSide, Latency, Numbers, Seed, Whole};
+use super::value::{List, Maybe, Word, about, from_file};
+
+/// Quarter resolution of 1280 x 720.
+const BUFFER: [u32; 2] = [320, 180];
+/// Voxels of half a metre over a block of houses.
+const GRID: [u32; 3] = [256, 256, 128];
+/// Frames between a depth buffer and its arrival.
+const LATENCY: u32 = 5;
+
+/// Culling as a scene calls for it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Culling {
+    /// What is looked at.
+    pub world: World,
+    /// Seed of the world, in [0, 2^32).
+    pub seed: u32,
+    /// How the camera moves.
+    pub path: CameraPath,
+    /// Width and height of the occlusion buffer, a quarter of the frame's.
+    pub buffer: [u32; 2],
+    /// Frames that depth is old, in [1, 8].
+    pub latency: u32,
+    /// Voxels along x, y and z, powers of two.
+    pub grid: [u32; 3],
+    /// What the buffer is made by, each once, in the order of [`Pass`].
+    pub passes: Vec<Pass>,
+    /// Whether no box that is visible may be culled as long as nothing moves but the camera.
+    pub conservative: bool,
+}
+
+/// A procedural world.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum World {
+    /// Blocks of houses with arches, fences and poles.
+    #[default]
+    Town,
+    /// Trunks, crowns and fences.
+    Forest,
+}
+
+/// A camera's path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CameraPath {
+    /// A fast look around from one place, forth and back.
+    #[default]
+    Turn,
+    /// Sideways along a street.
+    Strafe,
+    /// Ahead along a street, with a slow turn.
+    Walk,
+}
+
+/// A pass of the reconstruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Pass {
+    /// Old depth as points, forward into the buffer.
+    Reproject,
+    /// The same of old depth of twice the resolution.
+    ReprojectHalf,
+    /// A median of what is around, where small holes are left.
+    Median,
+    /// Splats of accumulated voxels, where nothing is yet.
+    Voxels,
+    /// The farthest of what is around, where still nothing is.
+    Dilation,
+}
+
+impl Pass {
+    /// What there is where the scene does not say: the passes of the method.
+    const DEFAULT: [Pass; 4] = [Pass::Reproject, Pass::Median, Pass::Voxels, Pass::Dilation];
+}
+
+/// Occlusion culling by depth that is frames old. It calls for the lookups of sub-voxels, where voxels
+/// are among the passes; its other fields are for `lobefit report --study occlusion`.
+#[derive(Default, Deserialize, JsonSchema)]
+#[schemars(rename = "Culling")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes culling, which may be empty")]
+struct CullingFile {
+    /// What is looked at: `town` (the default) or `forest`.
+    world: Maybe<Word<World>>,
+    /// Seed of the world; default 1.
+    seed: Maybe<Whole<Seed>>,
+    /// How the camera moves: `turn` (the default), `strafe` or `walk`.
+    path: Maybe<Word<CameraPath>>,
+    /// Width and height of the occlusion buffer; default [320, 180], a quarter of 1280 x 720.
+    buffer: Maybe<Numbers<Whole<BufferSide>, 2, false>>,
+    /// Frames that depth is old; default 5.
+    latency: Maybe<Whole<Latency>>,
+    /// Voxels along x, y and z, powers of two; default [256, 256, 128].
+    grid: Maybe<Numbers<Whole<GridSide>, 3, false>>,
+    /// What the buffer is made by: `reproject`, or `reproject-half` of depth of twice the resolution;
+    /// `median`, `voxels`, `dilation`; default all but `reproject-half`.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    passes: Maybe<List<Word<Pass>, 5>>,
+    /// Whether no visible box may be culled as long as nothing moves but the camera; default false.
+    conservative: Maybe<bool>,
+}
+
+impl TryFrom<CullingFile> for Culling {
+    type Error = String;
+
+    fn try_from(file: CullingFile) -> Result<Self, String> {
+        let grid = file.grid.0.map_or(GRID, |n| n.0.map(|n| n.0));
+        let voxels: u64 = grid.iter().map(|n| u64::from(*n)).product();
+        if let Some(axis) = grid.iter().position(|n| !n.is_power_of_two()) {
+            return Err(about(format!("grid[{axis}]"), format!("{} is no power of two", grid[axis])));
+        }
+        if voxels > limits::VOXELS {
+            return Err(about("grid", format!("{voxels} voxels are more than {}", limits::VOXELS)));
+        }
+        Ok(Culling {
+            world: file.world.0.map_or_else(World::default, |w| w.0),
+            seed: file.seed.0.map_or(1, |n| n.0),
+            path: file.path.0.map_or_else(CameraPath::default, |w| w.0),
+            buffer: file.buffer.0.map_or(BUFFER, |n| n.0.map(|n| n.0)),
+            latency: file.latency.0.map_or(LATENCY, |n| n.0),
+            grid,
+            passes: passes(file.passes.0).map_err(|message| about("passes", message))?,
+            conservative: file.conservative.0.unwrap_or(false),
+        })
+    }
+}
+
+/// The passes in their order; a list that is empty, names one twice or makes nothing is refused.
+fn passes(given: Option<List<Word<Pass>, 5>>) -> Result<Vec<Pass>, String> {
+    let Some(List(words)) = given else { return Ok(Pass::DEFAULT.to_vec()) };
+    let mut passes: Vec<Pass> = words.iter().map(|word| word.0).collect();
+    passes.sort();
+    passes.dedup();
+    let has = |pass: Pass| passes.contains(&pass);
+    match () {
+        () if passes.len() != words.len() => Err("a pass is there twice".into()),
+        () if has(Pass::Reproject) && has(Pass::ReprojectHalf) => {
+            Err("`reproject` and `reproject-half` stand for one another; give one of them".into())
+        }
+        () if !(has(Pass::Reproject) || has(Pass::ReprojectHalf) || has(Pass::Voxels)) => {
+            Err("no pass writes depth: give `reproject`, `reproject-half` or `voxels`".into())
+        }
+        () => Ok(passes),
+    }
+}
+
+from_file!(Culling, CullingFile);
