@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 
-use super::culling::Culling;
 use super::SceneError;
+use super::culling::Culling;
 use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;

@@ -98,6 +98,12 @@ fn lobes_of_models_become_materials() {
     let (materials, _) =
         shader("UsdPreviewSurface", &[("useSpecularWorkflow", "1"), ("specularColor", "0.1,0.2,0.3")]);
     assert_eq!(materials[0].f0, Some([0.1, 0.2, 0.3]));
+    // A rough base, also without a specular lobe.
+    for specular in ["0", "1"] {
+        let inputs = [("specular_weight", specular), ("base_diffuse_roughness", "0.5")];
+        let (materials, _) = shader("open_pbr_surface", &inputs);
+        assert_eq!(materials[0].base.as_ref().map(|base| base.roughness), Some([0.5; 2]));
+    }
     // A sheen without a specular lobe; its roughness is alpha there.
     let (materials, _) =
         shader("standard_surface", &[("specular", "0"), ("sheen", "1"), ("sheen_roughness", "0.25")]);
@@ -118,7 +124,7 @@ fn what_a_scene_does_not_hold_is_said() {
     said("open_pbr_surface", &[("coat_weight", "1")], About::Missing, "no coat over a base");
     said("open_pbr_surface", &[("thin_film_weight", "1")], About::Missing, "no film");
     said("open_pbr_surface", &[("subsurface_weight", "1")], About::Missing, "subsurface");
-    said("open_pbr_surface", &[("base_diffuse_roughness", "1")], About::Missing, "Lambert's");
+    said("standard_surface", &[("diffuse_roughness", "1")], About::Reading, "EON's");
     said("open_pbr_surface", &[("fuzz_weight", "1")], About::Missing, "Charlie sheen");
     said("standard_surface", &[("specular_anisotropy", "0.5")], About::Reading, "(alpha_x alpha_y)^(1/4)");
     said("standard_surface", &[("specular_anisotropy", "0.97")], About::Missing, "more than 10 times");

@@ -2,7 +2,7 @@
 
 use lobefit_strict::number::{DielectricIor, Interval};
 use lobefit_truth::optics::fresnel::f0_of_ior;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::limits::GLASS_IOR;
 use super::note::Said;
@@ -37,6 +37,8 @@ pub(crate) struct Surface {
     pub f0: [f64; 3],
     /// Albedo of the diffuse base of the dielectric.
     pub albedo: [f64; 3],
+    /// Roughness of that base itself: 0 is Lambert's.
+    pub base_roughness: [f64; 2],
     /// The lobe.
     pub shape: Shape,
     /// Of the dielectric; none where it has no specular lobe.
@@ -76,12 +78,12 @@ impl Surface {
                 let mut own = self.shaped(vec![reflectance(stated)]);
                 // What lets all light through scatters none below its surface.
                 if self.transmission[0] < 1.0 && self.albedo != [0.0; 3] {
-                    own.push(("base", json!({ "albedo": self.albedo.map(tidy) })));
+                    own.push(("base", self.base()));
                 }
                 add("dielectric", own);
-            } else if is_opaque && self.sheen.is_some() {
+            } else if is_opaque && (self.sheen.is_some() || self.base_roughness[1] > 0.0) {
                 said.reading("it has no specular lobe: the scene has a smooth one, which calls for nothing");
-                add("dielectric", vec![("f0", json!(0)), ("roughness", json!(0))]);
+                add("dielectric", vec![("f0", json!(0)), ("roughness", json!(0)), ("base", self.base())]);
             }
         }
         if let Some(roughness) = self.sheen {
@@ -91,6 +93,14 @@ impl Surface {
             }
         }
         Parts { parts, said }
+    }
+
+    fn base(&self) -> Value {
+        let albedo = self.albedo.map(tidy);
+        match self.base_roughness[1] > 0.0 {
+            true => json!({ "albedo": albedo, "roughness": span(self.base_roughness) }),
+            false => json!({ "albedo": albedo }),
+        }
     }
 
     /// Fields with those of the lobe behind the first.
@@ -121,7 +131,7 @@ impl Surface {
     }
 }
 
-fn reflectance(of: &Reflectance) -> (&'static str, serde_json::Value) {
+fn reflectance(of: &Reflectance) -> (&'static str, Value) {
     match *of {
         Reflectance::Ior(ior) if DielectricIor::MIN < ior && ior <= DielectricIor::MAX => ("ior", json!(ior)),
         Reflectance::Ior(ior) => ("f0", json!(tidy(f0_of(ior)))),

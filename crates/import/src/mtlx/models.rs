@@ -50,7 +50,6 @@ impl Inputs<'_, '_, '_, '_, '_> {
 }
 
 const SUBSURFACE: &str = "subsurface scattering: this version's base scatters where the light meets it";
-const ROUGH_BASE: &str = "rough diffuse base: this version's is Lambert's";
 
 /// OpenPBR surface 1.1.
 fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
@@ -71,16 +70,12 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
     if sheen.is_some() {
         of.said.missing("fuzz: this version has the Charlie sheen, another lobe, of the same roughness");
     }
-    of.lacks(&[
-        ("coat_weight", COAT),
-        ("thin_film_weight", FILM),
-        ("subsurface_weight", SUBSURFACE),
-        ("base_diffuse_roughness", ROUGH_BASE),
-    ])?;
+    of.lacks(&[("coat_weight", COAT), ("thin_film_weight", FILM), ("subsurface_weight", SUBSURFACE)])?;
     Ok(Surface {
         metalness,
         f0: scaled(base, specular.min(1.0)),
         albedo: base,
+        base_roughness: of.unit("base_diffuse_roughness", 0.0)?,
         shape: shape(of, roughness, strength, "specular_roughness_anisotropy", open_pbr_widths),
         reflectance: reflectance(ior, specular, tint),
         transmission: of.unit("transmission_weight", 0.0)?,
@@ -120,16 +115,17 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
     // Its roughness is alpha.
     let sheen =
         sheen(of, ("sheen", "sheen_color"), ("sheen_roughness", 0.3))?.map(|range| range.map(f64::sqrt));
-    of.lacks(&[
-        ("coat", COAT),
-        ("thin_film_thickness", FILM),
-        ("subsurface", SUBSURFACE),
-        ("diffuse_roughness", ROUGH_BASE),
-    ])?;
+    of.lacks(&[("coat", COAT), ("thin_film_thickness", FILM), ("subsurface", SUBSURFACE)])?;
+    let base_roughness = of.unit("diffuse_roughness", 0.0)?;
+    if base_roughness[1] > 0.0 {
+        of.said
+            .reading("rough diffuse base: Oren and Nayar's lobe is planned as EON's of the same roughness");
+    }
     Ok(Surface {
         metalness,
         f0: base,
         albedo: base,
+        base_roughness,
         shape: shape(of, roughness, strength, "specular_anisotropy", standard_widths),
         reflectance: reflectance(ior, specular, tint),
         transmission: of.unit("transmission", 0.0)?,
@@ -164,6 +160,7 @@ fn gltf(of: &mut Inputs) -> Result<Surface, SceneError> {
         metalness,
         f0: colour,
         albedo: colour,
+        base_roughness: [0.0; 2],
         shape: shape(of, roughness, strength, "anisotropy_strength", widths),
         reflectance: Some(reflectance(ior, specular, tint).unwrap_or(Reflectance::F0(BLACK))),
         transmission: of.unit("transmission", 0.0)?,
@@ -188,6 +185,7 @@ fn usd_preview(of: &mut Inputs) -> Result<Surface, SceneError> {
         metalness: if has_f0 { [0.0; 2] } else { of.unit("metallic", 0.0)? },
         f0: colour,
         albedo: colour,
+        base_roughness: [0.0; 2],
         shape: Shape { roughness, anisotropy: [0.0; 2] },
         reflectance: if has_f0 {
             Some(Reflectance::F0(of.colour("specularColor", BLACK)?))
