@@ -1,5 +1,5 @@
-//! Gives the library a hash of its own code, `LOBEFIT_OCCLUSION`: results of other code have another
-//! recipe.
+//! Gives the library a hash of its own code, `LOBEFIT_OCCLUSION`: results of other code have
+//! another recipe.
 
 #[path = "../../build/sources.rs"]
 #[allow(dead_code, reason = "the places are those of the package `lobefit`")]

@@ -1,5 +1,5 @@
-//! Occlusion culling by depth that arrives late: what the lookups of sub-voxels are emitted for, and
-//! what `lobefit report --study occlusion` simulates.
+//! Occlusion culling by depth that arrives late: what the lookups of sub-voxels are emitted for,
+//! and what `lobefit report --study occlusion` simulates.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -81,8 +81,8 @@ impl Pass {
     const DEFAULT: [Pass; 4] = [Pass::Reproject, Pass::Median, Pass::Voxels, Pass::Dilation];
 }
 
-/// Occlusion culling by depth that is frames old. It calls for the lookups of sub-voxels, where voxels
-/// are among the passes; its other fields are for `lobefit report --study occlusion`.
+/// Occlusion culling by depth that is frames old. It calls for the lookups of sub-voxels, where
+/// voxels are among the passes; its other fields are for `lobefit report --study occlusion`.
 #[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Culling")]
 #[serde(deny_unknown_fields, default, expecting = "an object that describes culling, which may be empty")]
@@ -99,8 +99,8 @@ struct CullingFile {
     latency: Maybe<Whole<Latency>>,
     /// Voxels along x, y and z, powers of two; default [256, 256, 128].
     grid: Maybe<Numbers<Whole<GridSide>, 3, false>>,
-    /// What the buffer is made by: `reproject`, or `reproject-half` of depth of twice the resolution;
-    /// `median`, `voxels`, `dilation`; default all but `reproject-half`.
+    /// What the buffer is made by: `reproject`, or `reproject-half` of depth of twice the
+    /// resolution; `median`, `voxels`, `dilation`; default all but `reproject-half`.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     passes: Maybe<List<Word<Pass>, 5>>,
     /// Whether no visible box may be culled as long as nothing moves but the camera; default false.

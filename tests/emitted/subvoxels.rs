@@ -1,5 +1,5 @@
-//! Lookups of sub-voxels as emitted: over all masks of a byte and many of 64 bits the exact values, in
-//! every language that is run here.
+//! Lookups of sub-voxels as emitted: over all masks of a byte and many of 64 bits the exact values,
+//! in every language that is run here.
 
 use crate::emit_support::compilers::{Contraction, includes_in_cpp, loops, run};
 use crate::emit_support::languages::{FAMILY, compile, file};

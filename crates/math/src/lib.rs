@@ -1,5 +1,5 @@
-//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, vectors in space
-//! and masks of sub-voxels.
+//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, vectors in
+//! space and masks of sub-voxels.
 
 pub mod chebyshev;
 pub mod gauss;

@@ -25,8 +25,8 @@ pub fn dot(a: Place, b: Place) -> f32 {
 }
 
 impl Camera {
-    /// At a place, turned by yaw from the x axis towards y and by pitch upwards (radians), 90 degrees
-    /// wide, of the shape of a buffer.
+    /// At a place, turned by yaw from the x axis towards y and by pitch upwards (radians), 90
+    /// degrees wide, of the shape of a buffer.
     pub fn new(eye: Place, [yaw, pitch]: [f64; 2], size: [usize; 2]) -> Camera {
         let ([sy, cy], [sp, cp]) = ([sin(yaw), cos(yaw)], [sin(pitch), cos(pitch)]);
         let right = [sy, -cy, 0.0];
@@ -49,8 +49,8 @@ impl Camera {
         ahead.then(|| [0, 1].map(|k| (view[k] / (view[2] * self.tangents[k]) + 1.0) * 0.5 * size[k] as f32))
     }
 
-    /// The displacement to depth 1 through the corner of pixel 0, and its steps by a pixel across and
-    /// down: in the world.
+    /// The displacement to depth 1 through the corner of pixel 0, and its steps by a pixel across
+    /// and down: in the world.
     pub fn rays(&self, size: [usize; 2]) -> [Place; 3] {
         let [right, down, ahead] = self.axes;
         let [tx, ty] = self.tangents;

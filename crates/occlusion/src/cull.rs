@@ -26,8 +26,8 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// The rectangle of a box; a verdict where it has none: [`Verdict::Kept`] where it meets the near
-    /// plane or its corners are not finite. A box without area has the rectangle of one texel.
+    /// The rectangle of a box; a verdict where it has none: [`Verdict::Kept`] where it meets the
+    /// near plane or its corners are not finite. A box without area has the rectangle of one texel.
     pub fn of(camera: &Camera, cuboid: &Cuboid, size: [usize; 2]) -> Result<Footprint, Verdict> {
         let corners: [_; 8] = std::array::from_fn(|i| camera.view(cuboid.corner(i)));
         if corners.iter().flatten().any(|x| !x.is_finite()) {
@@ -54,8 +54,8 @@ impl Footprint {
         Ok(Footprint { columns: ends[0], rows: ends[1], nearest })
     }
 
-    /// Whether a buffer hides all of it, its depths taken for farther by the part `bias`; with the texels
-    /// read. Empty texels hide nothing.
+    /// Whether a buffer hides all of it, its depths taken for farther by the part `bias`; with the
+    /// texels read. Empty texels hide nothing.
     pub fn is_hidden(&self, depth: &Depth, bias: f32) -> (bool, u64) {
         let mut read = 0;
         for y in self.rows[0]..=self.rows[1] {

@@ -3,8 +3,8 @@
 /// The depth of a texel that nothing was written to.
 pub const EMPTY: f32 = -1.0;
 
-/// Depth along the view's axis, row by row from the top: positive, infinite where nothing is hit, or
-/// [`EMPTY`].
+/// Depth along the view's axis, row by row from the top: positive, infinite where nothing is hit,
+/// or [`EMPTY`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Depth {
     /// Width and height.
@@ -40,7 +40,8 @@ impl Depth {
         rows.flat_map(move |row| self.texels[row * width..][columns.clone()].iter().copied())
     }
 
-    /// Puts into each empty texel what `fill` makes of the buffer there, all at once; texels touched.
+    /// Puts into each empty texel what `fill` makes of the buffer there, all at once; texels
+    /// touched.
     fn filled(&mut self, radius: usize, fill: impl Fn(&Depth, usize, usize) -> f32) -> u64 {
         let width = self.size[0];
         let holes: Vec<usize> = (0..self.texels.len()).filter(|i| self.texels[*i] == EMPTY).collect();
@@ -67,8 +68,8 @@ impl Depth {
         })
     }
 
-    /// Fills empty texels with the farthest of what is written around them, of the smallest square up to
-    /// a radius that has anything. Texels touched.
+    /// Fills empty texels with the farthest of what is written around them, of the smallest square
+    /// up to a radius that has anything. Texels touched.
     pub fn dilation(&mut self, radius: usize) -> u64 {
         self.filled(radius, |depth, x, y| {
             let farthest = |r| depth.around(x, y, r).fold(EMPTY, f32::max);
@@ -76,8 +77,8 @@ impl Depth {
         })
     }
 
-    /// The farthest of each square, empty where any of it is: what stands in front of a texel stands in
-    /// front of its neighbours too.
+    /// The farthest of each square, empty where any of it is: what stands in front of a texel
+    /// stands in front of its neighbours too.
     pub fn eroded(&self, radius: usize) -> Depth {
         let [width, _] = self.size;
         let worst = |i: usize| {

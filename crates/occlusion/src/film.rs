@@ -20,8 +20,8 @@ pub struct Shot {
     pub path: CameraPath,
     /// Where it starts: one of nine crossings.
     pub start: usize,
-    /// Times the usual speed, at which a turn is 3 degrees a frame, a step sideways 0.25 m and one ahead
-    /// 0.35 m.
+    /// Times the usual speed, at which a turn is 3 degrees a frame, a step sideways 0.25 m and one
+    /// ahead 0.35 m.
     pub speed: f64,
 }
 

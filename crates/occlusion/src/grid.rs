@@ -96,9 +96,10 @@ impl Grid {
         touched
     }
 
-    /// Writes points of the grid into the empty texels of a buffer, the nearest of those in a texel:
-    /// each a square as large as what it stands for looks, and as much farther away than it is. What is
-    /// nearer than its own size, the camera in it, is left out. Voxels and texels touched.
+    /// Writes points of the grid into the empty texels of a buffer, the nearest of those in a
+    /// texel: each a square as large as what it stands for looks, and as much farther away than it
+    /// is. What is nearer than its own size, the camera in it, is left out. Voxels and texels
+    /// touched.
     pub fn splat(&self, camera: &Camera, lod: Lod, out: &mut Depth) -> u64 {
         let mut layer = Depth::empty(out.size);
         let mut touched = self.occupied.len() as u64;

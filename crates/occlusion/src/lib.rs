@@ -1,5 +1,6 @@
-//! Dynamic occlusion culling by depth that arrives late, on the CPU: an occlusion buffer is made from
-//! depth that is frames old, compared with the depth of the frame, and boxes are tested against both.
+//! Dynamic occlusion culling by depth that arrives late, on the CPU: an occlusion buffer is made
+//! from depth that is frames old, compared with the depth of the frame, and boxes are tested
+//! against both.
 //!
 //! | module | purpose |
 //! |---|---|

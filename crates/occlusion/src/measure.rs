@@ -83,9 +83,9 @@ pub fn part(of: u64, whole: u64) -> f64 {
     if whole == 0 { 0.0 } else { of as f64 / whole as f64 }
 }
 
-/// The error of a texel relative to its true depth, in [-1, 1]: negative where it is too near, 1 where
-/// nothing is known or the buffer sees past the scene; none where both are infinite, or nothing was
-/// written.
+/// The error of a texel relative to its true depth, in [-1, 1]: negative where it is too near, 1
+/// where nothing is known or the buffer sees past the scene; none where both are infinite, or
+/// nothing was written.
 pub fn error(found: f32, truth: f32) -> Option<f32> {
     match (found, truth) {
         (EMPTY, _) => None,
@@ -110,7 +110,8 @@ pub struct Holes {
 }
 
 impl Holes {
-    /// Of a buffer, by the true depth: what is seen in an empty texel is looked for in the old frame.
+    /// Of a buffer, by the true depth: what is seen in an empty texel is looked for in the old
+    /// frame.
     pub fn of(buffer: &Depth, truth: (&Depth, &Camera), old: (&Depth, &Camera)) -> Holes {
         let ((depth, camera), (before, from), size) = (truth, old, buffer.size);
         let [corner, across, down] = camera.rays(size);
@@ -155,8 +156,8 @@ pub struct Span<'a> {
     pub voxels: [u32; 3],
 }
 
-/// Measures trials over frames of a film, with boxes that are tested. A trial whose fineness the film has
-/// not is measured over no frames.
+/// Measures trials over frames of a film, with boxes that are tested. A trial whose fineness the
+/// film has not is measured over no frames.
 pub fn measured(film: &Film, span: &Span, trials: &[Trial], boxes: &[Cuboid]) -> Vec<Tally> {
     let mut tallies = vec![Tally::default(); trials.len()];
     let mut grid = Grid::new(span.voxels);

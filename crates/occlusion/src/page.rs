@@ -97,7 +97,8 @@ fn depth(title: &str, depth: &Depth) -> Pixels {
     }
 }
 
-/// Yellow where a buffer is too near, cyan where it is too far, faint dots where nothing was written.
+/// Yellow where a buffer is too near, cyan where it is too far, faint dots where nothing was
+/// written.
 fn errors(title: &str, found: &Depth, truth: &Depth) -> Pixels {
     let width = found.size[0];
     let level = |(i, (found, truth)): (usize, (&f32, &f32))| match error(*found, *truth) {

@@ -22,9 +22,9 @@ pub struct Passes {
     pub voxels: Option<Lod>,
     /// Largest radius of the dilation; 0: none.
     pub dilation: usize,
-    /// Nothing is hidden that may be seen: the farthest point of each texel, of depth that is four times
-    /// as fine, nothing known at edges and next to them. The other passes invent depth, and are left
-    /// out.
+    /// Nothing is hidden that may be seen: the farthest point of each texel, of depth that is four
+    /// times as fine, nothing known at edges and next to them. The other passes invent depth, and
+    /// are left out.
     pub conservative: bool,
 }
 
@@ -79,8 +79,8 @@ impl Passes {
         }
     }
 
-    /// A buffer of a size from what is late, with the texels and voxels touched and the seconds taken.
-    /// Seconds differ from run to run: nothing that is kept may follow from them.
+    /// A buffer of a size from what is late, with the texels and voxels touched and the seconds
+    /// taken. Seconds differ from run to run: nothing that is kept may follow from them.
     pub fn run(&self, late: Late, to: &Camera, size: [usize; 2]) -> (Depth, Work<u64>, Work<f64>) {
         let (mut work, mut seconds) = (Work::default(), Work::default());
         let mut out = Depth::empty(size);

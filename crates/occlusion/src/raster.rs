@@ -77,8 +77,8 @@ fn span((points, count): &Polygon, row: usize, width: usize) -> (usize, usize) {
     (column(low), column(high))
 }
 
-/// Calls `draw` for each row of each face that the camera is in front of: row, columns, 1/z at the first
-/// column and its step. A box that holds the camera has none.
+/// Calls `draw` for each row of each face that the camera is in front of: row, columns, 1/z at the
+/// first column and its step. A box that holds the camera has none.
 pub fn faces(
     camera: &Camera,
     cuboid: &Cuboid,

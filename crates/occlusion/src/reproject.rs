@@ -48,8 +48,8 @@ impl Carried {
     }
 }
 
-/// Writes every texel of an old depth where it is seen from now: of two in a texel the nearer counts, and
-/// what is infinitely far only where nothing else is. Texels touched.
+/// Writes every texel of an old depth where it is seen from now: of two in a texel the nearer
+/// counts, and what is infinitely far only where nothing else is. Texels touched.
 pub fn reproject(old: &Depth, from: &Camera, to: &Camera, out: &mut Depth) -> u64 {
     let carried = Carried::new(from, old.size, to, out.size);
     let mut touched = old.texels.len() as u64;
@@ -66,9 +66,10 @@ pub fn reproject(old: &Depth, from: &Camera, to: &Camera, out: &mut Depth) -> u6
 /// Largest part of 1/z by which its second difference may be off a plane's: rounding, and no edge.
 const PLANE: f32 = 2e-3;
 
-/// The same so that nothing is hidden that is seen: the farthest point counts, and between neighbours
-/// that no plane joins nothing is known, for behind an edge a gap may have opened. Texels next to one
-/// that is not known are not either, the ones around the frame among them. Texels touched.
+/// The same so that nothing is hidden that is seen: the farthest point counts, and between
+/// neighbours that no plane joins nothing is known, for behind an edge a gap may have opened.
+/// Texels next to one that is not known are not either, the ones around the frame among them.
+/// Texels touched.
 pub fn reproject_conservatively(old: &Depth, from: &Camera, to: &Camera, out: &mut Depth) -> u64 {
     let carried = Carried { margin: 1, ..Carried::new(from, old.size, to, out.size) };
     let [width, height] = old.size;

@@ -318,8 +318,9 @@ impl Set<'_> {
         (0..trials.len()).map(sum).collect()
     }
 
-    /// The scene's own parameters, and of all combinations the one of least work that keeps [`ALLOWED`]
-    /// on some shots; where none does, the one that breaks it least. There are few enough to try all.
+    /// The scene's own parameters, and of all combinations the one of least work that keeps
+    /// [`ALLOWED`] on some shots; where none does, the one that breaks it least. There are few
+    /// enough to try all.
     fn choices(&self) -> ([Choice; 2], usize) {
         let own = Trial { passes: Passes { conservative: false, ..passes(self.culling) }, bias: BIAS };
         let mut trials = self.combinations();

@@ -130,7 +130,8 @@ fn entry(function: &MaskFunction) -> MaskLookup {
     }
 }
 
-/// What the culling calls, each for itself: which way to the centroid is cheaper, compiled code says.
+/// What the culling calls, each for itself: which way to the centroid is cheaper, compiled code
+/// says.
 fn call(function: &MaskFunction) -> Call {
     Call {
         effect: Occlusion.name().into(),

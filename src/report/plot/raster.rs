@@ -57,8 +57,8 @@ fn base64(figure: &str, encoded: Result<Vec<u8>, png::EncodingError>) -> Result<
     Ok(STANDARD.encode(encoded.map_err(refused)?))
 }
 
-/// Filters that are tried. Which is the best depends on the picture: of rendered rooms none at all, of
-/// smooth values one of the differences.
+/// Filters that are tried. Which is the best depends on the picture: of rendered rooms none at all,
+/// of smooth values one of the differences.
 const FILTERS: [png::Filter; 5] =
     [png::Filter::NoFilter, png::Filter::Sub, png::Filter::Up, png::Filter::Paeth, png::Filter::Adaptive];
 

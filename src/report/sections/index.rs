@@ -87,7 +87,8 @@ pub(super) fn conclusion(manifest: &Manifest) -> String {
     };
     let kinds = [(named("materials"), "material", "materials"), (named("probes"), "probe", "probes")];
     let kinds = kinds.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| words::count(n, one, many));
-    let users = kinds.collect::<Vec<_>>().join(" and ");
+    let culling = !manifest.entries.masks.is_empty();
+    let users = kinds.chain(culling.then(|| "culling".into())).collect::<Vec<_>>().join(" and ");
     format!("{functions} {users}; {}", kept(manifest))
 }
 

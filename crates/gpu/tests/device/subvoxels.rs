@@ -1,5 +1,6 @@
 //! Lookups of sub-voxels where shaders run: the exact values in WGSL, HLSL and GLSL, but for what a
-//! device leaves of a division. The table is left out: Mesa's driver for the CPU compiles one for minutes.
+//! device leaves of a division. The table is left out: Mesa's driver for the CPU compiles one for
+//! minutes.
 
 use crate::emit_support::compilers::{Target, glslang};
 use crate::emit_support::languages::file;

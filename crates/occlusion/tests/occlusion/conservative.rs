@@ -1,5 +1,5 @@
-//! In the conservative mode no box is culled of which a pixel of the frame would be seen, as long as
-//! nothing moves but the camera.
+//! In the conservative mode no box is culled of which a pixel of the frame would be seen, as long
+//! as nothing moves but the camera.
 
 use lobefit::scene::World;
 use lobefit_occlusion::camera::Camera;
@@ -12,7 +12,8 @@ use rayon::prelude::*;
 const SIZE: [usize; 2] = [80, 48];
 const PASSES: Passes = Passes { half: None, median: 0, voxels: None, dilation: 0, conservative: true };
 
-/// Cases of a pair of cameras: of seen boxes culled, of hidden ones culled, and all that are in the frame.
+/// Cases of a pair of cameras: of seen boxes culled, of hidden ones culled, and all that are in the
+/// frame.
 fn cases(seed: u64, boxes: usize) -> [usize; 3] {
     let mut random = Random::new(seed);
     let world = world(if seed.is_multiple_of(3) { World::Forest } else { World::Town }, (seed / 40) as u32);

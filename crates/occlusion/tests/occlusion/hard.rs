@@ -1,5 +1,5 @@
-//! Places that are hard: behind the camera, at infinity, on the near plane, twice in a texel, without
-//! area, on the grid's borders, with the camera inside.
+//! Places that are hard: behind the camera, at infinity, on the near plane, twice in a texel,
+//! without area, on the grid's borders, with the camera inside.
 
 use lobefit_occlusion::camera::{Camera, NEAR};
 use lobefit_occlusion::cull::{Verdict, test};
@@ -29,7 +29,8 @@ fn what_is_behind_or_before_the_near_plane_has_no_pixel() {
     assert_eq!(camera.pixel([0.0, 0.0, f32::INFINITY], SIZE), None);
 }
 
-/// Infinite depth stays infinite, and moves with turns alone; a point that comes to lie behind is left out.
+/// Infinite depth stays infinite, and moves with turns alone; a point that comes to lie behind is
+/// left out.
 #[test]
 fn infinite_and_passed_depth() {
     let camera = ahead();
@@ -102,8 +103,8 @@ fn boxes_around_the_camera() {
     assert!(cut.texels.iter().all(|z| *z >= NEAR * 0.999) && cut.texels.iter().any(|z| z.is_finite()));
 }
 
-/// The lower border of the grid is in it, the upper one and what is not a number are not; the camera in a
-/// cell sees nothing of it.
+/// The lower border of the grid is in it, the upper one and what is not a number are not; the
+/// camera in a cell sees nothing of it.
 #[test]
 fn borders_of_the_grid_and_the_camera_in_a_cell() {
     for voxels in [[64, 64, 32], [8, 64, 2], [2, 2, 2]] {

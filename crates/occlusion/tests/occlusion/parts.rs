@@ -45,8 +45,8 @@ fn depth_is_that_of_rays() {
     }
 }
 
-/// Depth that is not old at all comes back as it is, and nothing is empty; a turn leaves holes out of the
-/// frame, a step sideways leaves some behind an edge.
+/// Depth that is not old at all comes back as it is, and nothing is empty; a turn leaves holes out
+/// of the frame, a step sideways leaves some behind an edge.
 #[test]
 fn reprojection_of_now_is_now_and_holes_have_causes() {
     let boxes = [

@@ -1,4 +1,5 @@
-//! The whole of what is measured: the same on any number of threads, and of the order that it must have.
+//! The whole of what is measured: the same on any number of threads, and of the order that it must
+//! have.
 
 use lobefit::scene::{Culling, Scene};
 use lobefit_occlusion::film::{Film, Shot};
@@ -33,7 +34,8 @@ fn results_do_not_depend_on_threads() {
     assert!(one.sweep.iter().filter(|point| point.speed == 1.0).count() == 16);
 }
 
-/// Prints the least milliseconds of each pass over frames at the example's sizes: nothing is asserted of a clock.
+/// Prints the least milliseconds of each pass over frames at the example's sizes: nothing is
+/// asserted of a clock.
 #[test]
 #[ignore = "a measurement"]
 fn times_of_passes() {

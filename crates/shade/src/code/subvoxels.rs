@@ -1,6 +1,6 @@
-//! Lookups of binary sub-voxels in every language: the centroid of a byte's, by counting bits and by a
-//! table, and the byte of a super-voxel. They are of integers, which the dialect of formulas has not:
-//! the languages' texts stand here, one beside the other.
+//! Lookups of binary sub-voxels in every language: the centroid of a byte's, by counting bits and
+//! by a table, and the byte of a super-voxel. They are of integers, which the dialect of formulas
+//! has not: the languages' texts stand here, one beside the other.
 
 use super::Language;
 use super::expression::decimal;
@@ -16,8 +16,8 @@ pub struct MaskFunction {
     pub inputs: &'static [&'static str],
     /// What it returns.
     pub gives: &'static str,
-    /// Operations of a number each, as of formulas, and a logical operation, a shift, a count of bits and
-    /// a conversion one: of the text in WGSL.
+    /// Operations of a number each, as of formulas, and a logical operation, a shift, a count of
+    /// bits and a conversion one: of the text in WGSL.
     pub ops: u32,
     /// Bytes of its table.
     pub bytes: u64,
@@ -226,8 +226,8 @@ float3 subvoxel_centroid_lookup(uint mask) {
     suffix: "f",
 };
 
-// Counts of bits come with GLSL 4.00 and GLSL ES 3.10: four are made at once. Integers of GLSL ES may have 16
-// bits where they are not said to be highp.
+// Counts of bits come with GLSL 4.00 and GLSL ES 3.10: four are made at once. Integers of GLSL ES
+// may have 16 bits where they are not said to be highp.
 const GLSL: Words = Words {
     centroid: "\
 vec3 subvoxel_centroid(highp uint mask) {

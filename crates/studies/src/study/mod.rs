@@ -39,8 +39,8 @@ pub trait Study: Sync {
     /// As [`run`].
     fn parameters(&self, size: Size) -> Result<Value, StudyError>;
 
-    /// The same of a scene of the user's, in a folder of its own; none of a study that takes no scene, or
-    /// of a scene that does not call for it.
+    /// The same of a scene of the user's, in a folder of its own; none of a study that takes no
+    /// scene, or of a scene that does not call for it.
     fn of_scene(&self, _scene: &Scene) -> Option<Box<dyn Study>> {
         None
     }

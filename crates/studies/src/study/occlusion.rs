@@ -29,8 +29,8 @@ struct Document {
 }
 
 impl Occlusion {
-    /// What the scene asks for; of the reduced study with a quarter of the texels and an eighth of the
-    /// voxels, as far as there are as many.
+    /// What the scene asks for; of the reduced study with a quarter of the texels and an eighth of
+    /// the voxels, as far as there are as many.
     fn culling(&self, size: Size) -> Result<Culling, StudyError> {
         let example =
             || Scene::from_json(SCENE, "examples/culling.json")?.culling.ok_or(StudyError::NoCulling);
