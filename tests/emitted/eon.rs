@@ -12,6 +12,7 @@ use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Source, Tape};
 
@@ -53,7 +54,8 @@ fn furnace(lobe: &impl Fn(f32, f32, [f64; 3]) -> f64, albedo: f32, roughness: f3
     for heights in [[0.0, mu], [mu, 1.0]] {
         sum += rule.integrate(heights[0], heights[1], |mu_l| {
             let sine_l = (1.0 - mu_l * mu_l).sqrt();
-            let at = |phi: f64| lobe(albedo, roughness, [mu, mu_l, mu * mu_l + sine * sine_l * phi.cos()]);
+            let at =
+                |phi: f64| lobe(albedo, roughness, [mu, mu_l, mu * mu_l + sine * sine_l * ops::cos(phi)]);
             let azimuths = rule.integrate(0.0, 0.5 * PI, at) + rule.integrate(0.5 * PI, PI, at);
             2.0 * azimuths * mu_l
         });
