@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use super::CliError;
 use super::input;
 use super::options::{ThreadsOption, positive, quantity, smith};
-use super::output::{Outcome, print};
+use super::output::{Outcome, print, say_each};
 use super::points::{self, Points, Row};
 use crate::data::Smith;
 use crate::store;
@@ -128,7 +128,34 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         Some(path) => store::write(path, &csv).map(drop)?,
         None => print(&csv)?,
     }
-    Ok(Outcome::Done)
+    Ok(match broken_promise(options, &points, &values) {
+        None => Outcome::Done,
+        Some(message) => {
+            say_each("error", &[message]);
+            Outcome::Failed
+        }
+    })
+}
+
+/// Which rows of quadrature are farther off than the quantity promises, where nothing else was asked
+/// for: their values stand in the file, with the error that was reached.
+fn broken_promise(options: &Options, points: &Points, values: &[Vec<f64>]) -> Option<String> {
+    if options.method == Method::MonteCarlo || options.tolerance.is_some() {
+        return None;
+    }
+    let misses = |(row, values): (&Row, &Vec<f64>)| {
+        let promise = options.quantity.tolerance(&row.variant);
+        let error = values.last().copied().filter(|error| *error > promise)?;
+        Some(format!("error {error:e} is above the promise of {}, {promise:e}", options.quantity.name()))
+    };
+    let rows = points.rows().iter().zip(values).enumerate();
+    let missing: Vec<(usize, String)> = rows.filter_map(|(i, row)| Some((i, misses(row)?))).collect();
+    let (first, message) = missing.first()?;
+    let more = match missing.len() - 1 {
+        0 => String::new(),
+        more => format!("; so do {more} rows more"),
+    };
+    Some(format!("{}{more}. All rows are written", points.refuse(*first, message)))
 }
 
 /// Gives every point the kernel of a word.
@@ -159,8 +186,14 @@ fn outputs(options: &Options, Row { inputs, variant }: &Row) -> Result<Vec<f64>,
     let quantity = options.quantity;
     match options.method {
         Method::Quadrature => {
-            let tolerance = options.tolerance.unwrap_or_else(|| quantity.tolerance(variant));
-            quantity.at(variant, inputs, tolerance)
+            let promise = || quantity.tolerance(variant);
+            match quantity.at(variant, inputs, options.tolerance.unwrap_or_else(promise)) {
+                // What the largest rule reaches, with its error.
+                Err(IntegrateError::Tolerance { reached, .. }) if options.tolerance.is_none() => {
+                    quantity.at(variant, inputs, reached)
+                }
+                done => done,
+            }
         }
         Method::MonteCarlo => {
             let samples = options.samples.unwrap_or(SAMPLES);

@@ -189,6 +189,25 @@ fn a_tolerance_that_cannot_be_met_is_exit_2_with_the_row() {
     assert!(appended(&csv, 5).iter().all(|row| row[4] <= 1e-6), "{csv}");
 }
 
+/// A promise that a row misses fails the verb and loses nothing: each value has its error.
+#[test]
+fn a_row_beyond_the_promise_is_written_and_is_exit_1() {
+    let points = b"alpha,rho\n0.5,0.5\n1,0.7015467286109924\n";
+    let output = lobefit(
+        tempfile::tempdir().expect("a folder").path(),
+        &["eval", "parallax-alpha", "--points", "-"],
+        points,
+    );
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("<stdin>:3: row 2: error 1.0") && said.contains("promise of parallax-alpha"),
+        "{said}"
+    );
+    let rows = String::from_utf8(output.stdout).expect("UTF-8");
+    assert_eq!(rows.lines().count(), 3, "{rows}");
+}
+
 #[test]
 fn monte_carlo_is_reproducible_and_agrees_within_its_error() {
     let sampled = |samples: &str, seed: &str, points: &str| {
