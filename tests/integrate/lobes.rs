@@ -220,7 +220,7 @@ fn transmission_is_reciprocal() {
     }
 }
 
-/// Points that an attack on the bounds found: at each, the pair of rules differs by less than its
+/// Points that a search for broken bounds found: at each, the pair of rules differs by less than its
 /// finer rule errs by the square law.
 #[test]
 fn error_columns_are_bounds_where_two_rules_err_alike() {

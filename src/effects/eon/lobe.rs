@@ -5,7 +5,7 @@ use crate::approximate::{Fit, FitStageError};
 use crate::data::ARGUMENT_NAMES;
 use crate::effects::BakeError;
 use lobefit_math::gauss::Gauss;
-use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::code::{CodeError, Float, Language};
 use lobefit_shade::{ShadeError, Source};
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::eon::{albedo, average};
@@ -25,12 +25,16 @@ const INSIDE: [&str; 3] = ["lost", "bounced", "e"];
 const SIDE: usize = 65;
 const NODES: usize = 32;
 
-/// The functions about the fit, which they call by its name.
+/// The functions about the fit, which they call by its name: of a fit in f32, for at a small roughness
+/// the lobe of several bounces is a quotient of numbers that f16 does not hold.
 ///
 /// # Errors
 /// A text that does not parse, a defect of this program; a fit that cannot be evaluated.
 pub fn in_language(language: Language, fit: &Fit) -> Result<String, BakeError> {
-    let source = about(fit.hypothesis.name()).map_err(CodeError::from)?.in_float(fit.hypothesis.float());
+    if fit.hypothesis.float() != Float::F32 {
+        return Ok(String::new());
+    }
+    let source = about(fit.hypothesis.name()).map_err(CodeError::from)?;
     let mut text = String::new();
     for name in NAMES {
         let printed = match name {
@@ -89,6 +93,10 @@ fn furnace(fit: &Fit) -> Result<(f32, [f32; 2]), BakeError> {
             let [single, _] = albedo(r, *mu);
             let several = if truly > 0.0 { (1.0 - f64::from(*e)) * lost / truly } else { 0.0 };
             let error = (single + several - 1.0).abs();
+            if !error.is_finite() {
+                let name = fit.hypothesis.name();
+                return Err(BakeError::Internal(format!("{name} is not finite at {r}, {mu}")));
+            }
             if error > worst.0 {
                 worst = (error, [r, *mu]);
             }
