@@ -49,8 +49,14 @@ pub struct ValueFits<'a> {
     pub around: Option<Around>,
 }
 
-/// Prints, in a language, functions that call a fit.
-pub type Around = fn(Language, &Fit) -> Result<String, BakeError>;
+/// Functions that call a fit.
+#[derive(Clone, Copy)]
+pub struct Around {
+    /// Their text in a language.
+    pub print: fn(Language, &Fit) -> Result<String, BakeError>,
+    /// What the card of the fit says of them; empty where there are none.
+    pub said: fn(&Fit) -> Result<String, BakeError>,
+}
 
 impl ValueFits<'_> {
     /// The demand of the material at place `of` in the scene for fits over its roughness.
@@ -106,8 +112,11 @@ impl ValueFits<'_> {
         let around = self.around.zip(page::best(&fits));
         made.code(context, |language| {
             let own = code::functions(language, &fits, false)?;
-            Ok(own + &around.map_or_else(|| Ok(String::new()), |(print, fit)| print(language, fit))?)
+            Ok(own + &around.map_or_else(|| Ok(String::new()), |(of, fit)| (of.print)(language, fit))?)
         })?;
+        if let Some((of, fit)) = around {
+            made.cautions.push((fit.hypothesis.name().into(), (of.said)(fit)?));
+        }
         made.tables(context, tables)?;
         if context.reports(called.effect) {
             let findings = self.findings(&made, context, &region, (&fits, &dropped))?;

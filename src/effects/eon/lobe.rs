@@ -46,6 +46,18 @@ pub fn in_language(language: Language, fit: &Fit) -> Result<String, BakeError> {
     Ok(text)
 }
 
+/// What a card says of them.
+///
+/// # Errors
+/// A fit that cannot be evaluated.
+pub fn said(fit: &Fit) -> Result<String, BakeError> {
+    if fit.hypothesis.float() != Float::F32 {
+        return Ok(String::new());
+    }
+    let (error, _) = furnace(fit)?;
+    Ok(format!("{BRDF} is the whole base, all bounces together: a white one sends back 1 within {error}."))
+}
+
 /// The text with the fit in place of E.
 fn about(fit: &str) -> Result<Source, ShadeError> {
     // the fit's name and arguments; what it computes is printed elsewhere

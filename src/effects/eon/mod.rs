@@ -5,7 +5,7 @@ mod lobe;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
-use super::value::ValueFits;
+use super::value::{Around, ValueFits};
 use super::who::{about, named, reasons, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::Target;
@@ -37,7 +37,7 @@ const FITS: ValueFits = ValueFits {
     curves: &[0.25, 0.5, 0.75, 1.0],
     seconds: [0.3, 0.1],
     table: None,
-    around: Some(lobe::in_language),
+    around: Some(Around { print: lobe::in_language, said: lobe::said }),
 };
 
 /// The base's roughness, if it is rough and sends back light.
@@ -63,9 +63,12 @@ impl Effect for Eon {
         let based = |m: &&Material| m.base.is_some();
         let (black, smooth): (Vec<&Material>, Vec<&Material>) =
             scene.materials.iter().filter(based).partition(|m| m.base.as_ref().is_some_and(|b| b.is_rough()));
-        let smooth =
-            about(&smooth, |m| format!("the diffuse base of {} {} smooth", named(m), verb(m, "are")));
-        let black = about(&black, |m| format!("the rough base of {} {} black", named(m), verb(m, "are")));
+        let are = |m: &[&Material], kind: &str, what: &str| {
+            let bases = if m.len() == 1 { "base" } else { "bases" };
+            format!("the {kind} {bases} of {} {} {what}", named(m), verb(m, "are"))
+        };
+        let smooth = about(&smooth, |m| are(m, "diffuse", "smooth"));
+        let black = about(&black, |m| are(m, "rough", "black"));
         reasons([smooth, black]).unwrap_or_else(|| "no material has a diffuse base".into())
     }
 
