@@ -94,8 +94,16 @@ fn extensions_become_lobes() {
         "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": { "thicknessFactor": 1 },
         "KHR_materials_ior": { "ior": 1.4 }, "KHR_materials_dispersion": { "dispersion": 2 }
     });
-    let (scene, _) = with(solid);
+    let (scene, _) = with(solid.clone());
     assert_eq!((scene.materials.len(), scene.materials[0].ior), (1, Some([1.38, 1.42])));
+    for (ior, f0, said) in [(0.0, 1.0, "beyond 3"), (0.5, 1.0 / 9.0, "below 1, that of a vacuum")] {
+        let mut refused = solid.clone();
+        refused["KHR_materials_ior"]["ior"] = json!(ior);
+        let (scene, notes) = with(refused);
+        assert_eq!((scene.materials.len(), scene.materials[0].kind), (1, Kind::Dielectric));
+        assert!(scene.materials[0].f0.is_some_and(|found| (found[0] - f0).abs() < 1e-8));
+        assert!(notes[0].contains(said), "{notes:?}");
+    }
     let textured = json!({ "transmissionFactor": 1, "transmissionTexture": { "index": 0 } });
     let (scene, _) = with(json!({
         "KHR_materials_transmission": textured, "KHR_materials_volume": { "thicknessFactor": 1 }

@@ -198,3 +198,75 @@ fn documents_have_materials_and_colour_spaces() {
     );
     assert!(notes[0].text.contains("colours in `acescg`"), "{notes:?}");
 }
+
+/// Materials share a shader, whose children are gone through once.
+#[test]
+fn shared_shaders_are_read_once() {
+    let surface = |i| {
+        format!(
+            "<surfacematerial name=\"m{i}\"><input name=\"surfaceshader\" nodename=\"s\"/></surfacematerial>"
+        )
+    };
+    let surfaces: String = (0..20_000).map(surface).collect();
+    let start = std::time::Instant::now();
+    let (materials, _) =
+        read(&format!("<gltf_pbr name=\"s\">{}</gltf_pbr>{surfaces}", "<!---->".repeat(900_000)));
+    assert_eq!(materials.len(), 20_000);
+    assert!(start.elapsed().as_secs() < 15, "{:?}", start.elapsed());
+}
+
+/// Glass of an index between those of a scene's glass; what is none keeps its reflection.
+#[test]
+fn indices_of_refraction_begin_at_one() {
+    let glass = "<input name=\"transmission\" value=\"1\"/><input name=\"thickness\" value=\"1\"/><input name=\"metallic\" value=\"0\"/>";
+    let of = |before: &str, input: &str| {
+        read(&format!("{before}<gltf_pbr name=\"m\">{glass}<input name=\"ior\" {input}/></gltf_pbr>"))
+    };
+    for (before, input) in [
+        ("<noise2d name=\"n\"/>", "nodename=\"n\""),
+        ("<image name=\"n\"><input name=\"file\" value=\"x.png\"/></image>", "nodename=\"n\""),
+    ] {
+        let (materials, notes) = of(before, input);
+        assert_eq!((materials[0].kind, materials[0].ior), (Kind::Glass, Some([1.0, 3.0])), "{notes:?}");
+        assert!(notes.iter().any(|note| note.text.ends_with("it takes [1, 3]")), "{notes:?}");
+    }
+    let (materials, notes) = of("", "value=\"3.5\"");
+    assert_eq!((materials.len(), materials[0].kind, materials[0].ior), (1, Kind::Dielectric, Some([3.5; 2])));
+    assert!(materials[0].base.is_none() && notes[0].text.contains("beyond 3"), "{notes:?}");
+    let (materials, notes) = of("", "value=\"2.9\"/><input name=\"dispersion\" value=\"4\"");
+    assert_eq!(materials[0].ior, Some([2.71, 3.0]));
+    assert!(notes[0].text.contains("are [2.71, 3.09], and glass ends at 1 and 3"), "{notes:?}");
+}
+
+/// The largest spread is that of the smallest of Abbe's numbers; roughness may be less where light is refracted.
+#[test]
+fn dispersion_and_roughness_of_transmission() {
+    let of = |before: &str, input: &str| {
+        read(&format!(
+            "{before}<standard_surface name=\"m\"><input name=\"transmission\" value=\"1\"/>{input}</standard_surface>"
+        ))
+    };
+    let graph = "<noise2d name=\"n\"/>";
+    let (materials, notes) = of(graph, "<input name=\"transmission_dispersion\" nodename=\"n\"/>");
+    assert_eq!(materials[0].ior, Some([1.25, 1.75]));
+    assert!(notes.iter().any(|note| note.text.contains("is below 1 somewhere")), "{notes:?}");
+    let (materials, _) = of("", "<input name=\"transmission_extra_roughness\" value=\"-0.1\"/>");
+    assert_eq!(materials[0].roughness, [0.1; 2]);
+    let (materials, _) = of(graph, "<input name=\"transmission_extra_roughness\" nodename=\"n\"/>");
+    assert_eq!(materials[0].roughness, [0.0, 1.0]);
+}
+
+/// A connected input has no constant, whatever stands beside; a bias that is not there adds nothing.
+#[test]
+fn factors_of_images_are_constants_or_unknown() {
+    let of = |input: &str| {
+        read(&format!(
+            "<noise2d name=\"n\"/><UsdUVTexture name=\"i\"><input name=\"file\" value=\"x.png\"/><input {input}/></UsdUVTexture>\
+             <gltf_pbr name=\"m\"><input name=\"metallic\" value=\"0\"/><input name=\"roughness\" nodename=\"i\" output=\"b\"/></gltf_pbr>"
+        ))
+    };
+    let (materials, notes) = of("name=\"scale\" value=\"0.5\" nodename=\"n\"");
+    assert!(materials[0].roughness == [0.0, 1.0] && notes.len() == 1, "{materials:?} {notes:?}");
+    let (materials, _) = of("name=\"bias\" value=\"0.5, 0.5\"");
+    assert_eq!(materials[0].roughness, [0.0, 1.0]);
+}

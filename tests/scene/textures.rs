@@ -314,3 +314,71 @@ fn mutated_files_are_read_or_refused() {
     }
     assert!(refused > 10_000, "{refused}");
 }
+
+/// Images and buffers in the text are decoded once, however many materials share them.
+#[test]
+fn shared_images_in_the_text_are_decoded_once() {
+    let mut bytes = rgb(&[[0, 51, 0]]);
+    let length = bytes.len();
+    bytes.resize(6 << 20, 0);
+    let uri = format!("data:;base64,{}", STANDARD.encode(&bytes));
+    let material = json!({ "pbrMetallicRoughness": { "metallicFactor": 0, "metallicRoughnessTexture": { "index": 0 } } });
+    let mut file = json!({
+        "asset": { "version": "2.0" }, "materials": vec![material; 10_000], "textures": [{ "source": 0 }],
+        "images": [{ "uri": uri }]
+    });
+    for is_view in [false, true] {
+        if is_view {
+            let uri = file["images"][0]["uri"].take();
+            file["images"] = json!([{ "bufferView": 0 }]);
+            file["bufferViews"] = json!([{ "buffer": 0, "byteLength": length }]);
+            file["buffers"] = json!([{ "uri": uri }]);
+        }
+        let start = std::time::Instant::now();
+        let (materials, _) = read(Format::Gltf, file.to_string().as_bytes(), &Held::default(), 0.0);
+        assert!(materials.len() == 10_000 && materials[9999].roughness == [0.2; 2]);
+        assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+    }
+}
+
+/// A frame that a comment holds is none, also behind fill bytes: 6000 x 6000 texels of a progressive JPEG
+/// are more than it may take.
+#[test]
+fn fill_bytes_hide_no_progressive_frame() {
+    let mut jpeg = decoded(PROGRESSIVE);
+    let frame = jpeg.windows(2).position(|two| two == [0xff, 0xc2]).expect("a frame");
+    let side = 6000_u16.to_be_bytes();
+    jpeg[frame + 5..frame + 9].copy_from_slice(&[side, side].concat());
+    let mut comment = vec![0xff, 0xff, 0xfe, 0xff, 0xff];
+    comment.resize(5 + 65_533, 0);
+    // Where the second FF as a kind, with FE FF as its length, leads to.
+    comment[2 + 0xfeff..][..4].copy_from_slice(&[0xff, 0xc0, 0, 4]);
+    let (range, notes) = roughness([&jpeg[..2], &comment, &jpeg[2..]].concat(), 0.0);
+    assert_eq!(range, [0.0, 1.0]);
+    assert!(notes[0].contains("6000 x 6000 texels that takes more than 268435456 bytes"), "{notes:?}");
+}
+
+/// Of a colour each channel that the quantile narrows is said, and of an unknown one the range that is taken.
+#[test]
+fn notes_name_their_channels_and_ranges() {
+    let mut texels = vec![[51, 51, 51]; 1000];
+    texels[3] = [51, 255, 51];
+    let material = json!({
+        "pbrMetallicRoughness": { "metallicFactor": 0, "baseColorTexture": { "index": 0 } },
+        "extensions": { "KHR_materials_clearcoat": { "clearcoatFactor": 0.5, "clearcoatTexture": { "index": 1 } } }
+    });
+    let file = gltf(material, &["x.png", "y.ktx2"]);
+    let mut files = held("x.png", rgb(&texels));
+    files.files.insert("y.ktx2", b"\xabKTX 20\xbb\r\n\x1a\n".to_vec());
+    let (_, notes) = read(Format::Gltf, &file, &files, 0.002);
+    assert!(notes.iter().any(|note| note.contains("green of its colour without 0.2 %")), "{notes:?}");
+    assert!(!notes.iter().any(|note| note.contains("red of its colour")), "{notes:?}");
+    let coat = |note: &String| {
+        note.contains("clear coat has an image of KTX2") && note.ends_with("it takes [0, 0.5]")
+    };
+    assert!(notes.iter().any(coat), "{notes:?}");
+    let file = b"<materialx><image name=\"c\"><input name=\"file\" value=\"x.png\"/></image>\
+        <gltf_pbr name=\"m\"><input name=\"base_color\" nodename=\"c\"/></gltf_pbr></materialx>";
+    let (_, notes) = read(Format::MaterialX, file, &files, 0.002);
+    assert!(notes.len() == 1 && notes[0].contains("green of `base_color` without"), "{notes:?}");
+}

@@ -92,9 +92,10 @@ impl Said {
         }
     }
 
-    /// Says that a texture's values are not known.
-    pub fn unknown(&mut self, what: &str, why: &str) {
-        self.missing(format!("{what} has an image {why}: it takes [0, 1]"));
+    /// Says that a texture's values are not known, and the range that is taken for them.
+    pub fn unknown(&mut self, what: &str, why: &str, range: [f64; 2]) {
+        let [low, high] = range.map(short);
+        self.missing(format!("{what} has an image {why}: it takes [{low}, {high}]"));
     }
 }
 

@@ -66,14 +66,14 @@ impl Surface {
         }
         if self.metalness[0] < 1.0 {
             let is_clear = self.transmission[1] > 0.0;
-            if is_clear && self.is_solid {
-                self.glass(&mut add, &mut said);
-            } else if is_clear {
+            let is_glass = is_clear && self.is_solid && self.glass(&mut add, &mut said);
+            if is_clear && !self.is_solid {
                 said.missing(
                     "transmission without a volume is a thin wall: this version has its reflection and not its transmitted lobe",
                 );
             }
-            let is_opaque = self.transmission[0] < 1.0 || !self.is_solid;
+            // The reflection of what glass does not stand for stays.
+            let is_opaque = self.transmission[0] < 1.0 || !is_glass;
             if let Some(stated) = self.reflectance.as_ref().filter(|_| is_opaque) {
                 let mut own = self.shaped(vec![reflectance(stated)]);
                 // What lets all light through scatters none below its surface.
@@ -113,21 +113,34 @@ impl Surface {
         fields
     }
 
-    /// Glass of a solid: from outside and from inside, over the indices that its colours have.
-    fn glass(&self, add: &mut impl FnMut(&'static str, Fields), said: &mut Said) {
+    /// Glass of a solid: from outside and from inside, over the indices that its colours have. Whether
+    /// there is any.
+    fn glass(&self, add: &mut impl FnMut(&'static str, Fields), said: &mut Said) -> bool {
         let spread = |ior: f64| (ior - 1.0) * DISPERSION * self.dispersion;
         let [low, high] = self.ior;
-        let range = [(low - spread(low)).max(1.0), (high + spread(high)).min(GLASS_IOR)];
-        if range[0] > range[1] || low == 0.0 {
-            said.missing(
-                "its index of refraction is beyond 3, where glass ends: its transmitted lobe is left out",
-            );
-            return;
+        let whole = [low - spread(low), high + spread(high)];
+        // glTF's 0 is an infinite index.
+        let refused = if low == 0.0 || whole[0] > GLASS_IOR {
+            Some("beyond 3, where glass ends")
+        } else {
+            (high < 1.0).then_some("below 1, that of a vacuum")
+        };
+        if let Some(why) = refused {
+            said.missing(format!("its index of refraction is {why}: its transmitted lobe is left out"));
+            return false;
+        }
+        let range = whole.map(|ior| ior.clamp(1.0, GLASS_IOR));
+        if range != whole {
+            let [from, to] = whole.map(tidy);
+            said.missing(format!(
+                "its indices of refraction are [{from}, {to}], and glass ends at 1 and 3: what is promised is void beyond"
+            ));
         }
         if self.shape.anisotropy[1] > 0.0 {
             said.missing("anisotropic glass: this version has tables of isotropic glass alone");
         }
         add("glass", vec![("ior", span(range)), ("roughness", span(self.refracted))]);
+        true
     }
 }
 

@@ -1,5 +1,8 @@
 //! Where the images of a glTF file are: in the file, in another's buffer, or in files beside it.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lobefit_strict::value::{List, Maybe};
@@ -71,8 +74,15 @@ pub(super) type Wrong = (String, String);
 pub(super) struct Images<'a, 't> {
     storage: Storage,
     textures: &'a mut Textures<'t>,
+    buffers: Buffers,
+}
+
+/// Where the buffers of a document are.
+struct Buffers {
     /// First byte of the chunk behind the JSON of a binary file, and its length.
     chunk: Option<[u64; 2]>,
+    /// The bytes of those in the text that were asked for, by their number.
+    decoded: BTreeMap<usize, Vec<u8>>,
 }
 
 impl<'a, 't> Images<'a, 't> {
@@ -86,7 +96,8 @@ impl<'a, 't> Images<'a, 't> {
         textures: &'a mut Textures<'t>,
         chunk: Option<[u64; 2]>,
     ) -> Result<Images<'a, 't>, SceneError> {
-        Ok(Images { storage: read_object(json, file, usize::MAX)?, textures, chunk })
+        let buffers = Buffers { chunk, decoded: BTreeMap::new() };
+        Ok(Images { storage: read_object(json, file, usize::MAX)?, textures, buffers })
     }
 
     /// The extremes of a texture's channels, or why they are not known.
@@ -103,60 +114,56 @@ impl<'a, 't> Images<'a, 't> {
             source.ok_or_else(|| (format!("textures[{index}]"), "it has no `source`".to_string()))?;
         let image = at(&self.storage.images, source, "images", "image")?;
         let path = format!("images[{source}]");
-        let mut inline = Ok(Vec::new());
         let place = match (&image.uri.0, image.buffer_view.0) {
-            (Some(uri), _) => match data(uri) {
-                Some(bytes) => {
-                    inline = bytes;
-                    Place::Inline(source)
-                }
-                None => {
-                    Place::Beside(relative(uri).map_err(|message| (format!("{path}.uri"), message))?, None)
-                }
-            },
-            (None, Some(view)) => self.place(view, source, &mut inline)?,
+            (Some(uri), _) if is_data(uri) => Place::Inline(source),
+            (Some(uri), _) => {
+                Place::Beside(relative(uri).map_err(|message| (format!("{path}.uri"), message))?, None)
+            }
+            (None, Some(view)) => self.buffers.place(&self.storage, view)?,
             (None, None) => return Err((path, "it has neither `uri` nor `bufferView`".into())),
         };
-        self.textures.image(&place, || inline).map_err(|message| (path, message))
-    }
-
-    /// Where the bytes of a view are.
-    fn place(
-        &self,
-        index: usize,
-        image: usize,
-        inline: &mut Result<Vec<u8>, String>,
-    ) -> Result<Place, Wrong> {
-        let view = at(&self.storage.buffer_views, index, "bufferViews", "view")?;
-        let path = format!("bufferViews[{index}]");
-        let beyond = || (path.clone(), "it reaches beyond its buffer".to_string());
-        let end = view.byte_offset.checked_add(view.byte_length).ok_or_else(beyond)?;
-        let buffer = at(&self.storage.buffers, view.buffer, "buffers", "buffer")?;
-        match (&buffer.uri.0, self.chunk) {
-            (None, Some([first, length])) if view.buffer == 0 => {
-                let within = end <= length;
-                within.then_some(Place::Own([first + view.byte_offset, view.byte_length])).ok_or_else(beyond)
-            }
-            (None, _) => Err((format!("buffers[{}]", view.buffer), "it has no `uri`".into())),
-            (Some(uri), _) => match data(uri) {
-                Some(Ok(bytes)) => {
-                    let range = usize::try_from(view.byte_offset).ok().zip(usize::try_from(end).ok());
-                    let part = range.and_then(|(from, to)| bytes.get(from..to)).ok_or_else(beyond)?;
-                    *inline = Ok(part.to_vec());
-                    Ok(Place::Inline(image))
-                }
-                Some(Err(message)) => Err((format!("buffers[{}].uri", view.buffer), message)),
-                None => {
-                    let name = relative(uri).map_err(|m| (format!("buffers[{}].uri", view.buffer), m))?;
-                    Ok(Place::Beside(name, Some([view.byte_offset, view.byte_length])))
-                }
-            },
-        }
+        let inline = || match place {
+            Place::Buffer(buffer, [from, to]) => Ok(self.buffers.decoded[&buffer][from..to].to_vec()),
+            _ => data(image.uri.0.as_deref().unwrap_or_default()),
+        };
+        self.textures.image(&place, inline).map_err(|message| (path, message))
     }
 
     /// The share of texels that is left out at each end.
     pub fn quantile(&self) -> f64 {
         self.textures.quantile()
+    }
+}
+
+impl Buffers {
+    /// Where the bytes of a view are; a buffer in the text is decoded the first time.
+    fn place(&mut self, storage: &Storage, index: usize) -> Result<Place, Wrong> {
+        let view = at(&storage.buffer_views, index, "bufferViews", "view")?;
+        let path = format!("bufferViews[{index}]");
+        let beyond = || (path.clone(), "it reaches beyond its buffer".to_string());
+        let end = view.byte_offset.checked_add(view.byte_length).ok_or_else(beyond)?;
+        let buffer = at(&storage.buffers, view.buffer, "buffers", "buffer")?;
+        let wrong = |field: &str, message: String| (format!("buffers[{}]{field}", view.buffer), message);
+        match (&buffer.uri.0, self.chunk) {
+            (None, Some([first, length])) if view.buffer == 0 => {
+                let within = end <= length;
+                within.then_some(Place::Own([first + view.byte_offset, view.byte_length])).ok_or_else(beyond)
+            }
+            (None, _) => Err(wrong("", "it has no `uri`".into())),
+            (Some(uri), _) if is_data(uri) => {
+                let bytes = match self.decoded.entry(view.buffer) {
+                    Entry::Occupied(known) => known.into_mut(),
+                    Entry::Vacant(free) => free.insert(data(uri).map_err(|m| wrong(".uri", m))?),
+                };
+                let range = usize::try_from(view.byte_offset).ok().zip(usize::try_from(end).ok());
+                let range = range.filter(|(_, to)| *to <= bytes.len());
+                range.map(|(from, to)| Place::Buffer(view.buffer, [from, to])).ok_or_else(beyond)
+            }
+            (Some(uri), _) => {
+                let name = relative(uri).map_err(|m| wrong(".uri", m))?;
+                Ok(Place::Beside(name, Some([view.byte_offset, view.byte_length])))
+            }
+        }
     }
 }
 
@@ -172,8 +179,13 @@ fn at<'l, T, const MAX: usize>(
     list.get(index).ok_or_else(none)
 }
 
+/// Whether a URI holds its bytes itself.
+fn is_data(uri: &str) -> bool {
+    uri.starts_with("data:")
+}
+
 /// The bytes that a `data:` URI holds.
-fn data(uri: &str) -> Option<Result<Vec<u8>, String>> {
-    let (_, text) = uri.strip_prefix("data:")?.split_once(";base64,")?;
-    Some(STANDARD.decode(text).map_err(|e| format!("its base64 is broken: {e}")))
+fn data(uri: &str) -> Result<Vec<u8>, String> {
+    let (_, text) = uri.split_once(";base64,").ok_or("its `data:` is not in base64")?;
+    STANDARD.decode(text).map_err(|e| format!("its base64 is broken: {e}"))
 }

@@ -8,7 +8,7 @@ use super::images::{Images, Wrong};
 use crate::note::Said;
 use crate::scene::Parts;
 use crate::surface::{Reflectance, Shape, Surface, f0_of};
-use crate::texture::linear;
+use crate::texture::{Extremes, linear};
 
 /// Index of refraction where a material states none.
 const IOR: f64 = 1.5;
@@ -18,6 +18,9 @@ const R: usize = 0;
 const G: usize = 1;
 const B: usize = 2;
 const A: usize = 3;
+
+/// What those of a colour are called.
+const COLOUR: [&str; 3] = ["red of its colour", "green of its colour", "blue of its colour"];
 
 /// The materials of a scene that a material of glTF calls for; without `images` each texture holds
 /// anything.
@@ -141,17 +144,18 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
         surface.sheen = Some(look.range("sheen roughness", factor, &sheen.sheen_roughness_texture, A)?);
     }
     if let Some(own) = &with.clearcoat.0
-        && look.is_there(number(&own.clearcoat_factor, 0.0), &own.clearcoat_texture, R)?
+        && look.is_there("clear coat", number(&own.clearcoat_factor, 0.0), &own.clearcoat_texture, R)?
     {
         look.said.missing(COAT);
     }
     if let Some(own) = &with.iridescence.0
-        && look.is_there(number(&own.iridescence_factor, 0.0), &own.iridescence_texture, R)?
+        && look.is_there("iridescence", number(&own.iridescence_factor, 0.0), &own.iridescence_texture, R)?
     {
         look.said.missing(FILM);
     }
     if let Some(own) = &with.diffuse_transmission.0
         && look.is_there(
+            "diffuse transmission",
             number(&own.diffuse_transmission_factor, 0.0),
             &own.diffuse_transmission_texture,
             A,
@@ -193,7 +197,7 @@ impl Look<'_, '_, '_> {
                 Ok(extremes.kept.map(|texel| factor * texel))
             }
             Err(why) => {
-                self.said.unknown(what, why);
+                self.said.unknown(what, why, [0.0, factor]);
                 Ok([0.0, factor])
             }
         }
@@ -202,18 +206,31 @@ impl Look<'_, '_, '_> {
     /// The largest values of a colour times those of its texture, which is in sRGB.
     fn colour(&mut self, factor: [f64; 3], texture: &Maybe<Texture>) -> Result<[f64; 3], Wrong> {
         let (Some(texture), Some(images)) = (&texture.0, &mut self.images) else { return Ok(factor) };
+        let quantile = images.quantile();
         match images.texture(texture.index)? {
-            Ok(channels) => Ok([R, G, B].map(|k| factor[k] * linear(channels[k].kept[1]))),
+            Ok(channels) => Ok([R, G, B].map(|k| {
+                let [kept, all] = [channels[k].kept, channels[k].all].map(|ends| ends.map(linear));
+                self.said.beyond(COLOUR[k], &Extremes { kept, all }, quantile);
+                factor[k] * kept[1]
+            })),
             Err(why) => {
-                self.said.unknown("colour", why);
+                for k in [R, G, B] {
+                    self.said.unknown(COLOUR[k], why, [0.0, factor[k]]);
+                }
                 Ok(factor)
             }
         }
     }
 
     /// Whether a layer is there at all.
-    fn is_there(&mut self, factor: f64, texture: &Maybe<Texture>, channel: usize) -> Result<bool, Wrong> {
-        Ok(self.range("weight", factor, texture, channel)?[1] > 0.0)
+    fn is_there(
+        &mut self,
+        what: &str,
+        factor: f64,
+        texture: &Maybe<Texture>,
+        channel: usize,
+    ) -> Result<bool, Wrong> {
+        Ok(self.range(what, factor, texture, channel)?[1] > 0.0)
     }
 }
 

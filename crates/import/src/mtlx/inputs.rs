@@ -1,6 +1,7 @@
 //! The inputs of a surface shader: constants, images and graphs, as ranges.
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use lobefit_strict::SceneError;
 use lobefit_strict::number::{Interval, inside};
@@ -9,19 +10,26 @@ use roxmltree::Node;
 use super::Document;
 use super::xml::wrong;
 use crate::note::Said;
-use crate::texture::{Place, Textures, linear, relative};
+use crate::texture::{Outcome, Place, Textures, linear, relative};
 
 /// Most inputs of a node: more than twice those of any model. Materials may share a shader, and each looks
 /// at all its inputs.
 const INPUTS: usize = 128;
 
+/// Most bytes of a value. Materials may share it, and each reads it.
+const DIGITS: usize = 4096;
+
 /// Ranges of red, green, blue and alpha.
 type Ranges = [[f64; 2]; 4];
+
+/// What the file of an image holds, the channel that is asked for first, or why that is not known; none
+/// where images are not read.
+type Texels = Option<Outcome>;
 
 /// What an input holds.
 enum Value {
     Constant(Vec<f64>),
-    Image(Ranges),
+    Image(Ranges, Texels),
     /// Computed by nodes, of which this is the last.
     Graph,
 }
@@ -30,16 +38,16 @@ enum Value {
 pub(super) struct Inputs<'i, 'd, 'b, 'f, 't> {
     document: &'i Document<'d, 'b, 'f>,
     shader: Node<'d, 'b>,
-    inputs: BTreeMap<&'d str, Node<'d, 'b>>,
+    inputs: ByName<'d, 'b>,
     textures: Option<&'i mut Textures<'t>>,
     pub said: Said,
 }
 
 /// The inputs of a node by name.
-pub(super) fn children<'d, 'b>(
-    node: Node<'d, 'b>,
-    file: &str,
-) -> Result<BTreeMap<&'d str, Node<'d, 'b>>, SceneError> {
+pub(super) type ByName<'d, 'b> = Rc<BTreeMap<&'d str, Node<'d, 'b>>>;
+
+/// Finds the inputs among all children of a node.
+pub(super) fn children<'d, 'b>(node: Node<'d, 'b>, file: &str) -> Result<ByName<'d, 'b>, SceneError> {
     let mut inputs = BTreeMap::new();
     for input in node.children().filter(|child| child.has_tag_name("input")) {
         let name = input.attribute("name").unwrap_or_default();
@@ -50,7 +58,12 @@ pub(super) fn children<'d, 'b>(
             return Err(wrong(input, file, String::new(), format!("more than {INPUTS} inputs")));
         }
     }
-    Ok(inputs)
+    Ok(Rc::new(inputs))
+}
+
+/// Whether the value of an input comes from elsewhere, whatever else stands there.
+fn is_connected(input: Node) -> bool {
+    ["nodename", "interfacename", "nodegraph", "output"].iter().any(|key| input.has_attribute(*key))
 }
 
 impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
@@ -59,7 +72,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         shader: Node<'d, 'b>,
         textures: Option<&'i mut Textures<'t>>,
     ) -> Result<Self, SceneError> {
-        let inputs = children(shader, document.file)?;
+        let inputs = document.inputs(shader)?;
         Ok(Inputs { document, shader, inputs, textures, said: Said::default() })
     }
 
@@ -77,6 +90,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         most: f64,
     ) -> Result<[f64; 2], SceneError> {
         let Some(value) = self.value(name)? else { return Ok([default; 2]) };
+        let whole = [I::MIN, I::MAX.min(most)];
         match value {
             Value::Constant(values) => match values[..] {
                 [x] => {
@@ -85,9 +99,23 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
                 }
                 _ => Err(self.wrong(name, count(&values, "1 is"))),
             },
-            Value::Image(ranges) => Ok(ranges[0].map(|x| x.clamp(I::MIN, I::MAX.min(most)))),
+            Value::Image(ranges, texels) if ranges[0][1] > I::MIN || I::MIN <= 0.0 => {
+                let range = ranges[0].map(|x| x.clamp(whole[0], whole[1]));
+                self.texels(name, &texels, 0, range);
+                Ok(range)
+            }
+            // No texel is an index of refraction: what scales them is not known.
+            Value::Image(..) => {
+                let text = format!(
+                    "`{name}` has an image that is {} at most: it takes [{}, {}]",
+                    I::MIN,
+                    whole[0],
+                    whole[1]
+                );
+                self.said.missing(text);
+                Ok(whole)
+            }
             Value::Graph => {
-                let whole = [I::MIN, I::MAX.min(most)];
                 self.graph(name, &format!("[{}, {}]", whole[0], whole[1]));
                 Ok(whole)
             }
@@ -109,7 +137,11 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
                 let space = self.inputs.get(name).and_then(|input| space(*input));
                 Ok(self.linear(space, [r, g, b]))
             }
-            Value::Image(ranges) => Ok([0, 1, 2].map(|k| ranges[k][1].clamp(0.0, 1.0))),
+            Value::Image(ranges, texels) => Ok([0, 1, 2].map(|k| {
+                let range = ranges[k].map(|x| x.clamp(0.0, 1.0));
+                self.texels(&format!("{} of `{name}`", ["red", "green", "blue"][k]), &texels, k, range);
+                range[1]
+            })),
             Value::Graph => {
                 self.graph(name, "any colour");
                 Ok([1.0; 3])
@@ -121,7 +153,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
     pub fn is_on(&mut self, name: &str) -> Result<bool, SceneError> {
         match self.value(name)? {
             Some(Value::Constant(values)) => Ok(values.iter().any(|x| *x != 0.0)),
-            Some(Value::Image(_) | Value::Graph) => {
+            Some(Value::Image(..) | Value::Graph) => {
                 self.graph(name, "true");
                 Ok(true)
             }
@@ -140,8 +172,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         let path = self.path(name);
         let scope = self.shader.parent_element().unwrap_or(self.document.root);
         let Some((node, graph, output)) = self.document.connected(input, scope, &path)? else {
-            let connected =
-                ["interfacename", "nodegraph", "output"].iter().any(|key| input.has_attribute(*key));
+            let connected = is_connected(input);
             let written = input.attribute("value").filter(|_| !connected);
             let constant =
                 written.map(|text| numbers(text).map_err(|m| wrong(input, self.document.file, path, m)));
@@ -151,7 +182,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
             });
         };
         let channel = output.attribute("output").unwrap_or_default();
-        let own = children(node, self.document.file)?;
+        let own = self.document.inputs(node)?;
         match node.tag_name().name() {
             // Which channel of an image: one connection further.
             "separate2" | "separate3" | "separate4" => {
@@ -173,12 +204,12 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         graph: Node<'d, 'b>,
         channel: &str,
     ) -> Result<Value, SceneError> {
-        let own = children(node, self.document.file)?;
+        let own = self.document.inputs(node)?;
         let found = match node.tag_name().name() {
             "constant" => self.constant(&own, "value", &self.path(name))?.map(Value::Constant),
             "image" | "tiledimage" | "gltf_image" | "gltf_colorimage" | "UsdUVTexture" => {
                 let scopes = [node, graph, self.document.root];
-                self.image(name, &own, scopes, channel)?.map(Value::Image)
+                self.image(name, &own, scopes, channel)?
             }
             _ => None,
         };
@@ -192,7 +223,8 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         name: &str,
         path: &str,
     ) -> Result<Option<Vec<f64>>, SceneError> {
-        let Some(text) = own.get(name).and_then(|input| input.attribute("value")) else { return Ok(None) };
+        let own_value = own.get(name).filter(|input| !is_connected(**input));
+        let Some(text) = own_value.and_then(|input| input.attribute("value")) else { return Ok(None) };
         numbers(text).map(Some).map_err(|message| wrong(own[name], self.document.file, path.into(), message))
     }
 
@@ -203,16 +235,21 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         own: &BTreeMap<&'d str, Node<'d, 'b>>,
         scopes: [Node<'d, 'b>; 3],
         output: &str,
-    ) -> Result<Option<Ranges>, SceneError> {
+    ) -> Result<Option<Value>, SceneError> {
         let path = self.path(name);
-        let Some(&file) = own.get("file").filter(|file| file.has_attribute("value")) else { return Ok(None) };
+        let is_named = |file: &&Node| file.has_attribute("value") && !is_connected(**file);
+        let Some(&file) = own.get("file").filter(is_named) else { return Ok(None) };
         let channel = match output {
             "g" | "outg" | "outy" => 1,
             "b" | "outb" | "outz" => 2,
             "a" | "outa" | "outw" => 3,
             _ => 0,
         };
-        let mut ranges = self.texels(name, file, scopes, channel)?;
+        let mut texels = self.read(name, file, scopes)?;
+        let mut ranges = match &texels {
+            Some(Ok(channels)) => channels.map(|extremes| extremes.kept),
+            Some(Err(_)) | None => [[0.0, 1.0]; 4],
+        };
         let space = space(file);
         if space == Some("srgb_texture") {
             for range in &mut ranges[..3] {
@@ -226,18 +263,25 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
                 }
                 continue;
             };
-            let of =
-                |k: usize| if values.len() == 1 { values[0] } else { values.get(k).copied().unwrap_or(1.0) };
+            let neutral = if is_sum { 0.0 } else { 1.0 };
+            let of = |k: usize| match values[..] {
+                [all] => all,
+                _ => values.get(k).copied().unwrap_or(neutral),
+            };
             for (k, range) in ranges.iter_mut().enumerate() {
                 let ends = range.map(|x| if is_sum { x + of(k) } else { x * of(k) });
                 *range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
             }
         }
-        self.beyond_edges(own, &path, &mut ranges)?;
-        if channel > 0 {
-            ranges[0] = ranges[channel];
+        if own.get("default").is_some_and(|default| is_connected(*default)) {
+            return Ok(None);
         }
-        Ok(Some(ranges))
+        self.beyond_edges(own, &path, &mut ranges)?;
+        ranges[0] = ranges[channel];
+        if let Some(Ok(channels)) = &mut texels {
+            channels[0] = channels[channel];
+        }
+        Ok(Some(Value::Image(ranges, texels)))
     }
 
     /// Beyond the edges of an image that does not repeat stands its default.
@@ -262,29 +306,23 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         Ok(())
     }
 
-    /// The values of the file of an image, which may be anything where images are not read.
-    fn texels(
-        &mut self,
-        name: &str,
-        file: Node,
-        scopes: [Node; 3],
-        channel: usize,
-    ) -> Result<Ranges, SceneError> {
-        let Some(textures) = self.textures.as_deref_mut() else { return Ok([[0.0, 1.0]; 4]) };
+    /// The values of the file of an image.
+    fn read(&mut self, name: &str, file: Node, scopes: [Node; 3]) -> Result<Texels, SceneError> {
+        let Some(textures) = self.textures.as_deref_mut() else { return Ok(None) };
         let refused = |message| wrong(file, self.document.file, path(self.shader, name), message);
         let prefix = scopes.iter().find_map(|scope| scope.attribute("fileprefix")).unwrap_or_default();
         let uri = format!("{prefix}{}", file.attribute("value").unwrap_or_default());
         let place = Place::Beside(relative(&uri).map_err(refused)?, None);
-        let quantile = textures.quantile();
-        match textures.image(&place, || Ok(Vec::new())).map_err(refused)? {
-            Ok(channels) => {
-                self.said.beyond(name, &channels[channel], quantile);
-                Ok(channels.map(|extremes| extremes.kept))
-            }
-            Err(why) => {
-                self.said.unknown(name, why);
-                Ok([[0.0, 1.0]; 4])
-            }
+        textures.image(&place, || Ok(Vec::new())).map_err(refused).cloned().map(Some)
+    }
+
+    /// Says what is not known of a channel, or what the quantile leaves out of it.
+    fn texels(&mut self, what: &str, texels: &Texels, channel: usize, range: [f64; 2]) {
+        let quantile = self.textures.as_ref().map_or(0.0, |textures| textures.quantile());
+        match texels {
+            Some(Ok(channels)) => self.said.beyond(what, &channels[channel], quantile),
+            Some(Err(why)) => self.said.unknown(what, why, range),
+            None => {}
         }
     }
 
@@ -335,6 +373,9 @@ fn numbers(text: &str) -> Result<Vec<f64>, String> {
             _ => Err(format!("`{word}` is no finite number")),
         },
     };
+    if text.len() > DIGITS {
+        return Err(format!("more than {DIGITS} bytes of numbers"));
+    }
     if text.split(',').count() > 4 {
         return Err("more than 4 numbers".into());
     }

@@ -6,7 +6,9 @@ mod inputs;
 mod models;
 mod xml;
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use lobefit_strict::SceneError;
 use roxmltree::Node;
@@ -16,7 +18,7 @@ use super::limits::MATERIALS;
 use super::note::{About, Said};
 use super::scene::{Parts, Writer};
 use super::texture::Textures;
-use inputs::{Inputs, children};
+use inputs::{ByName, Inputs, children};
 use models::MODELS;
 use xml::wrong;
 
@@ -66,6 +68,8 @@ struct Document<'d, 'b, 'f> {
     /// The first output of each graph.
     outputs: BTreeMap<u32, Node<'d, 'b>>,
     file: &'f str,
+    /// The inputs of the nodes that were asked for: materials may share them.
+    inputs: RefCell<BTreeMap<u32, ByName<'d, 'b>>>,
 }
 
 impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
@@ -88,7 +92,18 @@ impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
                 }
             }
         }
-        Ok(Document { root, named, outputs, file })
+        Ok(Document { root, named, outputs, file, inputs: RefCell::default() })
+    }
+
+    /// The inputs of a node by name, found once.
+    fn inputs(&self, node: Node<'d, 'b>) -> Result<ByName<'d, 'b>, SceneError> {
+        let known = self.inputs.borrow().get(&node.id().get()).cloned();
+        if let Some(inputs) = known {
+            return Ok(inputs);
+        }
+        let inputs = children(node, self.file)?;
+        self.inputs.borrow_mut().insert(node.id().get(), Rc::clone(&inputs));
+        Ok(inputs)
     }
 
     /// The element of a name that stands in another.
@@ -136,7 +151,7 @@ impl<'d, 'b, 'f> Document<'d, 'b, 'f> {
         if !node.has_tag_name("surfacematerial") {
             return Ok(Some(node));
         }
-        let inputs = children(node, self.file)?;
+        let inputs = self.inputs(node)?;
         let Some(&input) = inputs.get("surfaceshader") else { return Ok(None) };
         let path = format!("{}.surfaceshader", node.attribute("name").unwrap_or_default());
         Ok(self.connected(input, self.root, &path)?.map(|(shader, _, _)| shader))

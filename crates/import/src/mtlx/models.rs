@@ -23,6 +23,16 @@ pub(super) const MODELS: [(&str, Model); 4] = [
 const WHITE: [f64; 3] = [1.0; 3];
 const BLACK: [f64; 3] = [0.0; 3];
 
+lobefit_strict::intervals! {
+    /// Index of refraction; an infinite one, as glTF has it, is none of MaterialX.
+    Index = 1.0, 1e30, false, "[1, 1e30]";
+    /// What is added to a roughness.
+    Signed = -1.0, 1.0, false, "[-1, 1]";
+}
+
+/// Smallest of Abbe's numbers that is planned; those of glasses are 20 to 90.
+const ABBE: f64 = 1.0;
+
 impl Inputs<'_, '_, '_, '_, '_> {
     /// A weight or a roughness.
     fn unit(&mut self, name: &str, default: f64) -> Result<[f64; 2], SceneError> {
@@ -35,7 +45,16 @@ impl Inputs<'_, '_, '_, '_, '_> {
     }
 
     fn ior(&mut self, name: &str) -> Result<[f64; 2], SceneError> {
-        self.number::<NotNegative>(name, 1.5, GLASS_IOR)
+        self.number::<Index>(name, 1.5, GLASS_IOR)
+    }
+
+    /// Khronos' dispersion of the smallest number of Abbe, whose spread is the largest: 20 is 1.
+    fn dispersion(&mut self, name: &str, abbe: f64) -> f64 {
+        if abbe < ABBE {
+            self.said
+                .missing(format!("`{name}` is below {ABBE} somewhere: its glass is planned as of {ABBE}"));
+        }
+        20.0 / abbe.max(ABBE)
     }
 
     /// Says of each weight that is above 0 what this version lacks.
@@ -62,7 +81,8 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
     let ior = of.ior("specular_ior")?;
     let strength = of.unit("specular_roughness_anisotropy", 0.0)?;
     let [_, scale] = of.unit("transmission_dispersion_scale", 0.0)?;
-    let abbe = of.number::<NotNegative>("transmission_dispersion_abbe_number", 20.0, 20.0)?[0];
+    let abbe = "transmission_dispersion_abbe_number";
+    let [number, _] = of.number::<NotNegative>(abbe, 20.0, 20.0)?;
     if metalness[1] > 0.0 && tint != WHITE {
         of.said.missing("its metal has a tint at grazing: this version's Fresnel is Schlick's");
     }
@@ -82,7 +102,7 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
         is_solid: !of.is_on("geometry_thin_walled")?,
         refracted: roughness,
         ior,
-        dispersion: if scale > 0.0 { 20.0 * scale / abbe.max(1.0) } else { 0.0 },
+        dispersion: if scale > 0.0 { scale * of.dispersion(abbe, number) } else { 0.0 },
         sheen,
     })
 }
@@ -106,8 +126,9 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
     let roughness = of.unit("specular_roughness", 0.2)?;
     let ior = of.ior("specular_IOR")?;
     let strength = of.unit("specular_anisotropy", 0.0)?;
-    let extra = of.number::<NotNegative>("transmission_extra_roughness", 0.0, 1.0)?;
-    let abbe = of.number::<NotNegative>("transmission_dispersion", 0.0, 100.0)?[1];
+    let extra = of.number::<Signed>("transmission_extra_roughness", 0.0, 1.0)?;
+    // Abbe's number, and 0 for none.
+    let [abbe, largest] = of.number::<NotNegative>("transmission_dispersion", 0.0, 100.0)?;
     if metalness[1] > 0.0 {
         of.said
             .missing("its metal has the Fresnel of a conductor: this version has Schlick's of the same f0");
@@ -130,9 +151,9 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
         reflectance: reflectance(ior, specular, tint),
         transmission: of.unit("transmission", 0.0)?,
         is_solid: !of.is_on("thin_walled")?,
-        refracted: [0, 1].map(|k| (roughness[k] + extra[k]).min(1.0)),
+        refracted: [0, 1].map(|k| (roughness[k] + extra[k]).clamp(0.0, 1.0)),
         ior,
-        dispersion: if abbe > 0.0 { 20.0 / abbe.max(1.0) } else { 0.0 },
+        dispersion: if largest > 0.0 { of.dispersion("transmission_dispersion", abbe) } else { 0.0 },
         sheen,
     })
 }

@@ -100,16 +100,24 @@ fn jpeg(bytes: &[u8], left: u64) -> Result<Decoded, String> {
     Ok(Decoded::Texels(counts))
 }
 
-/// Whether the frame of a JPEG is progressive: the kind of its first start-of-frame segment.
+/// Whether the frame of a JPEG is progressive: the kind of its first start-of-frame segment. What is not
+/// plainly sequential counts as the costlier of the two.
 fn is_progressive(bytes: &[u8]) -> bool {
     let mut at = 2;
-    while let Some(&[0xff, kind, high, low]) = bytes.get(at..at + 4) {
-        if (0xc0..=0xcf).contains(&kind) && !matches!(kind, 0xc4 | 0xc8 | 0xcc) {
-            return kind == 0xc2;
+    while bytes.get(at) == Some(&0xff) {
+        // Any number of fill bytes stands before the kind of a segment.
+        while bytes.get(at) == Some(&0xff) {
+            at += 1;
         }
-        at += 2 + (usize::from(high) << 8 | usize::from(low));
+        let Some(&[kind, high, low]) = bytes.get(at..at + 3) else { return true };
+        match kind {
+            0xc0 | 0xc1 => return false,
+            // Tables, restart intervals, data of applications, comments.
+            0xc4 | 0xdb | 0xdd | 0xe0..=0xef | 0xfe => {}
+            _ => return true,
+        }
+        at += 1 + (usize::from(high) << 8 | usize::from(low));
     }
-    // Padding between segments: as the costlier of the two.
     true
 }
 

@@ -42,8 +42,10 @@ pub(crate) enum Place {
     Own([u64; 2]),
     /// A file beside it, or a part of one.
     Beside(String, Option<[u64; 2]>),
-    /// Bytes in the text of the scene's file, by their number there.
+    /// An image in the text of the scene's file, by its number there.
     Inline(usize),
+    /// Bytes of a buffer in that text: its number, the first, and the one behind the last.
+    Buffer(usize, [usize; 2]),
 }
 
 /// The values of a channel.
@@ -93,7 +95,7 @@ impl<'a> Textures<'a> {
             }
             Place::Own([at, length]) => self.files.own(*at, *length)?,
             Place::Beside(path, part) => self.files.beside(path, *part)?,
-            Place::Inline(_) => inline()?,
+            Place::Inline(_) | Place::Buffer(..) => inline()?,
         };
         match decode::decode(&bytes, self.texels_left)? {
             Decoded::Texels(texels) => {
