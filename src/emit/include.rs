@@ -42,7 +42,7 @@ impl Include {
     }
 
     /// Of a text as this program prints it: items begin at the beginning of a line and end with a
-    /// brace there.
+    /// brace or `);` at one, or with a semicolon on their first line.
     pub fn new(text: String) -> Include {
         let mut items: BTreeMap<String, String> = BTreeMap::new();
         let mut inside: Option<String> = None;
@@ -57,7 +57,7 @@ impl Include {
                 item.push_str(line);
                 item.push('\n');
             }
-            if line == "}" || line == ");" {
+            if line == "}" || line == ");" || name.is_some() && line.ends_with(';') {
                 inside = None;
             }
         }
@@ -150,6 +150,13 @@ fn named(parameter: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_constant_of_a_line_ends_there() {
+        let include =
+            Include::new("const A: f32 = 1.0;\nalias B = f32;\nfn f() -> f32 {\n    return A;\n}\n".into());
+        assert_eq!(include.code("A").as_deref(), Some("const A: f32 = 1.0;\n"));
+    }
 
     #[test]
     fn a_call_has_the_declared_arguments() {

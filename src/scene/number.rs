@@ -32,7 +32,7 @@ intervals! {
     BufferSide = 16.0, 1024.0, false, "[16, 1024]";
     /// Frames that depth is old.
     Latency = 1.0, 8.0, false, "[1, 8]";
-    /// Voxels of a side of a grid: an octet has two.
+    /// Voxels of a side of a grid: a super-voxel has two.
     GridSide = 2.0, 512.0, false, "[2, 512]";
     /// Seeds.
     Seed = 0.0, 4294967295.0, false, "[0, 4294967295]";

@@ -1,5 +1,7 @@
 //! A camera's path through a world, with its depth frame by frame.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 
 use crate::camera::Camera;
@@ -46,7 +48,9 @@ impl Shot {
 
 /// Cameras and depth of the frames of a shot, at the resolution of the buffer and finer.
 #[derive(Clone, Debug)]
-pub struct Film {
+pub struct Film<'a> {
+    /// The world.
+    boxes: &'a [Cuboid],
     /// Size of the buffer.
     pub size: [usize; 2],
     /// Cameras, frame by frame.
@@ -57,15 +61,15 @@ pub struct Film {
     fine: Vec<(usize, Vec<Option<Depth>>)>,
 }
 
-impl Film {
+impl<'a> Film<'a> {
     /// Renders the frames of a shot; finer ones at `frames`.
     pub fn new(
-        boxes: &[Cuboid],
+        boxes: &'a [Cuboid],
         (shot, count): (Shot, usize),
         size: [usize; 2],
         fineness: &[usize],
         frames: &[usize],
-    ) -> Film {
+    ) -> Film<'a> {
         let cameras: Vec<Camera> = (0..count).map(|frame| shot.camera(frame, size)).collect();
         let depth = cameras.par_iter().map(|camera| rendered(camera, boxes, size)).collect();
         let at = |times: usize| {
@@ -75,18 +79,26 @@ impl Film {
             (times, cameras.par_iter().enumerate().map(one).collect())
         };
         let fine = fineness.iter().map(|times| at(*times)).collect();
-        Film { size, cameras, depth, fine }
+        Film { boxes, size, cameras, depth, fine }
     }
 
-    /// The depth of a frame, so many times as fine; none where it was not rendered.
-    pub fn fine(&self, times: usize, frame: usize) -> Option<&Depth> {
+    /// The depth of a frame, so many times as fine: rendered here where [`Film::new`] was not
+    /// asked for it.
+    pub fn fine(&self, times: usize, frame: usize) -> Cow<'_, Depth> {
         if times == 1 {
-            return self.depth.get(frame);
+            return Cow::Borrowed(&self.depth[frame]);
         }
-        self.fine.iter().find(|(known, _)| *known == times)?.1.get(frame)?.as_ref()
+        let known = self.fine.iter().find(|(known, _)| *known == times);
+        match known.and_then(|(_, depth)| depth[frame].as_ref()) {
+            Some(depth) => Cow::Borrowed(depth),
+            None => {
+                let size = self.size.map(|n| n * times);
+                Cow::Owned(rendered(&self.cameras[frame], self.boxes, size))
+            }
+        }
     }
 
-    /// The grid of what the frames up to one showed.
+    /// Adds what frames show to a grid. Texels and voxels touched.
     pub fn accumulated(&self, grid: &mut Grid, frames: std::ops::Range<usize>) -> u64 {
         frames.map(|frame| grid.accumulate(&self.depth[frame], &self.cameras[frame])).sum()
     }

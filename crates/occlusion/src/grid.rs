@@ -102,6 +102,8 @@ impl Grid {
     /// touched.
     pub fn splat(&self, camera: &Camera, lod: Lod, out: &mut Depth) -> u64 {
         let mut layer = Depth::empty(out.size);
+        // Of voxels that are no cubes the longest: a square covers what it stands for.
+        let side = self.side.into_iter().fold(0.0, f32::max);
         let mut touched = self.occupied.len() as u64;
         for &index in &self.occupied {
             let (word, place) = (self.words[index as usize], self.place(index));
@@ -109,10 +111,10 @@ impl Grid {
             // A step of 4, 2 or 1 sub-voxels from a corner in these units.
             let mut point = |corner: Place, centre: Place, step: f32| {
                 let at = [0, 1, 2].map(|k| low[k] + (corner[k] + step * centre[k]) * self.side[k]);
-                touched += 1 + square(camera, at, step * self.side[0], &mut layer);
+                touched += 1 + square(camera, at, step * side, &mut layer);
             };
             let middle = camera.view([0, 1, 2].map(|k| low[k] + 2.0 * self.side[k]))[2];
-            if middle < -4.0 * self.side[0] {
+            if middle < -4.0 * side {
                 continue;
             }
             if middle > lod.far {

@@ -84,8 +84,8 @@ pub fn part(of: u64, whole: u64) -> f64 {
 }
 
 /// The error of a texel relative to its true depth, in [-1, 1]: negative where it is too near, 1
-/// where nothing is known or the buffer sees past the scene; none where both are infinite, or
-/// nothing was written.
+/// where it is infinite and the true depth is not, -1 where that alone is infinite, 0 where both
+/// are; none where nothing was written.
 pub fn error(found: f32, truth: f32) -> Option<f32> {
     match (found, truth) {
         (EMPTY, _) => None,
@@ -156,22 +156,21 @@ pub struct Span<'a> {
     pub voxels: [u32; 3],
 }
 
-/// Measures trials over frames of a film, with boxes that are tested. A trial whose fineness the
-/// film has not is measured over no frames.
+/// Measures trials over frames of a film, with boxes that are tested: a tally for each trial.
 pub fn measured(film: &Film, span: &Span, trials: &[Trial], boxes: &[Cuboid]) -> Vec<Tally> {
     let mut tallies = vec![Tally::default(); trials.len()];
     let mut grid = Grid::new(span.voxels);
     let mut next = 0;
     for &frame in span.frames {
-        let late = frame.saturating_sub(span.latency);
+        let late = frame - span.latency;
         film.accumulated(&mut grid, next..late + 1);
         next = late + 1;
         let (camera, truth) = (&film.cameras[frame], &film.depth[frame]);
         let tested: Vec<Tested> =
             boxes.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
         let one = |trial: &Trial| {
-            let Some(depth) = film.fine(trial.passes.fineness(), late) else { return Tally::default() };
-            let late = Late { camera: &film.cameras[late], depth, grid: Some(&grid) };
+            let depth = film.fine(trial.passes.fineness(), late);
+            let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
             let (buffer, work, _) = trial.passes.run(late, camera, film.size);
             tally((&buffer, work), (truth, camera), &tested, trial.bias)
         };

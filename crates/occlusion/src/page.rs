@@ -295,7 +295,10 @@ fn sweeps(results: &Results) -> Result<Section, ReportError> {
             "Latency at 3 degrees a frame (sideways 0.25 m a frame), speed at a latency of {latency} frames; a step sideways grows as the turn does, \
              by 0.083 m for each degree."
         ),
-        blocks: vec![figures(&charts, "Points: old depth alone. All passes: those of the scene.")?],
+        blocks: vec![figures(
+            &charts,
+            "Points: old depth alone. All passes: those of the scene, with `reproject` in place of `reproject-half`.",
+        )?],
     })
 }
 
@@ -325,7 +328,7 @@ fn resolutions(results: &Results) -> Section {
         let ([w, h], voxels) = (one.buffer, one.voxels.map(|n| n.to_string()).join(" x "));
         [format!("{w} x {h}"), voxels].into_iter().chain(rates(&one.tally)).collect()
     });
-    let caption = "With the passes of the scene.";
+    let caption = "With the passes of the scene; the conservative mode has its row above.";
     Section {
         id: "resolutions".into(),
         title: "Resolutions".into(),

@@ -28,7 +28,8 @@ pub struct Passes {
     pub conservative: bool,
 }
 
-/// What each pass took: reprojection, medians, voxels with their accumulation, dilation.
+/// What each pass took: reprojection, medians, splats of voxels, dilation. Accumulating the voxels
+/// is not among them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Work<T> {
     /// Of the points.
@@ -66,7 +67,7 @@ pub struct Late<'a> {
     /// Its depth, as fine as the passes ask for.
     pub depth: &'a Depth,
     /// Voxels that were accumulated until then.
-    pub grid: Option<&'a Grid>,
+    pub grid: &'a Grid,
 }
 
 impl Passes {
@@ -103,8 +104,8 @@ impl Passes {
                 timed(&mut work.median, &mut seconds.median, &mut || out.median(self.median));
             }
         }
-        if let (Some(lod), Some(grid)) = (self.voxels, late.grid) {
-            timed(&mut work.voxels, &mut seconds.voxels, &mut || grid.splat(to, lod, &mut out));
+        if let Some(lod) = self.voxels {
+            timed(&mut work.voxels, &mut seconds.voxels, &mut || late.grid.splat(to, lod, &mut out));
             if self.median > 0 {
                 timed(&mut work.median, &mut seconds.median, &mut || out.median(self.median));
             }

@@ -165,7 +165,7 @@ impl Set<'_> {
         (Shot { path, start, speed }, FRAMES)
     }
 
-    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film {
+    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'_> {
         let latency = self.culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
         Film::new(&self.boxes, shot, self.size, fineness, &late)
@@ -188,12 +188,14 @@ impl Set<'_> {
     fn causes(&self, path: CameraPath) -> Causes {
         let film = self.film(self.shot(path, 4, 1.0), &[]);
         let points = Passes { half: Some(false), median: 0, voxels: None, dilation: 0, conservative: false };
+        // No pass of voxels reads it.
+        let none = Grid::new([2; 3]);
         let mut sum = Holes::default();
         for &frame in &MEASURED {
             let late = frame - self.culling.latency as usize;
             let (now, old) =
                 ((&film.depth[frame], &film.cameras[frame]), (&film.depth[late], &film.cameras[late]));
-            let given = Late { camera: old.1, depth: old.0, grid: None };
+            let given = Late { camera: old.1, depth: old.0, grid: &none };
             let holes = Holes::of(&points.run(given, now.1, self.size).0, now, old);
             sum.texels += holes.texels;
             sum.out_of_frame += holes.out_of_frame;
@@ -252,11 +254,8 @@ impl Set<'_> {
         let frame = MEASURED[7];
         let mut grid = Grid::new(self.culling.grid);
         film.accumulated(&mut grid, 0..frame - latency + 1);
-        let late = Late {
-            camera: &film.cameras[frame - latency],
-            depth: &film.depth[frame - latency],
-            grid: Some(&grid),
-        };
+        let late =
+            Late { camera: &film.cameras[frame - latency], depth: &film.depth[frame - latency], grid: &grid };
         let whole = Passes {
             half: Some(false),
             median: MEDIAN,

@@ -37,7 +37,7 @@ impl Effect for Occlusion {
             name: CULLING.into(),
             field: CULLING.into(),
             because: format!(
-                "culling: voxels are splatted ({} a side)",
+                "culling: voxels are splatted ({} voxels)",
                 culling.grid.map(|n| n.to_string()).join(" x ")
             ),
             spans: Default::default(),

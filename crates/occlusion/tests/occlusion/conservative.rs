@@ -4,6 +4,7 @@
 use lobefit::scene::World;
 use lobefit_occlusion::camera::Camera;
 use lobefit_occlusion::cull::{Verdict, test};
+use lobefit_occlusion::grid::Grid;
 use lobefit_occlusion::passes::{Late, Passes};
 use lobefit_occlusion::raster::{Cuboid, is_seen, rendered};
 use lobefit_occlusion::world::{Random, world};
@@ -31,7 +32,8 @@ fn cases(seed: u64, boxes: usize) -> [usize; 3] {
     let fine = SIZE.map(|n| n * PASSES.fineness());
     let depth = rendered(&old, &world, fine);
     let truth = rendered(&new, &world, fine);
-    let buffer = PASSES.run(Late { camera: &old, depth: &depth, grid: None }, &new, SIZE).0;
+    let grid = Grid::new([2; 3]);
+    let buffer = PASSES.run(Late { camera: &old, depth: &depth, grid: &grid }, &new, SIZE).0;
     let mut found = [0; 3];
     for _ in 0..boxes {
         let base = [random.within(0.0, 128.0), random.within(0.0, 128.0), random.within(0.0, 6.0)];

@@ -47,20 +47,32 @@ fn infinite_and_passed_depth() {
     }
 }
 
-/// Of two depths in a texel the nearer counts, in the conservative mode the farther, in any order.
+/// Of two depths in a texel the nearer counts, in any order; in the conservative mode the farthest
+/// of a plane in the texel and those about it.
 #[test]
 fn two_points_in_a_texel() {
-    let (camera, small) = (ahead(), [2, 2]);
+    let (camera, small) = (ahead(), [8, 8]);
+    let inner = 3 * 8 + 3;
     for (farther, nearer) in [(0, 1), (1, 0)] {
         let mut fine = Depth { size: [64, 64], texels: vec![4.0; 64 * 64] };
-        fine.texels[65 * 16 + farther] = 7.0;
-        fine.texels[65 * 16 + nearer] = 3.0;
+        fine.texels[64 * 28 + 28 + farther] = 7.0;
+        fine.texels[64 * 28 + 28 + nearer] = 3.0;
         let mut out = Depth::empty(small);
         reproject(&fine, &camera, &camera, &mut out);
-        assert_eq!(out.texels[0], 3.0);
+        assert_eq!(out.texels[inner], 3.0);
         let mut out = Depth::empty(small);
         reproject_conservatively(&fine, &camera, &camera, &mut out);
-        assert!(out.texels[0] >= 7.0 || out.texels[0] == EMPTY, "{}", out.texels[0]);
+        assert!(out.texels[inner] >= 7.0, "{}", out.texels[inner]);
+    }
+    // A plane: 1/z is linear. Texel 3 has columns 24 to 31, with its neighbours 16 to 39.
+    let depth = |column: usize| 1.0 / (0.1 + 0.002 * column as f32);
+    for (turned, farthest) in [(false, depth(16)), (true, depth(63 - 39))] {
+        let at = |i: usize| depth(if turned { 63 - i % 64 } else { i % 64 });
+        let fine = Depth { size: [64, 64], texels: (0..64 * 64).map(at).collect() };
+        let mut out = Depth::empty(small);
+        reproject_conservatively(&fine, &camera, &camera, &mut out);
+        let off = out.texels[inner] - farthest;
+        assert!(off.abs() < 1e-4, "{} for {farthest}", out.texels[inner]);
     }
 }
 

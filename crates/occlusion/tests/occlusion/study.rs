@@ -59,8 +59,8 @@ fn times_of_passes() {
         let mut least = [f64::INFINITY; 4];
         for frame in 25..60 {
             let old = frame - 5;
-            let depth = film.fine(passes.fineness(), old).expect("rendered");
-            let late = Late { camera: &film.cameras[old], depth, grid: Some(&grid) };
+            let depth = film.fine(passes.fineness(), old);
+            let late = Late { camera: &film.cameras[old], depth: &depth, grid: &grid };
             let Work { reproject, median, voxels, dilation } = passes.run(late, &film.cameras[frame], size).2;
             let taken = [reproject, median, voxels, dilation];
             least.iter_mut().zip(taken).for_each(|(least, taken)| *least = least.min(1e3 * taken));
