@@ -32,8 +32,6 @@ pub struct Culling {
     pub grid: [u32; 3],
     /// What the buffer is made by, each once, in the order of [`Pass`].
     pub passes: Vec<Pass>,
-    /// Whether no box that is visible may be culled as long as nothing moves but the camera.
-    pub conservative: bool,
 }
 
 /// A procedural world.
@@ -103,8 +101,6 @@ struct CullingFile {
     /// resolution; `median`, `voxels`, `dilation`; default all but `reproject-half`.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     passes: Maybe<List<Word<Pass>, 5>>,
-    /// Whether no visible box may be culled as long as nothing moves but the camera; default false.
-    conservative: Maybe<bool>,
 }
 
 impl TryFrom<CullingFile> for Culling {
@@ -127,7 +123,6 @@ impl TryFrom<CullingFile> for Culling {
             latency: file.latency.0.map_or(LATENCY, |n| n.0),
             grid,
             passes: passes(file.passes.0).map_err(|message| about("passes", message))?,
-            conservative: file.conservative.0.unwrap_or(false),
         })
     }
 }

@@ -272,7 +272,6 @@ fn it_names_and_describes_every_field() {
             "base",
             "blend",
             "buffer",
-            "conservative",
             "cost",
             "count",
             "culling",

@@ -123,7 +123,7 @@ pub fn passes(culling: &Culling) -> Passes {
         median: if has(Pass::Median) { MEDIAN } else { 0 },
         voxels: has(Pass::Voxels).then_some(LOD),
         dilation: if has(Pass::Dilation) { DILATION } else { 0 },
-        conservative: culling.conservative,
+        conservative: false,
     }
 }
 
@@ -215,7 +215,7 @@ impl Set<'_> {
             .collect();
         let own = passes(self.culling);
         // Finer depth is rendered of one latency alone.
-        let own = Passes { half: own.half.map(|_| false), conservative: false, ..own };
+        let own = Passes { half: own.half.map(|_| false), ..own };
         let points = Passes { half: Some(false), median: 0, voxels: None, dilation: 0, conservative: false };
         let trials = [points, own].map(|passes| Trial { passes, bias: BIAS });
         let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
@@ -232,7 +232,7 @@ impl Set<'_> {
     fn resolutions(&self) -> Vec<Resolution> {
         let buffers = [0.5, 1.0, 1.5].map(|times| self.size.map(|n| ((n as f64 * times) as usize).max(16)));
         let grids = [4, 2, 1].map(|part| self.culling.grid.map(|n| (n / part).max(2)));
-        let trial = Trial { passes: Passes { conservative: false, ..passes(self.culling) }, bias: BIAS };
+        let trial = Trial { passes: passes(self.culling), bias: BIAS };
         let one = |buffer: &[usize; 2]| {
             let set =
                 Set { size: *buffer, boxes: self.boxes.clone(), objects: self.objects.clone(), ..*self };
@@ -321,7 +321,7 @@ impl Set<'_> {
     /// [`ALLOWED`] on some shots; where none does, the one that breaks it least. There are few
     /// enough to try all.
     fn choices(&self) -> ([Choice; 2], usize) {
-        let own = Trial { passes: Passes { conservative: false, ..passes(self.culling) }, bias: BIAS };
+        let own = Trial { passes: passes(self.culling), bias: BIAS };
         let mut trials = self.combinations();
         let count = trials.len();
         trials.push(own);

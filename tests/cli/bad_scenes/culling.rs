@@ -21,7 +21,6 @@ fn what_is_no_culling_is_refused() {
         case(culling("\"passes\":[\"median\"]"), "culling.passes: no pass writes depth"),
         case(culling("\"passes\":[\"voxels\",\"voxels\"]"), "culling.passes: a pass is there twice"),
         case(culling("\"passes\":[\"reproject\",\"reproject-half\"]"), "stand for one another"),
-        case(culling("\"conservative\":1"), "culling.conservative: "),
         case(top("\"culling\":[]"), "culling: "),
     ]);
 }
