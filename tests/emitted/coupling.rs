@@ -360,7 +360,7 @@ fn a_base_that_makes_no_sense_is_refused_with_its_field() {
             "base.specular: unknown variant `kelemen`",
         ),
         ("\"dielectric\", \"ior\": 1.5", r#"{"norms": []}"#, "norms: the list is empty"),
-        ("\"dielectric\", \"ior\": 1.5", r#"{"roughness": 1}"#, "unknown field `roughness`"),
+        ("\"dielectric\", \"ior\": 1.5", r#"{"roughness": 2}"#, "base.roughness: 2 is outside [0, 1]"),
         ("\"dielectric\", \"ior\": 1.5", "0.5", "an object that describes a diffuse base"),
         ("\"metal\", \"f0\": 1", "{}", "`base` is for dielectrics; leave it out of a metal"),
         ("\"glass\", \"ior\": 1.5", "{}", "`base` is for dielectrics; leave it out of glass"),
