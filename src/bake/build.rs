@@ -8,7 +8,7 @@
 
 use crate::store::{Files, MANIFEST};
 
-/// Hash of the sources of this package and of those below it (`build/main.rs`): 32 hexadecimal
+/// Hash of the source files of this package and of those below it (`build/main.rs`): 32 hexadecimal
 /// digits, the same on every machine, other ones after any edit. For what is made from results that
 /// are not computed again.
 pub const BUILD: &str = env!("LOBEFIT_BUILD");

@@ -13,7 +13,7 @@ use crate::report::{Answer, EffectFinding};
 use crate::store::{Cache, Files};
 use lobefit_shade::code::Language;
 
-/// Hash of the sources but for formulas, which are hashed by effect (`build/main.rs`).
+/// Hash of the source files but for formulas, which are hashed by effect (`build/main.rs`).
 const CODE: &str = env!("LOBEFIT_CODE");
 
 /// A part but for the contents of its files, which follow in their order.

@@ -244,7 +244,7 @@ pub fn stale(study: &dyn Study, size: Size, found: &Files) -> Result<Option<Stal
     let wrong = if document.is_none_or(|document| document["origin"]["recipe"] != recipe) {
         Some(results)
     } else {
-        // The page names the recipe in its head.
+        // The page names the recipe too.
         let named = of(&page).windows(recipe.len()).any(|w| w == recipe.as_bytes());
         (!named).then_some(page)
     };
