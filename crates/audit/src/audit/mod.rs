@@ -162,7 +162,7 @@ fn truth_of<'a>(
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
     })?;
-    Truth::new(spec, &smiths, &sides)
+    Ok(Truth::new(spec, &smiths, &sides)?.within(&fixed.domain))
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
