@@ -382,15 +382,14 @@ fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried
 
 fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
     let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
-    if errors.rms <= allowed * residuals.spread() {
+    // A truth without a bound at grazing view does not excuse what is wrong elsewhere.
+    let albedo = source == Source::Function && residuals.column.albedo(0.5) == Some(0.5);
+    let spread = residuals.spread().min(if albedo { 1.0 } else { f64::INFINITY });
+    if errors.rms <= allowed * spread {
         return Fit::Whole;
     }
     let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
-    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() {
-        Fit::Part
-    } else {
-        Fit::None
-    }
+    if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 
 /// The inputs of a texel.

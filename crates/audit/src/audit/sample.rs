@@ -124,7 +124,8 @@ pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading]) -> Ve
 const LEAST_OF_ARGUMENT: usize = 8;
 
 /// Which texels of a sample of a function are judged under every reading of its arguments, so that
-/// all are ranked on the same points; none of a table, whose readings tell by what they leave out.
+/// all are ranked on the same points; nothing where too few are, as in a narrow domain, which lies
+/// elsewhere under every reading, and nothing of a table, whose readings tell by what they leave out.
 pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Option<Vec<bool>> {
     fixed.roles.as_ref()?;
     let along = |axis: usize| -> Vec<bool> {
@@ -143,7 +144,9 @@ pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Option<Ve
     let along: Vec<Vec<bool>> = (0..sample.at.len()).map(along).collect();
     let dims = sample.dims();
     let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
-    Some((0..dims.iter().product()).map(all).collect())
+    let mask: Vec<bool> = (0..dims.iter().product()).map(all).collect();
+    let few = mask.iter().filter(|m| **m).count() * LEAST_OF_ARGUMENT < mask.len();
+    (!few).then_some(mask)
 }
 
 /// What is judged under a reading as it is ranked: all that is shared, or nothing where the reading

@@ -450,6 +450,10 @@ fn damaged_sources_are_errors_or_functions() {
             "f.glsl",
             "#define N 3\nconst mat2 M = mat2(1.0, 2.0, 3.0, 4.0);\nvoid g(in float x, inout vec2 v) { v *= x; }\nvec3 f(vec2 a, float b) {\n  vec2 v = M * a;\n  for (int i = 0; i < N; i++) { g(b, v); }\n  return b > 0.0 ? vec3(v, pow(b, 2.5)) : vec3(clamp(a, 0.0, 1.0), 1);\n}\n",
         ),
+        (
+            "f.hlsl",
+            "#define SQ(x) ((x)*(x))\n#if 2 > 1 && !defined(N)\n#define N 3\n#endif\nstatic const float2 C[2] = { { 1, 2 }, { 3, 4.h } };\nvoid g(in half x, inout float2 v) { v *= SQ(x); }\nfloat3 f(float2 a, float b) {\n  float2 v = mul(float2x2(1, 2, 3, 4), a);\n  [unroll] for (int i = 0; i < N; i++) { g(b, v); }\n  return b > 0 ? float3(v, pow(b, 2.5)) : (float3)lerp(C[0].y, a.x, 1);\n}\n",
+        ),
     ];
     for (k, (file, source)) in sources.into_iter().enumerate() {
         assert!(functions(source, file, Some("f"))[0].results.len() > 1);

@@ -105,6 +105,10 @@ impl<'a> Translator<'a> {
         self.spans.get(k).and_then(Span::word).unwrap_or("")
     }
 
+    fn is_word(&self, k: usize) -> bool {
+        matches!(self.token(k), Some(Token::Word(_)))
+    }
+
     fn put(&mut self, words: &str, k: usize) {
         let at = self.spans.get(k.min(self.spans.len().saturating_sub(1))).map_or(0, |s| s.start);
         let from: Origin = self.text.origin(at);
@@ -126,7 +130,7 @@ impl<'a> Translator<'a> {
         self.result = name.and_then(|k| k.checked_sub(1)).and_then(|k| typed(self.word(k)));
         let end = (0..self.spans.len()).find(|k| self.token(*k) == Some(Token::Open(b'{')));
         for k in name.unwrap_or(0)..end.unwrap_or(self.spans.len()) {
-            if let Some(ty) = typed(self.word(k)).filter(|_| !self.word(k + 1).is_empty()) {
+            if let Some(ty) = typed(self.word(k)).filter(|_| self.is_word(k + 1)) {
                 self.types.insert(self.word(k + 1), ty);
             }
         }
@@ -167,8 +171,8 @@ impl<'a> Translator<'a> {
         match k.checked_sub(1).and_then(|b| self.token(b)) {
             None | Some(Token::Mark(b';') | Token::Open(b'{') | Token::Close(b'}')) => true,
             Some(Token::Open(b'(')) => k >= 2 && self.word(k - 2) == "for",
-            Some(Token::Close(b']')) => self.word(k) != "" && typed(self.word(k)).is_some(),
-            Some(Token::Close(b')')) => self.body && self.word(k) != "",
+            Some(Token::Close(b']')) => typed(self.word(k)).is_some(),
+            Some(Token::Close(b')')) => self.body && self.is_word(k),
             Some(Token::Word(word)) => SILENT.contains(&word) || matches!(word, "const" | "else"),
             _ => false,
         }
@@ -287,7 +291,7 @@ impl<'a> Translator<'a> {
             return stop;
         }
         if let Some(ty) = typed(word) {
-            if self.begins(k) && self.body && self.word(k + 1) != "" {
+            if self.begins(k) && self.body && self.is_word(k + 1) {
                 return self.declaration(k, &ty, end);
             }
             self.put(&ty, k);
@@ -344,7 +348,7 @@ impl<'a> Translator<'a> {
         self.put(ty, k);
         self.put(" ", k);
         let mut at = k + 1;
-        while at < end && self.word(at) != "" {
+        while at < end && self.is_word(at) {
             let name = self.word(at);
             self.take(at);
             at += 1;

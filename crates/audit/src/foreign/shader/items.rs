@@ -68,6 +68,13 @@ const PLAIN: [&str; 27] = [
 ];
 
 impl Item {
+    /// The item in a text that holds its own from a byte on.
+    pub fn moved(mut self, by: usize) -> Item {
+        self.range = self.range.map(|at| at + by);
+        self.words.iter_mut().for_each(|word| word.at += by);
+        self
+    }
+
     /// The name of a function.
     pub fn name(&self) -> &str {
         self.names.first().map_or("", String::as_str)

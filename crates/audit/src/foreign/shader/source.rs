@@ -78,14 +78,17 @@ impl Source {
             let what = "operators and brackets around a term";
             return Err(ForeignError::too_large(&file, what, deepest, limits::NESTING));
         }
-        let mut items = items(read.text.as_str(), language);
-        let own = items.iter().position(|item| item.range[0] >= end).unwrap_or(items.len());
+        // What is not closed in the source must not reach into the library.
+        let (source, library) = read.text.as_str().split_at(end);
+        let mut all = items(source, language);
+        let own = all.len();
+        all.extend(items(library, language).into_iter().map(|item| item.moved(end)));
         if language == ShaderLanguage::Hlsl {
-            for word in items.iter_mut().flat_map(|item| &mut item.words) {
+            for word in all.iter_mut().flat_map(|item| &mut item.words) {
                 word.text = super::hlsl::renamed(&word.text);
             }
         }
-        Ok(Source { file, language, read, items, own })
+        Ok(Source { file, language, read, items: all, own })
     }
 
     /// Functions of the file itself, and of a name if one is given, which may be one of an include

@@ -72,16 +72,19 @@ fn number(rest: &str) -> usize {
 pub(super) fn without_comments(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some(at) = rest.find("//").into_iter().chain(rest.find("/*")).min() {
-        out.push_str(&rest[..at]);
+    while let Some(at) = rest.find('/') {
         let comment = &rest[at..];
-        let length = if comment.starts_with("//") {
-            comment.find('\n').unwrap_or(comment.len())
-        } else {
-            comment[2..].find("*/").map_or(comment.len(), |end| end + 4)
+        let length = match comment.as_bytes().get(1) {
+            Some(b'/') => comment.find('\n').unwrap_or(comment.len()),
+            Some(b'*') => comment[2..].find("*/").map_or(comment.len(), |end| end + 4),
+            _ => 0,
         };
+        out.push_str(&rest[..at]);
         out.extend(comment[..length].bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }));
-        rest = &comment[length..];
+        if length == 0 {
+            out.push('/');
+        }
+        rest = &comment[length.max(1)..];
     }
     out + rest
 }
