@@ -39,7 +39,7 @@ pub(super) fn srgb(
     let linear = finish(truth, &linear, live, fixed, &found, None)?;
     Ok((linear.fit == Fit::Whole).then(|| {
         format!(
-            "But with its values decoded from sRGB, {} Its values were encoded for display: store them as they are, or sample it as an \
+            "But with its values decoded from sRGB it is {} Its values were encoded for display: store them as they are, or sample it as an \
              sRGB texture. So read it is off by at most {}.",
             opening(&linear),
             long(linear.worst())

@@ -8,6 +8,7 @@ use super::lookup::LookupErrors;
 use super::plain::Plain;
 use super::table::Source;
 use super::two_lobes::TwoLobes;
+use super::verdict::Verdict;
 use lobefit::data::Place;
 
 /// How a table fits its best convention, the better first.
@@ -106,8 +107,8 @@ pub struct Audit {
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
-    /// All of it in a paragraph.
-    pub verdict: String,
+    /// What else is to be said of it, in sentences.
+    pub remarks: Vec<String>,
 }
 
 impl Audit {
@@ -120,8 +121,12 @@ impl Audit {
         best.tried.sort_by(|a, b| a.rank.total_cmp(&b.rank));
         best.tried.truncate(super::TOLD);
         best.margin = super::margin(&best.tried.iter().map(|t| t.rank).collect::<Vec<_>>());
-        best.verdict = super::verdict::paragraph(&best);
         best
+    }
+
+    /// The verdict; `limit` is the largest error that the user allows.
+    pub fn verdict(&self, limit: Option<f64>) -> Verdict {
+        super::verdict::of(self, limit)
     }
 
     /// The best convention.

@@ -46,8 +46,8 @@ pub use plain::Plain;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Lobe;
 pub use two_lobes::TwoLobes;
-pub use verdict::limit_judged;
 pub(crate) use verdict::place;
+pub use verdict::{Grade, Verdict};
 
 use defects::grain;
 use errors::Residuals;
@@ -143,9 +143,7 @@ pub fn audit(
             done = finish(truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
-    if let Some(told) = encoded::srgb(truth, &table, &live, tried, &done)? {
-        done.verdict = format!("{} {told}", done.verdict);
-    }
+    done.remarks.extend(encoded::srgb(truth, &table, &live, tried, &done)?);
     Ok(done)
 }
 
@@ -318,7 +316,7 @@ fn finish(
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
-    let mut audit = Audit {
+    Ok(Audit {
         plain,
         what: table.what.clone(),
         quantity: truth.quantity(),
@@ -335,10 +333,8 @@ fn finish(
         furnace,
         two_lobes,
         truth_error: truth.bound(),
-        verdict: String::new(),
-    };
-    audit.verdict = verdict::paragraph(&audit);
-    Ok(audit)
+        remarks: Vec::new(),
+    })
 }
 
 /// Rank of the first that differs over that of the best: E at normal incidence is the same for both

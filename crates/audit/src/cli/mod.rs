@@ -16,7 +16,7 @@ use clap::Parser;
 use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Input, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
-use crate::report::{self, AuditFindings};
+use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
 use lobefit::cli::options::{ThreadsOption, not_negative, smith};
 use lobefit::cli::output::{self, Outcome, print, say};
@@ -41,7 +41,7 @@ f0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
 Exit codes:
-  0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, \"Do not ship it\" too,
+  0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, FAIL and UNKNOWN too,
      but for the two cases of 1
   1  with --limit: over it, not all judged, or no convention fits; without --limit: no convention fits that options (--axes,
      --registration, --smith, --side, --meaning) leave open, or
@@ -173,7 +173,6 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
             &holds,
             options.limit,
         );
-        let found = AuditFindings { verdict: stated::with_limit(found.verdict, options.limit), ..found };
         return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
     }
     let (own, quantity) = (fixed(options)?, options.wanted.0);
@@ -182,26 +181,27 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
             .threads
             .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
     };
-    let mut done = judge(&own)?;
-    if let Some(said) = &said {
-        done.verdict = format!("{} Without its statement: {}", said.verdict, done.verdict);
-    }
+    let done = judge(&own)?;
+    let otherwise = |without: &str, audit: &Audit| AuditOtherwise {
+        without: without.into(),
+        verdict: audit.verdict(options.limit),
+    };
+    let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
         let domain = own.domain.clone();
         let free = judge(&Fixed { column: options.wanted.1, domain, ..Fixed::default() })?;
-        done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
+        beside = Some(otherwise("those options", &free));
     }
     let priced = function.filter(|_| options.isa);
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
     let cost = priced.map(price).transpose()?;
     drop(progress);
-    if let Some(limit) = options.limit {
-        done.verdict = format!("{} {}", done.verdict, audit::limit_judged(&done, limit));
-    }
     let origin = origin::origin(options, &bytes);
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let found = AuditFindings { passed: found.passed && said.is_none(), cost, ..found };
+    let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
+    let passed = found.passed && said.is_none();
+    let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
     let refused = match &said {
         Some(said) => refusal::of_stated(said, options.limit),
         None => refusal::refusal(&done, options.limit),
@@ -239,7 +239,8 @@ fn publish(
         print(&figures)?;
     } else if !options.quiet {
         let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
-        print(format!("{}\n{cost}", found.verdict).as_bytes())?;
+        let beside = found.otherwise.as_ref().map_or_else(String::new, AuditOtherwise::text);
+        print(format!("{}\n{beside}{cost}", found.verdict).as_bytes())?;
     }
     if found.passed {
         return Ok(Outcome::Done);

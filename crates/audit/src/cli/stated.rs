@@ -39,13 +39,3 @@ pub(super) fn stated(
         Err(error) => Err(error.into()),
     }
 }
-
-/// The verdict with where the limit was judged, if one was given.
-pub(super) fn with_limit(verdict: String, limit: Option<f64>) -> String {
-    match limit {
-        Some(limit) => {
-            format!("{verdict} The limit {limit} is judged at those lookups, at texels and between them.")
-        }
-        None => verdict,
-    }
-}

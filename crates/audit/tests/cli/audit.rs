@@ -49,7 +49,8 @@ fn a_table_is_read_judged_and_reported() {
         assert_eq!(lobefit(folder.path(), &again, b"").stdout, figures);
     }
     let found: Value = serde_json::from_slice(&figures).unwrap();
-    assert_eq!(found["fits"], "whole");
+    assert_eq!((&found["fits"], &found["verdict"]["grade"]), (&"whole".into(), &"PASS".into()));
+    assert!(found["verdict"]["convention"].as_str().unwrap().contains("mu along y at end points"));
     let command = "lobefit audit tables.h --as ggx-reflection --size 16x16";
     assert_eq!(found["origin"]["command"], command, "the command makes it again");
     assert_eq!(found["conventions"][0]["axes"][0]["coordinate"], "roughness");
@@ -69,11 +70,20 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
     let over = with(&["--limit", "1e-7"]);
     assert_eq!(over.status.code(), Some(1));
     assert!(stderr(&over).contains("the limit 1e-7"), "{}", stderr(&over));
+    let first = |output: &std::process::Output| {
+        String::from_utf8_lossy(&output.stdout).lines().next().unwrap_or_default().to_string()
+    };
+    let line = first(&over);
+    assert!(line.starts_with("FAIL ggx-reflection E: tables.h (table_E) is off by at most"), "{line}");
+    assert!(line.ends_with("the limit is 1e-7"), "{line}");
+    let points = String::from_utf8_lossy(&over.stdout).lines().skip(1).count();
+    assert!((1..=5).contains(&points), "{points} points");
     let wrong = with(&["--axes", "mu,gloss", "--quiet"]);
     assert_eq!(wrong.status.code(), Some(1));
     assert!(wrong.stdout.is_empty());
+    assert!(first(&with(&["--axes", "mu,gloss"])).starts_with("UNKNOWN ggx-reflection"));
     let told = String::from_utf8(with(&["--axes", "mu,gloss"]).stdout).unwrap();
-    assert!(told.contains("Without those options: tables.h"), "{told}");
+    assert!(told.contains("Without those options: PASS ggx-reflection E: tables.h"), "{told}");
     assert_eq!(names(folder.path()), ["tables.h"]);
 }
 

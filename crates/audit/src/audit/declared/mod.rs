@@ -15,6 +15,7 @@ use super::errors::{TexelErrors, median};
 use super::lookup::fetch;
 use super::table::AuditedTable;
 use super::truth::{Truth, Values, with_azimuth};
+use super::verdict::Verdict;
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
@@ -84,14 +85,17 @@ pub struct Declared {
     pub claimed: f64,
     /// Bound of the truth's own error.
     pub truth_error: f64,
-    /// All of it in a paragraph.
-    pub verdict: String,
 }
 
 impl Declared {
     /// Largest error of any column.
     pub fn worst(&self) -> f64 {
         self.held.iter().map(|h| h.figures.max).fold(0.0, f64::max)
+    }
+
+    /// The verdict; `limit` is the largest error that the user allows.
+    pub fn verdict(&self, limit: Option<f64>) -> Verdict {
+        words::verdict(self, limit)
     }
 
     /// Whether it is what it says: it keeps its claim, and is no further off than any table of the
@@ -143,7 +147,7 @@ pub fn declared(
     let base = truth.exact(own, &at)?;
     let look = Look { table: &audited, said: &said, places: &places, wanted };
     let held = look.errors(truth, &base).map_err(odd)?;
-    let mut found = Declared {
+    Ok(Declared {
         what: audited.what.clone(),
         quantity: truth.quantity(),
         lobe: truth.lobes()[own].words(),
@@ -152,13 +156,10 @@ pub fn declared(
         held,
         claimed: said.claimed,
         truth_error: truth.bound(),
-        verdict: String::new(),
         places: places.clone(),
         beyond,
         cut,
-    };
-    found.verdict = words::paragraph(&found);
-    Ok(found)
+    })
 }
 
 /// The table in the size that the statement gives it, if the file and the question allow it.
