@@ -44,7 +44,8 @@ fn command(options: &Options) -> String {
         options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
     );
     let named = |option: &str, value: &str| format!("{option} {}", quoted(value));
-    let range = |(input, [low, high]): &(crate::audit::Input, [f64; 2])| format!("{}={low}..{high}", input.name());
+    let range =
+        |(input, [low, high]): &(crate::audit::Input, [f64; 2])| format!("{}={low}..{high}", input.name());
     words.extend(options.domain.iter().map(|d| named("--domain", &range(d))));
     words.extend(options.define.iter().map(|d| named("--define", d)));
     words.extend(options.include.iter().map(|i| named("--include", &i.display().to_string())));
@@ -55,7 +56,7 @@ fn command(options: &Options) -> String {
 
 /// A word as a shell takes it: in single quotes where it holds anything but letters, digits and
 /// harmless signs.
-fn quoted(word: &str) -> String {
+pub(super) fn quoted(word: &str) -> String {
     let harmless = |c: char| c.is_alphanumeric() || "-_./:,=+%@".contains(c);
     if !word.is_empty() && word.chars().all(harmless) {
         word.into()
