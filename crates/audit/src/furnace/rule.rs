@@ -130,12 +130,12 @@ mod tests {
         for cosine in [0.02, 0.05, 0.4, 1.0] {
             let view = direction(cosine, 0.0);
             let sum = |f: &dyn Fn(Vector) -> f64| -> f64 {
-                lights(view, [6, 3, 8]).into_iter().map(|(l, w)| f(l) * w).sum()
+                lights(view, [11, 6, 22]).into_iter().map(|(l, w)| f(l) * w).sum()
             };
             let whole = sum(&|_| 1.0) / (2.0 * PI);
             let cosines = sum(&|l| l[2]) / PI;
             assert!(
-                (whole - 1.0).abs() < 1e-3 && (cosines - 1.0).abs() < 1e-4,
+                (whole - 1.0).abs() < 2e-3 && (cosines - 1.0).abs() < 1e-4,
                 "{cosine}: {whole} {cosines}"
             );
             // D (n.h)/(4 v.h) of GGX is a density of which a part is below the surface: none of a

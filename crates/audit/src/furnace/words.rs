@@ -33,6 +33,9 @@ pub struct Judgement {
 /// quadrature and of f32 stay below it.
 const ALLOWED: f64 = 5e-3;
 
+/// A difference of f(l, v) and f(v, l) that is rounding.
+const AGREES: f64 = 1e-4;
+
 /// The verdict on a function; without a limit [`ALLOWED`] is.
 pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
     let allowed = limit.unwrap_or(ALLOWED);
@@ -109,13 +112,17 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         String::new()
     };
     let broken = &found.reciprocity;
-    let swapped = format!(
-        "f(l, v) and f(v, l) differ by {} % of the larger at most: {} and {} at {}.",
-        significant(100.0 * broken.share, 2),
-        significant(broken.values[0], 4),
-        significant(broken.values[1], 4),
-        place(&broken.at)
-    );
+    let swapped = if broken.share < AGREES {
+        format!("f(l, v) and f(v, l) agree within {} %.", 100.0 * AGREES)
+    } else {
+        format!(
+            "f(l, v) and f(v, l) differ by {} % of the larger at most: {} and {} at {}.",
+            significant(100.0 * broken.share, 2),
+            significant(broken.values[0], 4),
+            significant(broken.values[1], 4),
+            place(&broken.at)
+        )
+    };
     let cosine = match (found.cosine.known, found.cosine.included) {
         ("found", true) => "the function holds the cosine of the light: f/cos is symmetric, f is not.",
         ("found", false) => "the function holds no cosine of the light: f itself is symmetric.",

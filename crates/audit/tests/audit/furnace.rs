@@ -126,7 +126,7 @@ fn arguments_are_known_by_name_or_said() {
     let named: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name}={role}")).collect();
     assert_eq!(
         named,
-        ["m.baseColor.x=1 (white)", "m.roughness=roughness", "m.metallic=0", "a=l", "eye=v", "LdotH=l.h"]
+        ["m.baseColor=1 (white)", "m.roughness=roughness", "m.metallic=0", "a=l", "eye=v", "LdotH=l.h"]
     );
     let unknown = Asked { set: vec![("q".into(), 0.0)], ..asked.clone() };
     assert!(refused(&unknown).contains("--set"), "{}", refused(&unknown));
