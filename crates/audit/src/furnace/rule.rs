@@ -2,13 +2,14 @@
 //! known but that it may be peaked about the mirror direction, or bend where diffuse lobes do.
 //!
 //! Two rules share the hemisphere by weights that add to 1, each smooth in the other's coordinates.
-//! One runs over the light's cosine and azimuth: diffuse lobes change their formula where the cosine is
-//! the view's, and at +-pi/2 from its azimuth (Oren and Nayar 1994), where panels end. The other runs over half
-//! vectors of polar angle t and azimuth p, so that d l = 4 (v.h) sin t dt dp (Walter et al. 2007,
-//! eq. 14), and a lobe about the normal lies at t = 0 whatever the view is. With v = (s, 0, c) the
-//! light's cosine is sqrt(c^2 + s^2 cos^2 p) cos(2 t - d), tan d = s cos(p)/c: it is above the surface
-//! up to t = pi/4 + d/2. Gauss rules on panels that halve towards t = 0 are as good for a narrow
-//! lobe as for a wide one; in p panels shrink towards +-pi/2, where d turns within c of them.
+//! One runs over the light's cosine and azimuth: diffuse lobes change their formula where the
+//! cosine is the view's, and at +-pi/2 from its azimuth (Oren and Nayar 1994), where panels end. The
+//! other runs over half vectors of polar angle t and azimuth p, so that
+//! d l = 4 (v.h) sin t dt dp (Walter et al. 2007, eq. 14), and a lobe about the normal lies at t = 0
+//! whatever the view is. With v = (s, 0, c) the light's cosine is
+//! sqrt(c^2 + s^2 cos^2 p) cos(2 t - d), tan d = s cos(p)/c: it is above the surface up to
+//! t = pi/4 + d/2. Gauss rules on panels that halve towards t = 0 are as good for a narrow lobe as
+//! for a wide one; in p panels shrink towards +-pi/2, where d turns within c of them.
 
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
