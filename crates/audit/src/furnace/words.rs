@@ -72,9 +72,9 @@ pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
         wrong.join(" and ")
     };
     let what = if verdict == Passed::Unknown { format!("may be one that {what}") } else { what };
-    let told = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
+    let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
     let line = format!(
-        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {told}",
+        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}",
         energy(most),
         place(&cell.at)
     );

@@ -95,7 +95,7 @@ impl Source {
     }
 
     /// Functions of the file itself, and of a name if one is given, which may be one of an include
-    /// file too; none is an entry point.
+    /// file too; entry points are left out.
     pub fn functions(&self, name: Option<&str>) -> Vec<usize> {
         let index = Index::new(&self.items, self.own);
         let all = match name {
