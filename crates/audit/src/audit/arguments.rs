@@ -81,9 +81,12 @@ pub(super) fn feeds(
         };
     }
     if free(&feeds).len() + axes.len() > inputs {
+        let value = |feed: &Option<Feed>| if let Some(Feed::Value(x)) = feed { Some(*x) } else { None };
+        let values: Vec<Option<f32>> = feeds.iter().map(value).collect();
         for i in free(&feeds) {
             // Of a structure a function may read a few members alone.
-            feeds[i] = (role(&arguments[i]).is_none() && function.is_idle(i)).then_some(Feed::Value(0.5));
+            let idle = role(&arguments[i]).is_none() && function.is_idle(i, &values);
+            feeds[i] = idle.then_some(Feed::Value(0.5));
         }
     }
     if let Some(i) = free(&feeds).into_iter().find(|i| function.whole[*i]) {

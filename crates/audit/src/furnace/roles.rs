@@ -107,14 +107,15 @@ pub(super) fn roles(
         }
     }
     let mut found: Vec<Option<Role>> = Vec::new();
+    let value = |name: &String| set.iter().rfind(|(n, _)| of(name, n)).map(|(_, x)| *x as f32);
+    let values: Vec<Option<f32>> = arguments.iter().map(value).collect();
     for (i, name) in arguments.iter().enumerate() {
-        let value = set.iter().rfind(|(n, _)| of(name, n)).map(|(_, x)| Role::Value(*x as f32));
         let said = stated.iter().rfind(|(n, _)| of(name, n)).map(|(_, role)| component(*role, name));
         let by_name = if function.whole[i] { None } else { guess(name, vector(arguments, i)) };
         let known = by_name.filter(|role| matches!(role, Role::Component(..) | Role::Cosine(..)));
         // Of a structure a function may read a few members alone.
-        let idle = || function.is_idle(i).then_some(Role::Value(0.5));
-        found.push(value.or(said).or(known).or_else(idle).or(by_name));
+        let idle = || function.is_idle(i, &values).then_some(Role::Value(0.5));
+        found.push(values[i].map(Role::Value).or(said).or(known).or_else(idle).or(by_name));
     }
     let unknown: Vec<&str> =
         arguments.iter().zip(&found).filter(|(_, r)| r.is_none()).map(|(a, _)| a.as_str()).collect();

@@ -277,15 +277,16 @@ impl ShaderFunction {
         Ok(results)
     }
 
-    /// Whether its results do not depend on one of its scalars, by points of a lattice: what cannot
-    /// be run there depends.
-    pub fn is_idle(&self, input: usize) -> bool {
+    /// Whether its results do not depend on one of its scalars, by points of a lattice at which others
+    /// have the values given: what cannot be run there depends.
+    pub fn is_idle(&self, input: usize, given: &[Option<f32>]) -> bool {
         // Multiples of the golden ratio, another for each scalar; whole numbers are 0, 1 and 2.
         let fraction = |k: usize, i: usize| (k as f64 * (i + 2) as f64 * 0.618_033_988_749).fract() as f32;
         let scaled = |i: usize, x: f32| if self.whole[i] { (3.0 * x).floor() } else { x };
         let point = |k: usize, half: f32| -> Vec<f32> {
-            let of = |i: usize| if i == input { 0.5 * (half + fraction(k, i)) } else { fraction(k, i) };
-            (0..self.inputs.len()).map(|i| scaled(i, of(i))).collect()
+            let free = |i: usize| if i == input { 0.5 * (half + fraction(k, i)) } else { fraction(k, i) };
+            let of = |i: usize| given.get(i).copied().flatten().unwrap_or_else(|| scaled(i, free(i)));
+            (0..self.inputs.len()).map(of).collect()
         };
         (1..=IDLE).all(|k| {
             let (one, other) = (point(k, 0.0), point(k, 1.0));
