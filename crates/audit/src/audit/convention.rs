@@ -38,12 +38,14 @@ pub struct Fixed {
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
     /// [`sampled_inverse`](super::sampled_inverse) does.
     pub inverse: bool,
+    /// Of a function: ranges of inputs in which it is judged.
+    pub domain: Vec<(Input, [f64; 2])>,
 }
 
 impl Fixed {
-    /// Whether nothing but the column is given.
+    /// Whether nothing but the column, and where it is judged, is given.
     pub fn is_free(&self) -> bool {
-        Fixed { column: None, inverse: false, ..self.clone() } == Fixed::default()
+        Fixed { column: None, inverse: false, domain: Vec::new(), ..self.clone() } == Fixed::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::sample::{Candidate, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::screen::best;
 use super::truth::{Truth, Values};
 
@@ -78,7 +78,8 @@ fn refit(
     lobe: usize,
 ) -> Result<Option<Candidate>, AuditError> {
     let judgement = judge(truth, sample, &axes, lobe)?;
-    let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
+    let judged = ranked(judgement.judged, shared(truth, sample, fixed).as_ref());
+    let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
     Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
 }
 
@@ -105,9 +106,11 @@ pub(super) fn requick(
     list: Vec<Candidate>,
     most: usize,
 ) -> Result<Vec<Candidate>, AuditError> {
+    let shared = shared(truth, sample, fixed);
     let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
         let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
-        let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
+        let judged = ranked(judgement.judged, shared.as_ref());
+        let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
         Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
     };
     let done: Vec<Option<Candidate>> = list.into_par_iter().map(one).collect::<Result<_, _>>()?;

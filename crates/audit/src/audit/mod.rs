@@ -160,7 +160,7 @@ fn truth_of<'a>(
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
     })?;
-    Truth::new(spec, &smiths, &sides)
+    Ok(Truth::new(spec, &smiths, &sides)?.within(&fixed.domain))
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
@@ -378,15 +378,14 @@ fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried
 
 fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
     let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
-    if errors.rms <= allowed * residuals.spread() {
+    // A truth without a bound at grazing view does not excuse what is wrong elsewhere.
+    let albedo = source == Source::Function && residuals.column.albedo(0.5) == Some(0.5);
+    let spread = residuals.spread().min(if albedo { 1.0 } else { f64::INFINITY });
+    if errors.rms <= allowed * spread {
         return Fit::Whole;
     }
     let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
-    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() {
-        Fit::Part
-    } else {
-        Fit::None
-    }
+    if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 
 /// The inputs of a texel.

@@ -119,6 +119,46 @@ pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading]) -> Ve
     (0..dims.iter().product()).map(all).collect()
 }
 
+/// A reading of an argument of a function under which fewer than one place in this many is judged
+/// is no reading of it.
+const LEAST_OF_ARGUMENT: usize = 8;
+
+/// Which texels of a sample of a function are judged under every reading of its arguments, so that
+/// all are ranked on the same points; nothing where too few are, as in a narrow domain, which lies
+/// elsewhere under every reading, and nothing of a table, whose readings tell by what they leave out.
+pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Option<Vec<bool>> {
+    fixed.roles.as_ref()?;
+    let along = |axis: usize| -> Vec<bool> {
+        let mut all = vec![true; sample.at[axis].len()];
+        for input in truth.inputs() {
+            for reading in fixed.readings(axis, *input) {
+                let nodes = sample.nodes(axis, &reading);
+                let own: Vec<bool> = nodes.iter().map(|x| truth.judges(*input, *x)).collect();
+                if own.iter().filter(|o| **o).count() * LEAST_OF_ARGUMENT >= own.len() {
+                    all.iter_mut().zip(own).for_each(|(all, own)| *all &= own);
+                }
+            }
+        }
+        all
+    };
+    let along: Vec<Vec<bool>> = (0..sample.at.len()).map(along).collect();
+    let dims = sample.dims();
+    let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
+    let mask: Vec<bool> = (0..dims.iter().product()).map(all).collect();
+    let few = mask.iter().filter(|m| **m).count() * LEAST_OF_ARGUMENT < mask.len();
+    (!few).then_some(mask)
+}
+
+/// What is judged under a reading as it is ranked: all that is shared, or nothing where the reading
+/// leaves out a part of it.
+pub(super) fn ranked(own: Vec<bool>, shared: Option<&Vec<bool>>) -> Vec<bool> {
+    match shared {
+        Some(shared) if shared.iter().zip(&own).all(|(shared, own)| !shared || *own) => shared.clone(),
+        Some(shared) => vec![false; shared.len()],
+        None => own,
+    }
+}
+
 /// What the channels hold, and how well that fits.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
@@ -146,7 +186,8 @@ pub(super) fn fit_columns(
 ) -> Option<Fitted> {
     let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
     let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
-    if texels.is_empty() || fixed.axes.is_none() && texels.len() * LEAST_SHARE < base.len() {
+    let few = fixed.axes.is_none() && fixed.roles.is_none() && texels.len() * LEAST_SHARE < base.len();
+    if texels.is_empty() || few {
         return None;
     }
     let misfit = |channel: &[f64], column: Column| {

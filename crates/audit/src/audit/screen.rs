@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input, Registration, Scale};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::sample::{Candidate, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::truth::Truth;
 
 /// Conventions that a sieve lets through.
@@ -111,6 +111,7 @@ impl Task<'_> {
         let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
         let steps = steps(&lengths, self.assigned);
         let combinations: usize = readings.iter().map(Vec::len).product();
+        let shared = shared(self.truth, self.sample, self.fixed);
         let one = |index: usize| {
             let (mut rest, mut start) = (index, 0);
             let mut axes = vec![readings[0][0]; self.assigned.len()];
@@ -120,7 +121,7 @@ impl Task<'_> {
                 start += steps[*axis] * guess * dims[*axis];
                 axes[*axis] = list[guess];
             }
-            let judged = judged(self.truth, self.sample, &axes);
+            let judged = ranked(judged(self.truth, self.sample, &axes), shared.as_ref());
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
             let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })

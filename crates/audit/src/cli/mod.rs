@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Input, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
@@ -25,7 +25,7 @@ use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, range, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -58,7 +58,7 @@ roughness and E at normal incidence for an average are over it unless options sa
 #[derive(Parser)]
 #[command(name = "lobefit audit", bin_name = "lobefit audit", version, after_help = EXAMPLES)]
 struct Options {
-    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL)
+    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL, HLSL)
     pub file: PathBuf,
     /// Quantity that it is measured as, and the column that is asked for
     #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
@@ -93,12 +93,21 @@ struct Options {
     /// Name of the layer of an EXR file
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
-    /// Function of a shader
+    /// Function of a shader; `name(float, vec3)` where several have that name
     #[arg(long, value_name = "NAME")]
     pub function: Option<String>,
-    /// Value of an argument that is no input
+    /// Macro of a shader's preprocessor
+    #[arg(long, value_name = "NAME[=VALUE]")]
+    pub define: Vec<String>,
+    /// Folder that a shader may include files from, or a file that stands before it
+    #[arg(long, value_name = "DIR")]
+    pub include: Vec<PathBuf>,
+    /// Value of an argument that is no input; a vector or a structure may be set by its name
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
+    /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`
+    #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
+    pub domain: Vec<(Input, [f64; 2])>,
     /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use
     #[arg(long)]
     pub isa: bool,
@@ -180,7 +189,8 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
-        let free = judge(&Fixed { column: options.wanted.1, ..Fixed::default() })?;
+        let domain = own.domain.clone();
+        let free = judge(&Fixed { column: options.wanted.1, domain, ..Fixed::default() })?;
         beside = Some(otherwise("those options", &free));
     }
     let priced = function.filter(|_| options.isa);
@@ -246,7 +256,10 @@ fn options_fit_nothing(done: &Audit) -> bool {
 }
 
 /// Extensions of shaders.
-const SHADERS: [&str; 8] = ["wgsl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh"];
+const SHADERS: [&str; 14] = [
+    "wgsl", "wesl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh", "hlsl", "hlsli", "usf", "ush",
+    "slang",
+];
 
 fn is_shader(options: &Options) -> bool {
     let extension = options.file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
@@ -267,7 +280,13 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
         ];
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
-        let given = [("--set", !options.set.is_empty()), ("--isa", options.isa)];
+        let given = [
+            ("--set", !options.set.is_empty()),
+            ("--isa", options.isa),
+            ("--domain", !options.domain.is_empty()),
+            ("--define", !options.define.is_empty()),
+            ("--include", !options.include.is_empty()),
+        ];
         ("a table", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     };
     let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
@@ -283,13 +302,13 @@ const NAMED: usize = 4;
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
-    let functions = foreign::read_functions(bytes, &file, options.function.as_deref())?;
+    let functions = foreign::read_functions(bytes, &file, options.function.as_deref(), &around(options))?;
     if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
         let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
         let others = function.left_out.len() - names.len();
         let others = if others > 0 { format!(" and {others} others") } else { String::new() };
         let names = names.join(", ");
-        say(&format!("{file}: left out, since they read textures or cannot be parsed: {names}{others}"));
+        say(&format!("{file}: left out, since they read textures or cannot be read: {names}{others}"));
     }
     let inputs = inputs(options);
     let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
@@ -301,7 +320,7 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
             Err(error) => refused = refused.or(Some(error)),
         }
     }
-    let names: Vec<&str> = found.iter().map(|f| f.0.what.as_str()).collect();
+    let names: Vec<&str> = found.iter().map(|f| f.1.signature.as_str()).collect();
     let names = names.join("`, `");
     match (found.len(), refused) {
         (0, Some(error)) => Err(error.into()),
@@ -392,6 +411,7 @@ fn fixed(options: &Options) -> Result<Fixed, CliError> {
         column: options.wanted.1,
         roles: None,
         inverse: false,
+        domain: options.domain.clone(),
     })
 }
 
@@ -402,4 +422,9 @@ fn file_name(options: &Options) -> String {
 /// The file's name with the array's: verdicts depend on no folder.
 fn named(options: &Options, array: &str) -> String {
     if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
+}
+
+/// What stands around a shader file.
+fn around(options: &Options) -> foreign::Surroundings {
+    foreign::Surroundings { defines: options.define.clone(), includes: options.include.clone() }
 }

@@ -1,6 +1,6 @@
 //! The words of the options.
 
-use crate::audit::{Column, REGISTRATIONS, Registration, SCALES, Scale};
+use crate::audit::{Column, Input, REGISTRATIONS, Registration, SCALES, Scale};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -15,6 +15,21 @@ pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
     match value.parse::<f64>() {
         Ok(x) if x.is_finite() && !name.is_empty() => Ok((name.into(), x)),
         _ => Err("a name and a finite number are called for".into()),
+    }
+}
+
+pub(super) fn range(text: &str) -> Result<(Input, [f64; 2]), String> {
+    let called_for = || "INPUT=LOW..HIGH is called for, as mu=0.01..1";
+    let (name, range) = text.split_once('=').ok_or_else(called_for)?;
+    let (low, high) = range.split_once("..").ok_or_else(called_for)?;
+    let inputs = [Input::Alpha, Input::Mu, Input::Ior, Input::Anisotropy];
+    let input = inputs
+        .into_iter()
+        .find(|input| input.name() == name)
+        .ok_or_else(|| format!("no such input; they are {}", inputs.map(Input::name).join(", ")))?;
+    match (low.parse::<f64>(), high.parse::<f64>()) {
+        (Ok(low), Ok(high)) if low < high && high.is_finite() => Ok((input, [low, high])),
+        _ => Err(called_for().into()),
     }
 }
 

@@ -5,6 +5,7 @@ mod common;
 
 mod declared;
 mod functions;
+mod shipped;
 mod sidecars;
 mod solids;
 mod tables;

@@ -5,3 +5,4 @@ mod common;
 
 mod audit;
 mod cost;
+mod shaders;

@@ -76,13 +76,15 @@ pub(super) struct Truth<'a> {
     lobes: Vec<Lobe>,
     /// Values at the knots, for each lobe; nothing of a quantity without knots.
     values: Vec<Arc<Values>>,
+    /// Ranges of inputs that are asked for.
+    domain: Vec<(Input, [f64; 2])>,
 }
 
 impl<'a> Truth<'a> {
     /// The truth of the lobes of these forms and sides.
     pub(super) fn new(spec: Spec<'a>, smiths: &[Smith], sides: &[Side]) -> Result<Truth<'a>, AuditError> {
         let lobes = Lobe::of(spec.quantity, smiths, sides);
-        let mut truth = Truth { spec, lobes, values: Vec::new() };
+        let mut truth = Truth { spec, lobes, values: Vec::new(), domain: Vec::new() };
         if !spec.knots.is_empty() {
             truth.values =
                 (0..truth.lobes.len()).map(|lobe| truth.at_knots(lobe)).collect::<Result<_, _>>()?;
@@ -131,8 +133,17 @@ impl<'a> Truth<'a> {
         self.spec.range(input)
     }
 
+    /// The same, judged in ranges of its inputs alone.
+    pub(super) fn within(self, domain: &[(Input, [f64; 2])]) -> Truth<'a> {
+        Truth { domain: domain.to_vec(), ..self }
+    }
+
     /// Whether a texel with this value of an input is judged.
     pub(super) fn judges(&self, input: Input, x: f64) -> bool {
+        let asked = |(own, [low, high]): &(Input, [f64; 2])| *own != input || (*low..=*high).contains(&x);
+        if !self.domain.iter().all(asked) {
+            return false;
+        }
         let [low, high] = self.range(input);
         let narrow = input == Input::Alpha && self.spec.mirror_only && x > 0.0 && x < self.spec.narrowest;
         (low..=high).contains(&x) && !narrow
