@@ -3,8 +3,8 @@
 use super::AuditError;
 use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
-use super::truth::{Lobe, Truth};
-use lobefit::data::Smith;
+use super::lobe::{Form, Lobe};
+use super::truth::Truth;
 use lobefit_truth::integrate::glass::Side;
 
 /// One way to read a table.
@@ -26,7 +26,7 @@ pub struct Fixed {
     /// Registration of every axis, or one for all.
     pub registrations: Option<Vec<Registration>>,
     /// Shadowing form.
-    pub smith: Option<Smith>,
+    pub form: Option<&'static Form>,
     /// Side of the ray.
     pub side: Option<Side>,
     /// What the channels hold, in their order.
@@ -119,7 +119,7 @@ impl Fixed {
     /// The lobes to be tried, by their place.
     pub(super) fn lobes(&self, truth: &Truth) -> Vec<usize> {
         let fits = |l: &Lobe| {
-            self.smith.is_none_or(|s| l.smith.is_none_or(|own| own == s))
+            self.form.is_none_or(|form| l.form == form)
                 && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
         };
         (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()

@@ -4,6 +4,7 @@ use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::errors::TexelErrors;
+use super::lobe::Lobe;
 use super::lookup::LookupErrors;
 use super::plain::Plain;
 use super::table::Source;
@@ -97,6 +98,9 @@ pub struct Audit {
     /// The plain reading, where the best reading is another and the user did not say that the other
     /// is meant.
     pub plain: Option<Plain>,
+    /// Of a table of a shadowing form that the quantity's variants do not have: the lobe that its
+    /// name stands for, and the largest error held against that.
+    pub departure: Option<(Lobe, f64)>,
     /// The channels.
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.

@@ -29,7 +29,7 @@ pub(super) fn judge(
     axes: &[AxisReading],
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, &|at| truth.exact(lobe, at))
+    judged_by(truth, sample, axes, lobe, Truth::exact)
 }
 
 /// The quick truth under a reading.
@@ -39,17 +39,18 @@ pub(super) fn quickly(
     axes: &[AxisReading],
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, &|at| truth.quick(lobe, at))
+    judged_by(truth, sample, axes, lobe, Truth::quick)
 }
 
-/// Values at every combination of inputs.
-type Truths<'a> = dyn Fn(&[&[f64]]) -> Result<Values, AuditError> + 'a;
+/// Values of a lobe at every combination of inputs.
+type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
-fn judged_by(
-    truth: &Truth,
+fn judged_by<'a>(
+    truth: &Truth<'a>,
     sample: &Sample,
     axes: &[AxisReading],
-    values: &Truths,
+    lobe: usize,
+    values: Truths<'a>,
 ) -> Result<Judgement, AuditError> {
     let inputs = truth.inputs();
     let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
@@ -58,15 +59,15 @@ fn judged_by(
         .iter()
         .zip(inputs)
         .map(|(axis, input)| {
-            let [low, high] = truth.range(*input);
+            let [low, high] = truth.range(lobe, *input);
             sample.nodes(*axis, &axes[*axis]).iter().map(|x| x.clamp(low, high)).collect()
         })
         .collect();
     let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-    let values = values(&at)?;
+    let values = values(truth, lobe, &at)?;
     let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
     let view = View { values: &values, steps: steps(&lengths, &assigned), start: 0 };
-    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes) })
+    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes, lobe) })
 }
 
 /// A reading with its exact figures.

@@ -50,7 +50,7 @@ impl Points {
             let input = axis.scale.input();
             let kept: Vec<(f64, f64)> = (0..n)
                 .map(|k| (coordinate(k), axis.scale.input_at(coordinate(k)).max(axis.floor)))
-                .filter(|(_, x)| truth.judges(input, *x))
+                .filter(|(_, x)| truth.judges(lobe, input, *x))
                 .collect();
             coordinates.push(kept.iter().map(|k| k.0).collect());
             inputs.push(kept.iter().map(|k| k.1).collect::<Vec<f64>>());

@@ -20,6 +20,7 @@ mod errors;
 mod found;
 mod function;
 mod judge;
+mod lobe;
 mod lookup;
 mod page;
 mod plain;
@@ -40,11 +41,11 @@ pub use error::AuditError;
 pub use errors::TexelErrors;
 pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
 pub use function::{sampled, sampled_inverse};
+pub use lobe::{FORMS, Form, Lobe};
 pub use lookup::LookupErrors;
 pub use page::findings;
 pub use plain::Plain;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
-pub use truth::Lobe;
 pub use two_lobes::TwoLobes;
 pub use verdict::limit_judged;
 pub(crate) use verdict::place;
@@ -52,7 +53,7 @@ pub(crate) use verdict::place;
 use defects::grain;
 use errors::Residuals;
 use judge::judge;
-use lobefit::data::{Place, Smith};
+use lobefit::data::Place;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 use lookup::Points;
@@ -155,14 +156,30 @@ fn truth_of<'a>(
     quantity: &'a dyn Quantity,
     fixed: &Fixed,
 ) -> Result<Truth<'a>, AuditError> {
-    let smiths: Vec<Smith> = fixed.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
+    let forms = Form::of(quantity);
+    let forms = match fixed.form {
+        // A form that the quantity's variants do not have is held against the one that is meant too.
+        Some(form) if forms.contains(&form) && form.integrand.is_some() => vec![form, forms[0]],
+        Some(form) if forms.contains(&form) => vec![form],
+        Some(form) => return Err(no_form(quantity, form, &forms)),
+        None => forms,
+    };
     let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
     let spec = truth::spec(quantity).ok_or_else(|| AuditError::Option {
         option: "--as",
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
     })?;
-    Truth::new(spec, &smiths, &sides)
+    Truth::new(spec, &forms, &sides)
+}
+
+fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {
+    let known = forms.iter().map(|f| f.word).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ");
+    let reason = match known.as_str() {
+        "" => format!("{} has one shadowing form", quantity.name()),
+        known => format!("{} has {known}", quantity.name()),
+    };
+    AuditError::Option { option: "--smith", value: form.word.into(), reason }
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
@@ -318,8 +335,10 @@ fn finish(
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
+    let departure = plain::departure(truth, table, live, best)?;
     let mut audit = Audit {
         plain,
+        departure,
         what: table.what.clone(),
         quantity: truth.quantity(),
         source: table.source,
@@ -334,7 +353,7 @@ fn finish(
         channels,
         furnace,
         two_lobes,
-        truth_error: truth.bound(),
+        truth_error: truth.bound(best.lobe),
         verdict: String::new(),
     };
     audit.verdict = verdict::paragraph(&audit);

@@ -1,6 +1,6 @@
 //! The plain reading of a table, without a word about it: it takes texels for centres (or for end
 //! points, where they lie about those), axes for rising ones, a roughness for a roughness and an
-//! average for an average. A table that is right only under another reading is wrong as it will be
+//! average for an average, and the lobe for the one that the quantity's name stands for. A table that is right only under another reading is wrong as it will be
 //! used, unless the user says that it is meant so.
 
 use super::AuditError;
@@ -10,6 +10,7 @@ use super::column::Column;
 use super::convention::{Convention, Fixed};
 use super::errors::Residuals;
 use super::judge::judge;
+use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
@@ -61,6 +62,12 @@ pub(super) fn plain(
         }
     }
     let mut untold = along(&said);
+    let lobe = usual_lobe(truth, best.lobe);
+    if lobe != best.lobe && fixed.form.is_none() {
+        read.lobe = truth.lobes()[lobe];
+        untold.push(convention.lobe.form.words.into());
+        options.push(format!("--smith {}", convention.lobe.form.word));
+    }
     if read.axes.iter().zip(&convention.axes).any(|(a, b)| (a.scale, a.reversed) != (b.scale, b.reversed)) {
         let word = |a: &AxisReading| format!("{}{}", if a.reversed { "1-" } else { "" }, a.scale.name());
         options.push(format!("--axes {}", list(&convention.axes, word)));
@@ -83,7 +90,8 @@ pub(super) fn plain(
     if untold.is_empty() {
         return Ok(None);
     }
-    let (max, judged) = worst(truth, table, live, best.lobe, &read)?;
+    let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
+    let (max, judged) = worst(truth, table, live, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
     Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max }))
 }
@@ -102,6 +110,30 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
         axis.scale = if usual { axis.scale } else { Scale::Roughness };
     }
     axis.reversed = gloss && axis.scale.input() == Input::Alpha;
+}
+
+/// The lobe that a quantity's name stands for, where the form of another has its own integrand.
+fn usual_lobe(truth: &Truth, own: usize) -> usize {
+    let lobes = truth.lobes();
+    let usual = |l: &Lobe| l.form.integrand.is_none() && l.side == lobes[own].side;
+    if usual(&lobes[own]) { own } else { lobes.iter().position(usual).unwrap_or(own) }
+}
+
+/// How far a table of a form that the quantity's variants do not have is from the one that its
+/// name stands for, otherwise read as it is best read; none of any other table.
+pub(super) fn departure(
+    truth: &Truth,
+    table: &AuditedTable,
+    live: &[usize],
+    best: &Candidate,
+) -> Result<Option<(Lobe, f64)>, AuditError> {
+    let lobe = usual_lobe(truth, best.lobe);
+    if lobe == best.lobe {
+        return Ok(None);
+    }
+    let convention = best.convention(truth, live, table.channels.len());
+    let (max, _) = worst(truth, table, live, lobe, &convention)?;
+    Ok(Some((truth.lobes()[lobe], max)))
 }
 
 /// Largest error of any judged channel under a reading, and how many texels were judged.

@@ -105,13 +105,13 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
 }
 
 /// Which texels of a sample lie where the truth can be had.
-pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading]) -> Vec<bool> {
+pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe: usize) -> Vec<bool> {
     let along: Vec<Vec<bool>> = axes
         .iter()
         .enumerate()
         .map(|(axis, reading)| {
             let input = reading.scale.input();
-            sample.nodes(axis, reading).iter().map(|x| truth.judges(input, *x)).collect()
+            sample.nodes(axis, reading).iter().map(|x| truth.judges(lobe, input, *x)).collect()
         })
         .collect();
     let dims = sample.dims();

@@ -120,7 +120,7 @@ impl Task<'_> {
                 start += steps[*axis] * guess * dims[*axis];
                 axes[*axis] = list[guess];
             }
-            let judged = judged(self.truth, self.sample, &axes);
+            let judged = judged(self.truth, self.sample, &axes, self.lobe);
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
             let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })

@@ -13,19 +13,18 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings};
 use lobefit::cli::CliError;
-use lobefit::cli::options::{ThreadsOption, not_negative, smith};
+use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
-use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, form, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -69,9 +68,9 @@ struct Options {
     /// Where texels lie, of all axes or of each
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
     pub registration: Vec<Registration>,
-    /// Shadowing form: `correlated` or `separable`
-    #[arg(long, value_name = "S", value_parser = smith)]
-    pub smith: Option<Smith>,
+    /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
+    #[arg(long, value_name = "S", value_parser = form)]
+    pub smith: Option<&'static Form>,
     /// Where the ray comes from, of glass: `outside` or `inside`
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
@@ -385,7 +384,7 @@ fn fixed(options: &Options) -> Result<Fixed, CliError> {
     Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
         registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
-        smith: options.smith,
+        form: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,

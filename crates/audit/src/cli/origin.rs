@@ -26,7 +26,7 @@ fn command(options: &Options) -> String {
         ("--as", Some(format!("{}{column}", quantity.name()))),
         ("--axes", list(options.axes.iter().map(axis).collect())),
         ("--registration", list(options.registration.iter().map(|s| s.name().into()).collect())),
-        ("--smith", options.smith.map(|s| s.name().into())),
+        ("--smith", options.smith.map(|form| form.word.into())),
         ("--side", options.side.map(|s| s.name().into())),
         ("--meaning", list(options.meaning.clone())),
         ("--size", options.size.as_ref().map(size)),

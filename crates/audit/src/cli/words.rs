@@ -1,6 +1,6 @@
 //! The words of the options.
 
-use crate::audit::{Column, REGISTRATIONS, Registration, SCALES, Scale};
+use crate::audit::{Column, FORMS, Form, REGISTRATIONS, Registration, SCALES, Scale};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -61,6 +61,13 @@ pub(super) fn registration(text: &str) -> Result<Registration, String> {
     REGISTRATIONS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
         let names: Vec<&str> = REGISTRATIONS.iter().map(|s| s.name()).collect();
         format!("no such registration; they are {}", names.join(", "))
+    })
+}
+
+pub(super) fn form(text: &str) -> Result<&'static Form, String> {
+    Form::find(text).ok_or_else(|| {
+        let words: Vec<&str> = FORMS.iter().map(|form| form.word).collect();
+        format!("no such shadowing form; they are {}", words.join(", "))
     })
 }
 

@@ -5,6 +5,7 @@ mod common;
 
 mod declared;
 mod functions;
+mod lobes;
 mod sidecars;
 mod solids;
 mod tables;

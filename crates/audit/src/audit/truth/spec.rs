@@ -4,8 +4,9 @@
 use super::knots::Knots;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
+use crate::audit::lobe::Form;
 use lobefit_math::ops;
-use lobefit_truth::quantity::Quantity;
+use lobefit_truth::quantity::{Choice, Quantity};
 
 /// How an audit computes the truth of a quantity.
 #[derive(Clone, Copy)]
@@ -36,7 +37,27 @@ pub(in crate::audit) struct Spec<'a> {
     pub bound: f64,
 }
 
-impl Spec<'_> {
+impl<'a> Spec<'a> {
+    /// The same for a shadowing form, which may have an integrand of its own.
+    pub(super) fn of_form(self, form: &Form) -> Spec<'a> {
+        let Some(quantity) = form.integrand else { return self };
+        let narrowest = quantity.smallest_alpha();
+        if quantity.has(Choice::Smith) {
+            return Spec { quantity, narrowest, ..self };
+        }
+        // Its truth is no analytic function of mu, and costs milliseconds.
+        Spec {
+            quantity,
+            narrowest,
+            knots: const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 48)] },
+            ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0]), (Input::Mu, [1e-6, 1.0])],
+            tolerances: [1e-4, 1e-5],
+            interpolated: false,
+            bound: 1e-5,
+            ..self
+        }
+    }
+
     /// The range of an input.
     pub(super) fn range(&self, input: Input) -> [f64; 2] {
         self.ranges.iter().find(|(own, _)| *own == input).map_or([0.0, 1.0], |(_, range)| *range)
@@ -46,6 +67,11 @@ impl Spec<'_> {
 /// Even in the root of an input, cubics between them.
 const fn root(range: [f64; 2], count: usize) -> Knots {
     Knots { coordinate: f64::sqrt, input: |u| u * u, range, count, cubic: true }
+}
+
+/// Even in the logarithm of an input, cubics between them.
+const fn log(range: [f64; 2], count: usize) -> Knots {
+    Knots { coordinate: ops::log, input: ops::exp, range, count, cubic: true }
 }
 
 /// Chebyshev nodes in the logarithm of alpha or mu, in which E and B are analytic with
@@ -128,23 +154,11 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             ..lobe
         },
         _ if is_albedo(quantity) => Spec {
-            knots: const {
-                &[
-                    Knots {
-                        coordinate: ops::log,
-                        input: ops::exp,
-                        range: [LEAST_ALPHA, 1.0],
-                        count: 96,
-                        cubic: true,
-                    },
-                    root([0.0, 1.0], 128),
-                ]
-            },
+            knots: const { &[Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC }, ANALYTIC] },
             columns: &column::ALBEDO,
             outputs: &["E"],
             ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0])],
             tolerances: [quantity.tolerance_of_many(&Default::default()); 2],
-            interpolated: false,
             bound: quantity.tolerance_of_many(&Default::default()),
             ..lobe
         },

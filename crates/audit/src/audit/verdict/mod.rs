@@ -27,6 +27,7 @@ pub(super) fn paragraph(audit: &Audit) -> String {
         }
     }
     out.extend(untold(audit));
+    out.extend(departure(audit));
     out.extend(idle(audit));
     out.extend(furnace(audit));
     out.extend(lookups(audit));
@@ -194,6 +195,15 @@ fn untold(audit: &Audit) -> Option<String> {
         "No reader assumes {} unless the file says so: read plainly ({other}), it is off by at most {}{scope}.",
         plain.untold.join(", or "),
         number(plain.max),
+    ))
+}
+
+/// How far it is from the lobe that the quantity's name stands for.
+fn departure(audit: &Audit) -> Option<String> {
+    let (lobe, max) = audit.departure.as_ref().filter(|_| audit.fit != Fit::None)?;
+    let (quantity, words, max) = (audit.quantity, lobe.words(), number(*max));
+    Some(format!(
+        "Held against {words}, which {quantity} is where nothing else is said, it is off by at most {max}."
     ))
 }
 

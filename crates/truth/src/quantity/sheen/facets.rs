@@ -265,7 +265,8 @@ impl View {
         };
         let swing = self.sine * ring.sine;
         let middle = (0.5 * (self.mu + 0.5) / ring.cosine - self.mu * ring.cosine) / swing;
-        let cut = if middle < 1.0 { ops::atan2((1.0 - middle * middle).max(0.0).sqrt(), middle) } else { 0.0 };
+        let cut =
+            if middle < 1.0 { ops::atan2((1.0 - middle * middle).max(0.0).sqrt(), middle) } else { 0.0 };
         let (cut, rule) = (if middle <= -1.0 { PI } else { cut }.min(ring.azimuth), shadowing.rule);
         let length = ring.azimuth - cut;
         let low = rule.integrate(0.0, 1.0, |t| {
