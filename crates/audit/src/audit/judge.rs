@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::sample::{Candidate, Fitted, Sample, View, fit_columns, judged, steps};
 use super::screen::best;
 use super::truth::{Truth, Values};
 
 /// Least values that tables clamp alpha and mu to.
-const FLOORS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-5];
+const FLOORS: [f64; 7] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2];
 
 /// Base values at every texel of a sample under a reading, in the table's order, and which are
 /// judged.
@@ -125,7 +125,8 @@ pub(super) fn with_floors(
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
     let of = |inputs: &[Input]| -> Vec<usize> {
-        (0..at.axes.len()).filter(|k| inputs.contains(&at.axes[*k].scale.input())).collect()
+        let open = |input: Input| inputs.contains(&input) && fixed.floor(input).is_none();
+        (0..at.axes.len()).filter(|k| open(at.axes[*k].scale.input())).collect()
     };
     let (axes, iors) = (of(&[Input::Alpha, Input::Mu]), of(&[Input::Ior]));
     let least =
@@ -156,9 +157,11 @@ pub(super) fn with_floors(
 }
 
 /// Whether a clamp explains something: more of the texels as well as those before, or none fewer
-/// clearly better. A clamp that takes texels out of the domain explains nothing.
+/// clearly better and the worst no worse. A clamp that takes texels out of the domain explains nothing.
 fn explains(clamped: &Candidate, before: &Candidate) -> bool {
     let (now, then) = (&clamped.fitted, &before.fitted);
+    let max = |fitted: &Fitted| fitted.misfits.iter().flatten().map(|m| m.max).fold(0.0, f64::max);
+    let worse = max(now) > 1.5 * max(then);
     now.texels > then.texels && now.rank < 1.2 * then.rank
-        || now.texels >= then.texels && now.rank < 0.9 * then.rank
+        || now.texels >= then.texels && now.rank < 0.9 * then.rank && !worse
 }

@@ -176,7 +176,7 @@ pub(super) fn fit_columns(
             best
         };
         match (&fixed.meanings, fixed.column) {
-            (Some(given), _) => least(&given[k..=k]),
+            (Some(given), _) => given[k].and_then(|column| least(&[column])),
             (None, Some(column)) => least(&[column]),
             (None, None) => {
                 let (fixed, plain): (Vec<Column>, Vec<Column>) = columns.iter().partition(|c| c.is_fixed());
@@ -200,6 +200,9 @@ pub(super) fn fit_columns(
     let product = ranks.iter().fold(1.0, |p: f64, r| p * r);
     // A reading that takes texels out of the domain must not gain by it.
     let share = texels.len() as f64 / base.len() as f64;
+    let open = fixed.meanings.is_none() && fixed.column.is_none();
+    let rare = fits.iter().flatten().filter(|(column, _)| open && column.is_rare()).count();
+    let share = share / (CLEAR * rare as f64).max(1.0);
     let rank = lobefit_math::ops::pow(product, 1.0 / ranks.len().max(1) as f64) / share;
     let (columns, misfits) = (fits.iter().map(|f| f.map(|f| f.0)), fits.iter().map(|f| f.map(|f| f.1)));
     Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank, texels: texels.len() })

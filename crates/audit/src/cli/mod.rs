@@ -13,7 +13,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings};
@@ -24,7 +24,7 @@ use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, form, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, floor, form, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -74,9 +74,12 @@ struct Options {
     /// Where the ray comes from, of glass: `outside` or `inside`
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
-    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
     #[arg(long, value_name = "M,..", value_delimiter = ',')]
     pub meaning: Vec<String>,
+    /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
+    #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
+    pub clamp: Vec<(Input, f64)>,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -89,7 +92,7 @@ struct Options {
     /// Name of the array in a text
     #[arg(long, value_name = "NAME")]
     pub symbol: Option<String>,
-    /// Name of the layer of an EXR file
+    /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
     /// Function of a shader
@@ -378,9 +381,12 @@ fn hints(options: &Options) -> Hints {
 }
 
 fn fixed(options: &Options) -> Result<Fixed, CliError> {
-    let given =
-        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
-    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    let meaning = |word: &String| match word.as_str() {
+        LEFT_OUT => Ok(None),
+        word => column(options.wanted.0, word).map(Some),
+    };
+    let meanings: Vec<Option<Column>> =
+        options.meaning.iter().map(meaning).collect::<Result<_, String>>().map_err(CliError::Usage)?;
     Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
         registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
@@ -388,6 +394,7 @@ fn fixed(options: &Options) -> Result<Fixed, CliError> {
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
+        floors: options.clamp.clone(),
         roles: None,
         inverse: false,
     })

@@ -29,6 +29,7 @@ fn command(options: &Options) -> String {
         ("--smith", options.smith.map(|form| form.word.into())),
         ("--side", options.side.map(|s| s.name().into())),
         ("--meaning", list(options.meaning.clone())),
+        ("--clamp", list(options.clamp.iter().map(|(input, x)| format!("{}={x}", input.name())).collect())),
         ("--size", options.size.as_ref().map(size)),
         ("--channels", options.channels.map(|n| n.to_string())),
         ("--raw-format", options.raw_format.map(|f| f.name().into())),

@@ -1,6 +1,6 @@
 //! The words of the options.
 
-use crate::audit::{Column, FORMS, Form, REGISTRATIONS, Registration, SCALES, Scale};
+use crate::audit::{Column, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -16,6 +16,14 @@ pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
         Ok(x) if x.is_finite() && !name.is_empty() => Ok((name.into(), x)),
         _ => Err("a name and a finite number are called for".into()),
     }
+}
+
+/// The clamp of an input.
+pub(super) fn floor(text: &str) -> Result<(Input, f64), String> {
+    let (name, value) = setting(text)?;
+    let input = [Input::Alpha, Input::Mu, Input::Ior].into_iter().find(|input| input.name() == name);
+    let input = input.ok_or("alpha, mu or ior is called for")?;
+    if value >= 0.0 { Ok((input, value)) } else { Err("a clamp is no negative number".into()) }
 }
 
 pub(super) fn wanted(text: &str) -> Result<(&'static dyn Quantity, Option<Column>), String> {

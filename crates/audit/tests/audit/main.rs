@@ -3,6 +3,7 @@
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
+mod channels;
 mod declared;
 mod functions;
 mod lobes;

@@ -532,7 +532,11 @@ fn a_constant_channel_is_judged_or_named() {
     assert!(free.verdict.contains("Channel G is constant (0)"), "{}", free.verdict);
     assert!(!free.passes(Some(1.0)) && free.unjudged().is_some_and(|why| why.contains("channel G")));
     let with = |list: &[Column]| {
-        run(&shipped, "ggx-reflection", &Fixed { meanings: Some(list.to_vec()), ..Fixed::default() })
+        run(
+            &shipped,
+            "ggx-reflection",
+            &Fixed { meanings: Some(list.iter().copied().map(Some).collect()), ..Fixed::default() },
+        )
     };
     assert!(with(&[Column::A]).passes(Some(1e-3)));
     let judged = with(&[Column::A, Column::B]);

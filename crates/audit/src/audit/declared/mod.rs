@@ -141,7 +141,7 @@ pub fn declared(
     let truth = &if said.azimuth {
         Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &[form], &[])?
     } else {
-        super::truth_of(&audited, quantity, &fixed)?
+        super::truth_of(&audited, quantity, &fixed, &[form])?
     };
     let Domain { places, beyond, cut } = Domain::new(truth, OWN, &said).map_err(odd)?;
     let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();

@@ -4,28 +4,28 @@
 mod knots;
 mod spec;
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
 use super::AuditError;
 use super::axis::Input;
-use super::column::Column;
+use super::column::{Base, Column};
 use super::lobe::{Form, Lobe};
 use knots::along;
 use lobefit::effects::table::aspect;
+use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{GGX_REFLECTION, Quantity};
-pub(super) use spec::{Spec, spec, with_azimuth};
+pub(super) use spec::{Spec, averaged, spec, with_azimuth};
 
-/// Two base values (see [`Column`]) at every combination of the inputs given, the first input
-/// fastest.
-pub(super) type Values = Vec<[f64; 2]>;
+/// What columns are made of at every combination of the inputs given, the first input fastest.
+pub(super) type Values = Vec<Base>;
 
 /// The values of a lobe of a quantity at its knots.
-type AtKnots = ((&'static str, Lobe), Arc<Values>);
+type AtKnots = ((&'static str, bool, Lobe), Arc<Values>);
 
 /// What is integrated once for all audits of a process.
 static KNOWN: Mutex<Vec<AtKnots>> = Mutex::new(Vec::new());
@@ -60,7 +60,7 @@ impl<'a> Truth<'a> {
     /// The values of a lobe at the knots. They are not made under the lock: a thread that waits for
     /// others in it may be given another audit.
     fn at_knots(&self, lobe: usize) -> Result<Arc<Values>, AuditError> {
-        let key = (self.quantity(), self.lobes[lobe]);
+        let key = (self.quantity(), self.spec.averaged, self.lobes[lobe]);
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known().iter().find(|(known, _)| *known == key).map(|(_, values)| values.clone());
         if let Some(values) = found {
@@ -152,8 +152,33 @@ impl<'a> Truth<'a> {
 
     /// Base values at points whose columns bear the audit's names.
     fn integrated(&self, lobe: usize, points: Points, tolerance: f64) -> Result<Values, AuditError> {
+        if self.specs[lobe].averaged {
+            return self.averaged(lobe, &points, tolerance);
+        }
+        self.at_points(lobe, points, tolerance)
+    }
+
+    /// Averages over the cosine, weighted with it, by a rule over its root: twice the integral of
+    /// E mu dmu.
+    fn averaged(&self, lobe: usize, points: &Points, tolerance: f64) -> Result<Values, AuditError> {
+        static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(32));
+        let mut out = vec![[0.0; 3]; points.len()];
+        for (node, weight) in RULE.nodes.iter().zip(&RULE.weights) {
+            let (root, weight) = (0.5 + 0.5 * node, 0.5 * weight);
+            let mu = vec![root * root; points.len()];
+            let values = self.at_points(lobe, points.clone().with(Input::Mu.name(), mu), tolerance)?;
+            let weight = weight * 4.0 * root * root * root;
+            for (sum, value) in out.iter_mut().zip(values) {
+                sum.iter_mut().zip(value).for_each(|(sum, v)| *sum += weight * v);
+            }
+        }
+        Ok(out)
+    }
+
+    fn at_points(&self, lobe: usize, points: Points, tolerance: f64) -> Result<Values, AuditError> {
         let Spec { quantity, outputs, normal, .. } = self.specs[lobe];
         let variant = self.lobes[lobe].variant();
+        let iors = points.column(Input::Ior.name()).map(<[f64]>::to_vec);
         let points = self.inside(lobe, points);
         let mut columns = quantity.truth(&variant, &points, outputs, tolerance)?.columns;
         if normal {
@@ -161,7 +186,11 @@ impl<'a> Truth<'a> {
             columns.extend(GGX_REFLECTION.truth(&variant, &points.with("mu", ones), &["E"], 1e-7)?.columns);
         }
         let second = |i: usize| columns.get(1).map_or(0.0, |column| column[i]);
-        Ok((0..columns[0].len()).map(|i| [columns[0][i], second(i)]).collect())
+        let scale = |i: usize| {
+            let eta = |ior: f64| if self.lobes[lobe].side == Some(Side::Inside) { ior } else { 1.0 / ior };
+            iors.as_ref().map_or(0.0, |iors| eta(iors[i]) * eta(iors[i]))
+        };
+        Ok((0..columns[0].len()).map(|i| [columns[0][i], second(i), scale(i)]).collect())
     }
 
     /// Points with the columns of what integrates a lobe, moved into its domain.
@@ -202,10 +231,11 @@ mod tests {
         Truth::new(spec(quantity).expect("it is audited"), &Form::of(quantity), &Side::ALL).expect("a truth")
     }
 
-    /// Largest differences of exact and of quick values from those of every point alone.
+    /// Largest differences of exact and of quick values from those of every point alone, of the lobes
+    /// that the quantity's own integrals give.
     fn off(truth: &Truth, at: &[&[f64]]) -> [f64; 2] {
         let mut worst = [0.0_f64; 2];
-        for (lobe, own) in truth.lobes().iter().enumerate() {
+        for (lobe, own) in truth.lobes().iter().enumerate().filter(|(_, own)| own.form.integrand.is_none()) {
             let (variant, quantity) = (own.variant(), truth.specs[lobe].quantity);
             let found = [truth.exact(lobe, at).unwrap(), truth.quick(lobe, at).unwrap()];
             let points = truth.inside(lobe, truth.product(at));
@@ -215,9 +245,8 @@ mod tests {
                 let place =
                     |output: &&str| quantity.outputs().iter().position(|o| o == output).expect("an output");
                 let wanted: Vec<f64> = truth.spec.outputs.iter().map(|output| all[place(output)]).collect();
-                let gap = |value: [f64; 2]| {
-                    wanted.iter().zip(value).map(|(w, v)| (w - v).abs()).fold(0.0, f64::max)
-                };
+                let gap =
+                    |value: Base| wanted.iter().zip(value).map(|(w, v)| (w - v).abs()).fold(0.0, f64::max);
                 [0, 1].map(|k| gap(found[k][i]))
             };
             let all: Vec<[f64; 2]> = (0..points.len()).into_par_iter().map(one).collect();
@@ -244,7 +273,7 @@ mod tests {
         let average = truth(&GgxAverage);
         assert!(off(&average, &[&[0.0, 1e-6, 3.3e-5, 0.0017, 0.081, 0.44, 0.97, 1.0]])[0] < average.bound(0));
         let normal = average.exact(0, &[&[1.0]]).unwrap()[0];
-        let e = GGX_REFLECTION.at(&Smith::Correlated.into(), &[1.0, 1.0], 1e-9).unwrap()[0];
+        let e = GGX_REFLECTION.at(&lobefit::data::Smith::Correlated.into(), &[1.0, 1.0], 1e-9).unwrap()[0];
         assert!((normal[1] - e).abs() < average.bound(0));
     }
 

@@ -23,6 +23,8 @@ pub(in crate::audit) struct Spec<'a> {
     pub outputs: &'static [&'static str],
     /// Whether E at normal incidence is the second base value.
     pub normal: bool,
+    /// Whether values are averages over the cosine, which is no input then.
+    pub averaged: bool,
     /// Ranges of the inputs that are judged, where they are not [0, 1].
     pub ranges: &'static [(Input, [f64; 2])],
     /// An alpha below it counts as 0; alpha_x and alpha_y are raised to it.
@@ -43,13 +45,17 @@ impl<'a> Spec<'a> {
         let Some(quantity) = form.integrand else { return self };
         let narrowest = quantity.smallest_alpha();
         if quantity.has(Choice::Smith) {
-            return Spec { quantity, narrowest, ..self };
+            // The rule that serves many points is enough where they are not the quantity's own.
+            return Spec { quantity, narrowest, tolerances: [1e-7; 2], bound: 1e-7, ..self };
         }
         // Its truth is no analytic function of mu, and costs milliseconds.
         Spec {
             quantity,
             narrowest,
-            knots: const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 48)] },
+            knots: match self.averaged {
+                true => const { &[log([LEAST_ALPHA, 1.0], 32)] },
+                false => const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 48)] },
+            },
             ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0]), (Input::Mu, [1e-6, 1.0])],
             tolerances: [1e-4, 1e-5],
             interpolated: false,
@@ -101,6 +107,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         columns: &column::REFLECTION,
         outputs: &["E", "B"],
         normal: false,
+        averaged: false,
         ranges: &[],
         narrowest: quantity.smallest_alpha(),
         mirror_only: false,
@@ -154,15 +161,35 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             ..lobe
         },
         _ if is_albedo(quantity) => Spec {
-            knots: const { &[Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC }, ANALYTIC] },
+            // E bends down to the least of cosines, for it rises to 40 there.
+            knots: const {
+                &[
+                    Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC },
+                    Knots { range: [1e-7, 1.0], count: 96, ..ANALYTIC },
+                ]
+            },
             columns: &column::ALBEDO,
             outputs: &["E"],
             ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0])],
             tolerances: [quantity.tolerance_of_many(&Default::default()); 2],
-            bound: quantity.tolerance_of_many(&Default::default()),
+            bound: 1e-6,
             ..lobe
         },
         _ => return None,
+    })
+}
+
+/// The specification of averages over the cosine, of an albedo that has no quantity of its own for
+/// them; `None` of every other. The rule leaves 1e-5 where the lobe is narrow.
+pub(in crate::audit) fn averaged(quantity: &dyn Quantity) -> Option<Spec<'_>> {
+    let own = spec(quantity).filter(|_| is_albedo(quantity))?;
+    Some(Spec {
+        inputs: &[Input::Alpha],
+        knots: const { &[Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC }] },
+        columns: &column::MEAN,
+        averaged: true,
+        bound: 1e-5,
+        ..own
     })
 }
 

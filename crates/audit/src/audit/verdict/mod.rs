@@ -11,7 +11,7 @@ pub(super) use words::{along, long, number};
 use super::axis::Registration;
 use super::convention::Convention;
 use super::table::Source;
-use super::{Audit, CLEAR, ChannelAudit, Fit, TwoLobes};
+use super::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
 use words::{axes, percent, reading, readings_differ};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
@@ -210,9 +210,15 @@ fn departure(audit: &Audit) -> Option<String> {
 /// Channels that hold nothing that is asked for.
 fn idle(audit: &Audit) -> Option<String> {
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
-    let told = idle.map(|c| match c.constant {
-        Some(value) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
-        None => format!("Channel {} is not asked for.", c.name),
+    let told = idle.map(|c| match (c.constant, &c.other) {
+        (_, Some(Other::Quantity(other))) => {
+            format!("Channel {} is of another quantity: {}", c.name, other.verdict)
+        }
+        (_, Some(Other::Unknown)) => {
+            format!("Channel {} is left out: it follows nothing that is known.", c.name)
+        }
+        (Some(value), _) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
+        (None, None) => format!("Channel {} is not asked for.", c.name),
     });
     let told: Vec<String> = told.collect();
     (!told.is_empty()).then(|| told.join(" "))
