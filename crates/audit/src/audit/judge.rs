@@ -78,7 +78,7 @@ fn refit(
     axes: Vec<AxisReading>,
     lobe: usize,
 ) -> Result<Option<Candidate>, AuditError> {
-    let judgement = judge(truth, sample, &axes, lobe)?;
+    let judgement = judged_by(truth, sample, &axes, lobe, Truth::ranked)?;
     let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
     Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
 }

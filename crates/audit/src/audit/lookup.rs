@@ -1,6 +1,7 @@
 //! What a shader gets between the texels: linear interpolation, with the table's own registration
 //! and with that of a texture unit.
 
+use lobefit_math::ops;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -91,8 +92,15 @@ impl<'a> Points<'a> {
             mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
             inner: errors.iter().filter(|e| e.1).map(|e| e.0.abs()).fold(0.0, f64::max),
         };
-        let (beside, left) = BESIDE[usize::from(look.size.len() == 3)];
+        let class = usize::from(look.size.len() == 3);
+        let (beside, left) = BESIDE[class];
         let mut centre = self.grid.coordinates_of(worst);
+        let edges = Grid::new(self.truth, self.convention, self.lobe, vec![edges(class); look.size.len()])?;
+        let at_edges = edges.errors(self.convention, look);
+        if let Some(worst) = self::worst(&at_edges).filter(|w| at_edges[*w].0.abs() > found.max) {
+            (found.max, found.at) = (at_edges[worst].0.abs(), edges.place(worst, self.convention));
+            centre = edges.coordinates_of(worst);
+        }
         let mut width = 1.0 / PLACES[look.size.len() - 1] as f64;
         for _ in 0..ROUNDS {
             let along = |c: &f64| -> Vec<f64> {
@@ -114,6 +122,13 @@ impl<'a> Points<'a> {
         }
         Ok(Some(found))
     }
+}
+
+/// Coordinates that crowd towards both ends, where lobes change most; fewer of three axes.
+fn edges(class: usize) -> Vec<f64> {
+    let half = [16, 4][class];
+    let at = |k: usize| ops::pow(k as f64 / half as f64, 4.0) / 2.0;
+    (0..=half).map(at).chain((0..half).rev().map(|k| 1.0 - at(k))).collect()
 }
 
 /// Place of the largest.
@@ -150,7 +165,7 @@ impl Grid {
         if lengths.contains(&0) {
             return Ok(Grid { coordinates, inputs, base: Vec::new() });
         }
-        let values = truth.exact(lobe, &at)?;
+        let values = truth.ranked(lobe, &at)?;
         let steps = super::sample::steps(&lengths, &order);
         let dims: Vec<usize> = inputs.iter().map(Vec::len).collect();
         let base = super::sample::View { values: &values, steps, start: 0 }.gather(&dims);

@@ -27,6 +27,7 @@ mod page;
 mod plain;
 mod preferred;
 mod sample;
+mod scan;
 mod screen;
 mod table;
 mod truth;
@@ -89,6 +90,15 @@ const WHOLE: [usize; 2] = [4096, 64];
 /// Most texels of a table of three axes that are all judged: every one is an integral of its own. A
 /// larger one is judged at 64 places along each axis, and passes no limit.
 pub const JUDGED_TEXELS: usize = 1 << 19;
+
+/// Most texels of a table of two axes of which all errors are held at once. Of a larger one a lattice
+/// is held, and the rest is looked through for the largest error.
+const HELD_TEXELS: usize = 1 << 20;
+const HELD_SIDE: usize = 512;
+
+/// Most texels that a page shows of a table of two axes; of more a lattice.
+const SHOWN_TEXELS: usize = 1 << 18;
+const SHOWN_SIDE: usize = 256;
 
 /// Conventions after the quick round.
 const QUICK_KEPT: [usize; 2] = [80, 12];
@@ -291,7 +301,8 @@ fn of_two_lobes(
 ) -> Result<Option<(Vec<Candidate>, TwoLobes)>, AuditError> {
     let class = usize::from(table.size.len() == 3);
     let some = Sample::new(table, live, QUICK_ROUND[class], false);
-    let all = Sample::new(table, live, whole(&table.size), false);
+    let places = whole(truth, found[0].lobe, &table.size);
+    let all = Sample::new(table, live, places, false);
     let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
     let Some((candidate, parts)) = two_lobes::found(truth, [&some, &all], fixed, &sieved, best)? else {
         return Ok(None);
@@ -340,11 +351,15 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     preferred::plain_first(truth, table, live, fixed, distinct)
 }
 
-/// Places along every axis at which the best convention is judged: all, but of a table of three
-/// axes that is too large for that.
-fn whole(size: &[usize]) -> usize {
-    let large = size.len() == 3 && size.iter().product::<usize>() > JUDGED_TEXELS;
-    if large { WHOLE[1] } else { usize::MAX }
+/// Places along every axis at which the best convention is judged: all, but of a table that is too
+/// large for that.
+fn whole(truth: &Truth, lobe: usize, size: &[usize]) -> usize {
+    let (most, places) = match size.len() {
+        _ if truth.is_costly(lobe) => (WHOLE[1] * WHOLE[1], WHOLE[1]),
+        3 => (JUDGED_TEXELS, WHOLE[1]),
+        _ => (HELD_TEXELS, HELD_SIDE),
+    };
+    if size.iter().product::<usize>() > most { places } else { usize::MAX }
 }
 
 fn finish(
@@ -356,8 +371,10 @@ fn finish(
     two_lobes: Option<TwoLobes>,
 ) -> Result<Audit, AuditError> {
     let class = usize::from(table.size.len() == 3);
-    let sample = Sample::new(table, live, whole(&table.size), false);
-    let (places, shown) = sample.thinned(WHOLE[class]);
+    let sample = Sample::new(table, live, whole(truth, found[0].lobe, &table.size), false);
+    let shown =
+        if sample.dims().iter().product::<usize>() > SHOWN_TEXELS { SHOWN_SIDE } else { WHOLE[class] };
+    let (places, shown) = sample.thinned(shown);
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
     let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
@@ -408,6 +425,7 @@ fn finish(
         });
     }
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
+    scan::through(truth, (table, live), best, &mut channels)?;
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;

@@ -170,8 +170,9 @@ fn worst(
     lobe: usize,
     read: &Convention,
 ) -> Result<(f64, usize), AuditError> {
-    let whole = super::whole(&table.size);
-    let sample = Sample::new(table, live, if whole == usize::MAX { whole } else { PLACES }, false);
+    let whole = super::whole(truth, lobe, &table.size);
+    let solid = whole != usize::MAX && table.size.len() == 3;
+    let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe)?;
     let mut worst: Option<f64> = None;
     for (place, k) in live.iter().enumerate() {

@@ -31,6 +31,14 @@ impl Sample {
         Sample { size: audited.size.clone(), values: live.iter().map(of).collect(), at }
     }
 
+    /// Some of the rows of a table of two axes, and all of its columns.
+    pub(super) fn rows(audited: &AuditedTable, live: &[usize], rows: std::ops::Range<usize>) -> Sample {
+        let width = audited.size[0];
+        let of = |c: &usize| audited.channels[*c].values[rows.start * width..rows.end * width].to_vec();
+        let values = live.iter().map(of).collect();
+        Sample { size: audited.size.clone(), values, at: vec![(0..width).collect(), rows.collect()] }
+    }
+
     /// Places along every axis.
     pub(super) fn dims(&self) -> Vec<usize> {
         self.at.iter().map(Vec::len).collect()

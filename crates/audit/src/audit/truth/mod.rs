@@ -124,6 +124,16 @@ impl<'a> Truth<'a> {
         Ok(values)
     }
 
+    /// Whether an exact value of a lobe costs so much that few are taken.
+    pub(super) fn is_costly(&self, lobe: usize) -> bool {
+        self.specs[lobe].costly
+    }
+
+    /// Values to rank conventions and judge lookups by: exact ones, where these cost little.
+    pub(super) fn ranked(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        if self.is_costly(lobe) { self.quick(lobe, at) } else { self.exact(lobe, at) }
+    }
+
     /// Values within [`Truth::bound`]; inputs lie in the range.
     pub(super) fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
         let Spec { knots, tolerances: [_, tolerance], interpolated, .. } = self.specs[lobe];

@@ -37,6 +37,9 @@ pub(in crate::audit) struct Spec<'a> {
     pub interpolated: bool,
     /// Largest error of an exact value.
     pub bound: f64,
+    /// Whether an exact value costs so much that conventions are ranked, and lookups judged, by the
+    /// values between the knots.
+    pub costly: bool,
 }
 
 impl<'a> Spec<'a> {
@@ -54,12 +57,13 @@ impl<'a> Spec<'a> {
             narrowest,
             knots: match self.averaged {
                 true => const { &[log([LEAST_ALPHA, 1.0], 32)] },
-                false => const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 48)] },
+                false => const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 64)] },
             },
             ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0]), (Input::Mu, [1e-6, 1.0])],
-            tolerances: [1e-4, 1e-5],
+            tolerances: [1e-5; 2],
             interpolated: false,
             bound: 1e-5,
+            costly: true,
             ..self
         }
     }
@@ -114,6 +118,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         tolerances: [5e-8; 2],
         interpolated: true,
         bound: 2e-8,
+        costly: false,
     };
     Some(match quantity.name() {
         "ggx-reflection" => lobe,
