@@ -3,8 +3,9 @@
 //! normals, the light as a vector.
 
 use lobefit_math::ops;
-use lobefit_truth::integrate::monte_carlo::{Draw, Points, Run};
+use lobefit_truth::integrate::monte_carlo::{self, Draw, Run};
 use lobefit_truth::optics::Smith;
+use lobefit_truth::points::Points;
 use lobefit_truth::quantity::sheen::EstevezKulla;
 use lobefit_truth::quantity::{Quantity, SCHLICK_SMITH, Variant};
 use rayon::prelude::*;
@@ -80,7 +81,12 @@ fn schlick_smith_is_what_its_formula_draws() {
             );
             assert!((found[0] + found[3] - 1.0).abs() < 1e-14, "the loss is what is left: {found:?}");
             // Lights drawn evenly, for visible normals have another masking.
-            let run = Run { samples: 1 << 14, seed: 7, points: Points::Sobol, draw: Draw::VisibleNormal };
+            let run = Run {
+                samples: 1 << 14,
+                seed: 7,
+                points: monte_carlo::Points::Sobol,
+                draw: Draw::VisibleNormal,
+            };
             let drawn = quantity.second_opinion(&variant, &[alpha, mu], run).expect("samples")[0];
             let off = (drawn.value - e).abs();
             assert!(off < 5.0 * drawn.standard_error + 4e-5, "{alpha} {mu}: {drawn:?} {e}");
@@ -139,4 +145,17 @@ fn estevez_and_kulla_s_shadowing_has_a_truth_everywhere() {
     };
     let errors: Vec<f64> = (0..256).into_par_iter().map(one).collect::<Result<_, _>>().expect("truths");
     println!("{:e}", errors.into_iter().fold(0.0, f64::max));
+}
+
+#[test]
+fn many_points_of_estevez_and_kulla_s_are_those_of_one() {
+    let at = |i: usize, low: f64| ops::pow(low, i as f64 / 8.0);
+    let alphas: Vec<f64> = (0..9).map(|i| at(i, 1e-4)).collect();
+    let mus: Vec<f64> = (0..9).map(|i| at(i, 1e-6)).collect();
+    let points = Points::product(&[("alpha", &alphas), ("mu", &mus)]);
+    let many = EstevezKulla.truth(&Variant::default(), &points, &["E"], 1e-5).expect("truths");
+    for (k, value) in many.columns[0].iter().enumerate() {
+        let one = EstevezKulla.at(&Variant::default(), &[alphas[k % 9], mus[k / 9]], 1e-5).expect("a truth");
+        assert!((one[0] - value).abs() <= 1e-5, "{k}: {one:?} {value}");
+    }
 }

@@ -13,19 +13,18 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Input, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
-use lobefit::cli::options::{ThreadsOption, not_negative, smith};
+use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
-use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, range, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -69,15 +68,18 @@ struct Options {
     /// Where texels lie, of all axes or of each
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
     pub registration: Vec<Registration>,
-    /// Shadowing form: `correlated` or `separable`
-    #[arg(long, value_name = "S", value_parser = smith)]
-    pub smith: Option<Smith>,
+    /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
+    #[arg(long, value_name = "S", value_parser = form)]
+    pub smith: Option<&'static Form>,
     /// Where the ray comes from, of glass: `outside` or `inside`
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
-    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
     #[arg(long, value_name = "M,..", value_delimiter = ',')]
     pub meaning: Vec<String>,
+    /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
+    #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
+    pub clamp: Vec<(Input, f64)>,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -90,7 +92,7 @@ struct Options {
     /// Name of the array in a text
     #[arg(long, value_name = "NAME")]
     pub symbol: Option<String>,
-    /// Name of the layer of an EXR file
+    /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
     /// Function of a shader; `name(float, vec3)` where several have that name
@@ -399,16 +401,20 @@ fn hints(options: &Options) -> Hints {
 }
 
 fn fixed(options: &Options) -> Result<Fixed, CliError> {
-    let given =
-        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
-    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    let meaning = |word: &String| match word.as_str() {
+        LEFT_OUT => Ok(None),
+        word => column(options.wanted.0, word).map(Some),
+    };
+    let meanings: Vec<Option<Column>> =
+        options.meaning.iter().map(meaning).collect::<Result<_, String>>().map_err(CliError::Usage)?;
     Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
         registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
-        smith: options.smith,
+        form: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
+        floors: options.clamp.clone(),
         roles: None,
         inverse: false,
         domain: options.domain.clone(),

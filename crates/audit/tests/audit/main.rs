@@ -3,8 +3,10 @@
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
+mod channels;
 mod declared;
 mod functions;
+mod lobes;
 mod shipped;
 mod sidecars;
 mod solids;

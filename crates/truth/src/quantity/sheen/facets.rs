@@ -26,7 +26,8 @@
 //! The sine's power spans many orders: each range is cut where it has fallen by given factors, and
 //! left where it has fallen by e^-45.
 
-use super::lobe::{self, Lambda, exponent};
+use super::lobe::{self, exponent};
+use super::shadowed::Lambda;
 use crate::integrate::PanelRule;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
@@ -58,7 +59,7 @@ const SERIES_BELOW: f64 = 0.06;
 
 /// A view of the lobe.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct View<'a> {
     p: f64,
     mu: f64,
     sine: f64,
@@ -67,13 +68,13 @@ pub(super) struct View {
     tau: f64,
     rest: f64,
     /// The shadowing in place of Neubelt's visibility.
-    shadowing: Option<Shadowing>,
+    shadowing: Option<Shadowing<'a>>,
 }
 
 /// Shadowing by Lambda, seen from a view: no azimuth of it has a closed form.
 #[derive(Clone, Copy, Debug)]
-struct Shadowing {
-    lambda: Lambda,
+struct Shadowing<'a> {
+    lambda: &'a Lambda,
     /// Lambda of the view.
     of_view: f64,
     /// Rule of each part of the azimuth.
@@ -90,9 +91,9 @@ struct Ring {
     tangent: f64,
 }
 
-impl View {
+impl<'a> View<'a> {
     /// alpha > 0, mu in [0, 1].
-    pub(super) fn new(alpha: f64, mu: f64) -> View {
+    pub(super) fn new(alpha: f64, mu: f64) -> View<'a> {
         let mu = mu.max(GRAZING);
         let kappa = 1.0 - mu;
         let sine = (kappa * (1.0 + mu)).sqrt();
@@ -101,11 +102,10 @@ impl View {
         View { p: exponent(alpha), mu, sine, kappa, tau, rest, shadowing: None }
     }
 
-    /// The same with Estevez and Kulla's own shadowing; mu > 0.
-    pub(super) fn shadowed(alpha: f64, mu: f64, rule: &'static Gauss) -> View {
-        let lambda = Lambda::new(alpha);
+    /// The same with the shadowing of a Lambda, that of the width; mu > 0.
+    pub(super) fn shadowed(lambda: &'a Lambda, mu: f64, rule: &'static Gauss) -> View<'a> {
         let shadowing = Some(Shadowing { lambda, of_view: lambda.at(mu), rule });
-        View { shadowing, ..View::new(alpha, mu) }
+        View { shadowing, ..View::new(lambda.alpha, mu) }
     }
 
     /// -ln of the sine's power where it is largest.
