@@ -1,5 +1,6 @@
 //! `lobefit audit`: somebody else's table or shader function against the truth.
 
+mod furnace;
 mod judged;
 mod origin;
 mod refusal;
@@ -144,8 +145,14 @@ struct Read {
     note: String,
 }
 
-/// Runs the verb on its arguments (the first is the program's name).
+/// Runs the verb on its arguments (the first is the program's name), or the verb `furnace` if it
+/// follows.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let mut arguments: Vec<OsString> = arguments.into_iter().collect();
+    if arguments.get(1).is_some_and(|word| word == "furnace") {
+        arguments.remove(1);
+        return furnace::run(arguments);
+    }
     match Options::try_parse_from(arguments) {
         Ok(options) => output::finish(verb(&options)),
         Err(usage) => output::usage(&usage),

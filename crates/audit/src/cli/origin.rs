@@ -57,7 +57,7 @@ fn command(options: &Options) -> String {
 
 /// A word as a shell takes it: in single quotes where it holds anything but letters, digits and
 /// harmless signs.
-fn quoted(word: &str) -> String {
+pub(super) fn quoted(word: &str) -> String {
     let harmless = |c: char| c.is_alphanumeric() || "-_./:,=+%@".contains(c);
     if !word.is_empty() && word.chars().all(harmless) {
         word.into()

@@ -22,6 +22,8 @@ pub const SIDE_MIN: usize = 8;
 pub const SHADER: usize = 1 << 20;
 /// Most bytes of a shader source with the files that it includes.
 pub const INCLUDED: usize = 8 << 20;
+/// Most functions of a shader source that are read where none is named.
+pub const FUNCTIONS: usize = 1024;
 /// Deepest include file inside another.
 pub const INCLUDE_DEPTH: usize = 32;
 /// Most files that imports are looked for in.

@@ -6,6 +6,7 @@ mod common;
 mod channels;
 mod declared;
 mod functions;
+mod furnace;
 mod lobes;
 mod shipped;
 mod sidecars;

@@ -5,4 +5,5 @@ mod common;
 
 mod audit;
 mod cost;
+mod furnace;
 mod shaders;

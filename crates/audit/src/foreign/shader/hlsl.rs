@@ -200,7 +200,7 @@ impl<'a> Translator<'a> {
             Token::Open(b'(') => self.bracket(k, end),
             // A semantic.
             Token::Mark(b':') if outer => k + 2,
-            // A value that an argument has where none is given.
+            // The default value of an argument.
             Token::Mark(b'=') if outer => self.expression(k + 1, end),
             Token::Number(_) => {
                 let span = self.spans[k];

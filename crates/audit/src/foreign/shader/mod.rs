@@ -28,7 +28,7 @@ use std::sync::Arc;
 use naga::{Handle, Module, Scalar, ScalarKind, Span, Type, TypeInner};
 use rayon::prelude::*;
 
-use super::ForeignError;
+use super::{ForeignError, limits};
 pub use preprocess::Surroundings;
 use run::Run;
 use source::{Program, Source};
@@ -65,7 +65,7 @@ pub struct ShaderFunction {
     /// Scalars of its result, in order: an empty name for a single number, else `x y`, members of a
     /// structure, `out` arguments.
     pub results: Vec<String>,
-    /// Functions of its file that cannot be read, by name, where all of them were asked for.
+    /// Functions of its file that cannot be read, by name: of the first where all were asked for.
     pub left_out: Vec<String>,
     program: Arc<Program>,
 }
@@ -125,7 +125,12 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
         };
     }
     let (mut found, mut first, mut left_out) = (Vec::new(), None, Vec::new());
-    for i in source.functions(None) {
+    let all = source.functions(None);
+    if all.len() > limits::FUNCTIONS {
+        let message = format!("{} functions, and the limit is {}: name one", all.len(), limits::FUNCTIONS);
+        return Err(ForeignError::new(&source.file, message));
+    }
+    for i in all {
         match one(source, i) {
             Ok(function) => found.push(function),
             Err(error) => {
@@ -137,7 +142,8 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
     left_out.dedup();
     match first {
         _ if !found.is_empty() => {
-            Ok(found.into_iter().map(|f| ShaderFunction { left_out: left_out.clone(), ..f }).collect())
+            found[0].left_out = left_out;
+            Ok(found)
         }
         Some(error) => Err(error),
         None => Err(source.no_function()),

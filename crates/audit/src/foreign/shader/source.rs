@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::Arc;
 
 use naga::front::{glsl, wgsl};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
@@ -24,6 +25,7 @@ use crate::foreign::{ForeignError, error, limits};
 pub(super) struct Source {
     pub file: String,
     pub language: ShaderLanguage,
+    files: Arc<Vec<File>>,
     read: Preprocessed,
     items: Vec<Item>,
     /// Items from here on are of the library.
@@ -37,7 +39,7 @@ pub(super) struct Program {
     pub entry: Handle<Function>,
     /// What the front end was given.
     text: Text,
-    files: Vec<File>,
+    files: Arc<Vec<File>>,
     pub language: ShaderLanguage,
 }
 
@@ -88,11 +90,12 @@ impl Source {
                 word.text = super::hlsl::renamed(&word.text);
             }
         }
-        Ok(Source { file, language, read, items: all, own })
+        let files = Arc::new(std::mem::take(&mut read.files));
+        Ok(Source { file, language, files, read, items: all, own })
     }
 
     /// Functions of the file itself, and of a name if one is given, which may be one of an include
-    /// file too; none is an entry point.
+    /// file too; entry points are left out.
     pub fn functions(&self, name: Option<&str>) -> Vec<usize> {
         let index = Index::new(&self.items, self.own);
         let all = match name {
@@ -144,9 +147,9 @@ impl Source {
                 .any(|(at, _)| typed(&text[..at]) && text[at + name.len()..].trim_start().starts_with('('))
         };
         self.read.excluded.iter().find_map(|part| {
-            let text = &self.read.files[part.from.file].text;
+            let text = &self.files[part.from.file].text;
             let [start, end] = part.range;
-            let (file, spot) = place(&self.read.files, part.from);
+            let (file, spot) = place(&self.files, part.from);
             declares(text.get(start..end)?)
                 .then(|| format!("`{}` at {file}: {spot} leaves it out; --define gives names", part.line))
         })
@@ -156,7 +159,7 @@ impl Source {
     fn with_missing(&self, error: ForeignError) -> ForeignError {
         const NAMED: usize = 3;
         let named = self.read.missing.iter().take(NAMED).map(|missing| {
-            let (file, spot) = place(&self.read.files, missing.from);
+            let (file, spot) = place(&self.files, missing.from);
             format!("`{}` at {file}: {spot} ({})", missing.line, missing.reason)
         });
         let named: Vec<String> = named.collect();
@@ -241,7 +244,7 @@ impl Source {
         let refused = |span: Option<Span>, message: String| {
             let at = span.and_then(|s| s.to_range()).map(|r| r.start);
             let origin = text.origin(at.unwrap_or(usize::MAX));
-            let (file, spot) = place(&self.read.files, origin);
+            let (file, spot) = place(&self.files, origin);
             let item = at.map(|at| starts.partition_point(|s| s.0 <= at)).and_then(|k| k.checked_sub(1));
             (item.map(|k| starts[k].1), ForeignError::at(file, spot, message))
         };
@@ -263,11 +266,11 @@ impl Source {
         let entry = found.map(|(handle, _)| handle);
         let lost = || (None, ForeignError::new(&self.file, "the front end gave up on this function"));
         let entry = entry.ok_or_else(lost)?;
-        Ok(Program { module, entry, text, files: self.read.files.clone(), language: self.language })
+        Ok(Program { module, entry, text, files: Arc::clone(&self.files), language: self.language })
     }
 
     fn lacking(&self, at: usize, what: impl AsRef<str>, advice: &str) -> ForeignError {
-        let (file, spot) = place(&self.read.files, self.read.text.origin(at));
+        let (file, spot) = place(&self.files, self.read.text.origin(at));
         ForeignError::unsupported(file, spot, what.as_ref(), advice)
     }
 }

@@ -74,12 +74,16 @@ fn closing(parts: &[Part], open: usize) -> usize {
 /// The token after what begins at one: a block, or what a semicolon, a comma or the bracket around
 /// ends.
 fn ended(parts: &[Part], start: usize) -> usize {
-    let mut k = start;
+    // Commas between the arguments of a type end nothing.
+    let (mut k, mut angle) = (start, 0_usize);
     while let Some((token, ..)) = parts.get(k) {
         match token {
             Token::Open(b'{') => return closing(parts, k) + 1,
             Token::Open(_) => k = closing(parts, k),
-            Token::Mark(b';' | b',') => return k + 1,
+            Token::Mark(b'<') => angle += 1,
+            Token::Mark(b'>') => angle = angle.saturating_sub(1),
+            Token::Mark(b';') => return k + 1,
+            Token::Mark(b',') if angle == 0 => return k + 1,
             Token::Close(_) => return k,
             _ => {}
         }

@@ -1,5 +1,5 @@
 //! The preprocessor: macros, conditions, include files; for WGSL the directives of naga_oil, whose
-//! imports are include files too. Only what it is told of the surroundings is known.
+//! imports are include files too. It knows the macros and folders of the surroundings alone.
 
 mod attributes;
 mod condition;
