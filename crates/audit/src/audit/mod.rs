@@ -84,7 +84,7 @@ const TOLD: usize = 10;
 const SIEVE: [usize; 2] = [10, 6];
 const QUICK_ROUND: [usize; 2] = [24, 12];
 const ROUND: [usize; 2] = [24, 9];
-const LAST: [usize; 2] = [256, 16];
+const LAST: [usize; 2] = [128, 16];
 const WHOLE: [usize; 2] = [4096, 64];
 
 /// Most texels of a table of three axes that are all judged: every one is an integral of its own. A
@@ -94,7 +94,7 @@ pub const JUDGED_TEXELS: usize = 1 << 19;
 /// Most texels of a table of two axes of which all errors are held at once. Of a larger one a lattice
 /// is held, and the rest is looked through for the largest error.
 const HELD_TEXELS: usize = 1 << 20;
-const HELD_SIDE: usize = 512;
+const HELD_SIDE: usize = 256;
 
 /// Most texels that a page shows of a table of two axes; of more a lattice.
 const SHOWN_TEXELS: usize = 1 << 18;

@@ -16,6 +16,10 @@ use super::{LAST, Registration};
 /// How much worse the plain reading must rank for another to be right beyond doubt.
 const BEYOND_DOUBT: f64 = 3.0;
 
+/// How much worse it must rank for the texels alone to say that the other is right, whatever lookups
+/// between them make of it.
+const OVERWHELMING: f64 = 20.0;
+
 /// What of the root mean square of the plain lookup the remedy may leave at most; the largest error
 /// may not grow either.
 const LESSENED: f64 = 0.7;
@@ -46,9 +50,12 @@ pub(super) fn plain_first(
     let bare = rejudge(truth, &sample, fixed, vec![Candidate { axes, ..best.clone() }], 1)?;
     let Some(bare) = bare.first() else { return Ok(found) };
     let candidate = with_floors(truth, &sample, fixed, bare)?;
-    let lessens = remedy_lessens(truth, table, live, best)?;
-    let doubt = candidate.fitted.rank < BEYOND_DOUBT * best.fitted.rank;
-    if doubt || !lessens || is_quantised(truth, table, (&sample, live), &candidate)? {
+    let gain = candidate.fitted.rank / best.fitted.rank;
+    let worthless = |gain: f64| -> Result<bool, AuditError> {
+        Ok(gain < OVERWHELMING && !remedy_lessens(truth, table, live, best)?)
+    };
+    let doubt = gain < BEYOND_DOUBT || worthless(gain)?;
+    if doubt || is_quantised(truth, table, (&sample, live), &candidate)? {
         found.retain(|c| !c.like(&candidate));
         found.insert(0, candidate);
     }

@@ -39,6 +39,13 @@ impl Sample {
         Sample { size: audited.size.clone(), values, at: vec![(0..width).collect(), rows.collect()] }
     }
 
+    /// One texel.
+    pub(super) fn one(audited: &AuditedTable, live: &[usize], texel: &[usize]) -> Sample {
+        let i = flat(texel, &audited.size);
+        let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
+        Sample { size: audited.size.clone(), values, at: texel.iter().map(|k| vec![*k]).collect() }
+    }
+
     /// Places along every axis.
     pub(super) fn dims(&self) -> Vec<usize> {
         self.at.iter().map(Vec::len).collect()

@@ -39,6 +39,8 @@ Examples:
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
+--smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
+of sheen neubelt, estevez-kulla.
 
 Exit codes:
   0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, FAIL and UNKNOWN too,
@@ -51,8 +53,9 @@ Exit codes:
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them, where it claims something: the verdict says what its axes cover
-beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
-roughness and E at normal incidence for an average are over it unless options say that they are meant.";
+beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall or are
+transposed (the cosine along y), powers of roughness, B before A, E at normal incidence for an average, and another shadowing than the
+quantity's own are over it unless options say that they are meant.";
 
 /// Measure a table or shader function that somebody ships against the truth
 #[derive(Parser)]
@@ -358,6 +361,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
     let mut table = chosen(options, &tables)?.clone();
+    grouped(options, &table);
     let mut what = named(options, &table.name);
     if let Some(beside) = &beside {
         match beside.named(&table) {
@@ -367,6 +371,19 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     }
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
     Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
+}
+
+/// Says how many channels a stated size makes of a list that states none.
+fn grouped(options: &Options, table: &foreign::ForeignTable) {
+    let listed = ["array", "raw"].iter().any(|kind| table.what.starts_with(kind));
+    let count = table.channels.len();
+    if listed && count > 1 && options.size.is_some() && options.channels.is_none() && !options.quiet {
+        let (file, values) = (file_name(options), count * table.texels());
+        say(&format!(
+            "{file}: its {values} values are {} texels of {count} channels in the size that is given; --channels states another number",
+            table.texels()
+        ));
+    }
 }
 
 /// Inputs of the quantity.
