@@ -14,19 +14,18 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Input, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
-use lobefit::cli::options::{ThreadsOption, not_negative, smith};
+use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
-use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, range, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,6 +39,8 @@ Examples:
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
+--smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
+of sheen neubelt, estevez-kulla.
 
 Exit codes:
   0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, FAIL and UNKNOWN too,
@@ -52,8 +53,9 @@ Exit codes:
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them, where it claims something: the verdict says what its axes cover
-beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
-roughness and E at normal incidence for an average are over it unless options say that they are meant.";
+beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall or are
+transposed (the cosine along y), powers of roughness, B before A, E at normal incidence for an average, and another shadowing than the
+quantity's own are over it unless options say that they are meant.";
 
 /// Measure a table or shader function that somebody ships against the truth
 #[derive(Parser)]
@@ -70,15 +72,18 @@ struct Options {
     /// Where texels lie, of all axes or of each
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
     pub registration: Vec<Registration>,
-    /// Shadowing form: `correlated` or `separable`
-    #[arg(long, value_name = "S", value_parser = smith)]
-    pub smith: Option<Smith>,
+    /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
+    #[arg(long, value_name = "S", value_parser = form)]
+    pub smith: Option<&'static Form>,
     /// Where the ray comes from, of glass: `outside` or `inside`
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
-    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
     #[arg(long, value_name = "M,..", value_delimiter = ',')]
     pub meaning: Vec<String>,
+    /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
+    #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
+    pub clamp: Vec<(Input, f64)>,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -91,7 +96,7 @@ struct Options {
     /// Name of the array in a text
     #[arg(long, value_name = "NAME")]
     pub symbol: Option<String>,
-    /// Name of the layer of an EXR file
+    /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
     /// Function of a shader; `name(float, vec3)` where several have that name
@@ -356,6 +361,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
     let mut table = chosen(options, &tables)?.clone();
+    grouped(options, &table);
     let mut what = named(options, &table.name);
     if let Some(beside) = &beside {
         match beside.named(&table) {
@@ -365,6 +371,19 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     }
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
     Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
+}
+
+/// Says how many channels a stated size makes of a list that states none.
+fn grouped(options: &Options, table: &foreign::ForeignTable) {
+    let listed = ["array", "raw"].iter().any(|kind| table.what.starts_with(kind));
+    let count = table.channels.len();
+    if listed && count > 1 && options.size.is_some() && options.channels.is_none() && !options.quiet {
+        let (file, values) = (file_name(options), count * table.texels());
+        say(&format!(
+            "{file}: its {values} values are {} texels of {count} channels in the size that is given; --channels states another number",
+            table.texels()
+        ));
+    }
 }
 
 /// Inputs of the quantity.
@@ -406,16 +425,20 @@ fn hints(options: &Options) -> Hints {
 }
 
 fn fixed(options: &Options) -> Result<Fixed, CliError> {
-    let given =
-        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
-    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    let meaning = |word: &String| match word.as_str() {
+        LEFT_OUT => Ok(None),
+        word => column(options.wanted.0, word).map(Some),
+    };
+    let meanings: Vec<Option<Column>> =
+        options.meaning.iter().map(meaning).collect::<Result<_, String>>().map_err(CliError::Usage)?;
     Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
         registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
-        smith: options.smith,
+        form: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
+        floors: options.clamp.clone(),
         roles: None,
         inverse: false,
         domain: options.domain.clone(),

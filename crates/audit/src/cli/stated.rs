@@ -18,7 +18,8 @@ pub(super) fn stated(
         || !options.registration.is_empty()
         || options.smith.is_some()
         || options.side.is_some()
-        || !options.meaning.is_empty();
+        || !options.meaning.is_empty()
+        || !options.clamp.is_empty();
     if note.is_empty() || asked {
         return Ok(None);
     }

@@ -71,7 +71,7 @@ fn near(value: f64, published: f64, share: f64) {
 fn gloss_is_told_and_so_is_the_lobe_that_was_fitted() {
     let found = run("knarkowicz");
     assert_eq!(scales(&found), [(Scale::RoughnessFourth, true), (Scale::Mu, false)]);
-    assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
     let e = found.channels[1].errors.as_ref().unwrap();
     // Against separable Smith E is off by .011 in the root mean square, and by .062 at most for
@@ -85,7 +85,7 @@ fn gloss_is_told_and_so_is_the_lobe_that_was_fitted() {
 fn a_blend_over_f0_is_taken_apart() {
     let found = run("karis");
     assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
-    assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     // .199/.108 against separable Smith.
     let e = found.channels[1].errors.as_ref().unwrap();
     near(e.max, 0.199, 0.1);

@@ -3,9 +3,11 @@
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
+mod channels;
 mod declared;
 mod functions;
 mod furnace;
+mod lobes;
 mod shipped;
 mod sidecars;
 mod solids;

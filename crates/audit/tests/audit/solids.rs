@@ -2,7 +2,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditedTable, Channel, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
+    Audit, AuditedTable, Channel, Column, Defect, Fit, Fixed, Form, Registration, Scale, Source, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::Path;
@@ -80,7 +80,7 @@ fn glass_from_outside_is_read_as_it_is() {
     );
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Outside));
-    assert_eq!(found.best().lobe.smith, Some(Smith::Correlated));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Correlated));
     assert_eq!(found.best().columns, [Some(Column::RT)]);
     assert!(found.channels[0].errors.as_ref().unwrap().median < 1e-6);
     let errors = found.channels[0].errors.as_ref().unwrap();
@@ -142,7 +142,7 @@ fn the_anisotropic_table_of_the_path_tracer_is_read_as_it_is() {
         &Fixed::default(),
     );
     assert_eq!(axes(&found), SOURCES);
-    assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     assert_eq!(found.fit, Fit::Whole);
     let plain = found.plain.as_ref().map(|p| p.texels);
     assert_eq!(plain, Some([2048; 2]), "the plain reading is judged at every texel too");
@@ -152,8 +152,8 @@ fn the_anisotropic_table_of_the_path_tracer_is_read_as_it_is() {
 fn unequal_sizes_and_other_orders_of_axes_are_read() {
     let size = [20, 12, 8];
     let e = of_the_path_tracer(size);
-    for (order, smith) in
-        [([0, 1, 2], None), ([1, 2, 0], Some(Smith::Separable)), ([2, 1, 0], Some(Smith::Separable))]
+    for (order, form) in
+        [([0, 1, 2], None), ([1, 2, 0], Form::find("separable")), ([2, 1, 0], Form::find("separable"))]
     {
         let sides = order.map(|k| size[k]);
         let value = |i: usize| {
@@ -163,9 +163,13 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
             e[(own[2] * size[1] + own[1]) * size[0] + own[0]]
         };
         let table = shipped("reflect", &sides, (0..e.len()).map(value).collect());
-        let found = run(&table, "ggx-reflection-aniso", &Fixed { smith, ..Fixed::default() });
+        let found = run(&table, "ggx-reflection-aniso", &Fixed { form, ..Fixed::default() });
         assert_eq!(axes(&found), order.map(|k| SOURCES[k]), "{order:?}");
-        assert_eq!((found.best().lobe.smith, found.fit), (Some(Smith::Separable), Fit::Whole), "{order:?}");
+        assert_eq!(
+            (found.best().lobe.form.smith, found.fit),
+            (Some(Smith::Separable), Fit::Whole),
+            "{order:?}"
+        );
         assert!(found.margin > 5.0 && found.worst() < 1e-4, "{order:?}: {}", found.worst());
     }
 }

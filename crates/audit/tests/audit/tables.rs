@@ -90,7 +90,7 @@ fn a_sound_table_is_read_as_it_is() {
         [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
     );
     assert_eq!(columns(&found), [Some(Column::A), Some(Column::B)]);
-    assert_eq!(found.best().lobe.smith, Some(Smith::Correlated));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Correlated));
     assert!(found.margin > 20.0, "{}", found.margin);
     let errors = found.channels[0].errors.as_ref().unwrap();
     assert!(errors.max < 2.5e-4 && errors.max > 1e-5, "half rounding, {}", errors.max);
@@ -107,7 +107,7 @@ fn a_table_of_beckmann_is_one_and_no_table_of_ggx() {
     let table = table([16, 32], &[("R", &|x, y| half(e(x, y)))]);
     let max = |quantity| {
         let found = run(&table, quantity, &Fixed::default());
-        (found.best().lobe.smith, found.channels[0].errors.as_ref().map_or(f64::INFINITY, |e| e.max))
+        (found.best().lobe.form.smith, found.channels[0].errors.as_ref().map_or(f64::INFINITY, |e| e.max))
     };
     let (smith, own) = max("beckmann-reflection");
     assert!(smith == Some(Smith::Separable) && own < 2.6e-4, "{smith:?} {own}");
@@ -233,7 +233,7 @@ fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
         axes(&found),
         [(Scale::Mu, Registration::Left, false), (Scale::Alpha, Registration::Left, false)]
     );
-    assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     assert_eq!(columns(&found), [Some(Column::E)]);
     assert!(found.best().axes.iter().all(|a| a.floor == 1e-4), "{:?}", found.best().axes);
     let plain = found.channels[0].plain_lookup.as_ref().unwrap();
@@ -345,7 +345,7 @@ fn a_loss_without_its_tail_is_found() {
     };
     let found = reflection_of(&table([32, 32], &[("0", &loss)]));
     assert_eq!(columns(&found), [Some(Column::Loss)]);
-    assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     assert_eq!(
         axes(&found),
         [(Scale::Mu, Registration::Endpoint, false), (Scale::Roughness, Registration::Endpoint, false)]
@@ -422,7 +422,7 @@ fn a_part_of_the_other_shadowing_form_is_told() {
         let [most, fewer, all] = parts.texels;
         assert!(most >= fewer && fewer > 60 && all == 1024, "{parts:?}");
         assert!(parts.max < 3e-4 && found.margin > 4.0, "{parts:?} {}", found.margin);
-        let rows = if found.best().lobe.smith == Some(own) { [first, 31] } else { [0, first - 1] };
+        let rows = if found.best().lobe.form.smith == Some(own) { [first, 31] } else { [0, first - 1] };
         assert!(parts.range[1][0] >= rows[0] && parts.range[1][1] == rows[1], "{parts:?}");
         for told in ["height-correlated Smith", "separable Smith", "made in two parts", "(all at "] {
             assert!(said(&found).contains(told), "{told}: {}", said(&found));
@@ -533,7 +533,11 @@ fn a_constant_channel_is_judged_or_named() {
     assert!(said(&free).contains("Channel G is constant (0)"), "{}", said(&free));
     assert!(!free.passes(Some(1.0)) && free.unjudged().is_some_and(|why| why.contains("channel G")));
     let with = |list: &[Column]| {
-        run(&shipped, "ggx-reflection", &Fixed { meanings: Some(list.to_vec()), ..Fixed::default() })
+        run(
+            &shipped,
+            "ggx-reflection",
+            &Fixed { meanings: Some(list.iter().copied().map(Some).collect()), ..Fixed::default() },
+        )
     };
     assert!(with(&[Column::A]).passes(Some(1e-3)));
     let judged = with(&[Column::A, Column::B]);

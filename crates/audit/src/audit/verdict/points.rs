@@ -6,7 +6,7 @@ use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
 use crate::audit::table::Source;
-use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 const SAME: f64 = 1e-6;
@@ -21,6 +21,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         }
     }
     errors.extend(untold(audit));
+    errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
     errors.extend(audit.remarks.iter().cloned());
@@ -244,12 +245,28 @@ fn untold(audit: &Audit) -> Option<String> {
     ))
 }
 
+/// How far it is from the lobe that the quantity's name stands for.
+fn departure(audit: &Audit) -> Option<String> {
+    let (lobe, max) = audit.departure.as_ref().filter(|_| audit.fit != Fit::None)?;
+    let (quantity, words, max) = (audit.quantity, lobe.words(), number(*max));
+    Some(format!(
+        "Held against {words}, which {quantity} is where nothing else is said, it is off by at most {max}."
+    ))
+}
+
 /// Channels that hold nothing that is asked for.
 fn idle(audit: &Audit) -> Option<String> {
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
-    let told = idle.map(|c| match c.constant {
-        Some(value) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
-        None => format!("Channel {} is not asked for.", c.name),
+    let told = idle.map(|c| match (c.constant, &c.other) {
+        (_, Some(Other::Quantity(other))) => {
+            let Verdict { headline, convention, .. } = of(other, None);
+            format!("Channel {} is of another quantity: {headline}: {convention}", c.name)
+        }
+        (_, Some(Other::Unknown)) => {
+            format!("Channel {} is left out: it follows nothing that is known.", c.name)
+        }
+        (Some(value), _) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
+        (None, None) => format!("Channel {} is not asked for.", c.name),
     });
     let told: Vec<String> = told.collect();
     (!told.is_empty()).then(|| told.join(" "))
