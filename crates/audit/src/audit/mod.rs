@@ -146,6 +146,7 @@ pub fn audit(
             done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
+    scan::through(&truth, &table, &live, &mut done)?;
     let done = apart::with_others(done, &case, quantity)?;
     let told = encoded::told(&truth, &table, &live, &tried, &done)?;
     let verdict = told.map_or(done.verdict.clone(), |told| format!("{} {told}", done.verdict));
@@ -425,7 +426,6 @@ fn finish(
         });
     }
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
-    scan::through(truth, (table, live), best, &mut channels)?;
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
