@@ -11,6 +11,7 @@
 mod apart;
 mod arguments;
 mod axis;
+mod best;
 mod column;
 mod convention;
 mod declared;
@@ -53,11 +54,11 @@ pub use two_lobes::TwoLobes;
 pub(crate) use verdict::place;
 pub use verdict::{Grade, Verdict};
 
+use best::{Best, Case, best, truth_of};
 use defects::grain;
 use errors::Residuals;
 use judge::judge;
 use lobefit::data::Place;
-use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 use lookup::{Look, Points};
 use sample::{Candidate, Sample};
@@ -146,130 +147,11 @@ pub fn audit(
             done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
+    scan::through(&truth, &table, &live, &mut done)?;
     let done = apart::with_others(done, &case, quantity)?;
     let told = encoded::told(&truth, &table, &live, &tried, &done)?;
     let remarks = done.remarks.iter().cloned().chain(told).collect();
     Ok(Audit { remarks, ..done })
-}
-
-/// A table with what is known of it.
-struct Case<'a> {
-    table: &'a AuditedTable,
-    /// The channels that vary, by their place.
-    live: &'a [usize],
-    fixed: &'a Fixed,
-    progress: &'a dyn Fn(&str),
-}
-
-/// The best convention.
-struct Best<'a> {
-    truth: Truth<'a>,
-    audit: Audit,
-    found: Vec<Candidate>,
-    sieved: Vec<Candidate>,
-    /// What was left open.
-    tried: Fixed,
-}
-
-/// The best convention of the quantity's own lobes, and where those leave something to be explained,
-/// of the shadowings of others.
-fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'a>, AuditError> {
-    let Case { table, live, fixed, progress } = *case;
-    progress("truth");
-    let forms = forms(quantity, fixed)?;
-    let (own, others): (Vec<_>, Vec<_>) = forms.iter().partition(|form| form.integrand.is_none());
-    let truth = truth_of(table, quantity, fixed, if fixed.form.is_some() { &forms } else { &own })?;
-    check_axes(table, &truth)?;
-    fixed.check(&truth, table.size.len(), live.len())?;
-    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
-    let roles = table.axes.iter().map(role).collect();
-    let sampled =
-        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
-    let tried = if table.source == Source::Function { sampled } else { fixed.clone() };
-    let case = &Case { fixed: &tried, ..*case };
-    progress("conventions on a few texels");
-    let class = usize::from(table.size.len() == 3);
-    let few = Sample::new(table, live, SIEVE[class], true);
-    let sieved = screen::screen(&truth, &few, &tried, &tried.lobes(&truth))?;
-    let found = candidates(&truth, case, sieved.clone())?;
-    progress("errors under the best convention");
-    let audit = finish(&truth, table, live, fixed, &found, None)?;
-    if fixed.form.is_some() || others.is_empty() || is_close(&audit) {
-        return Ok(Best { truth, audit, found, sieved, tried });
-    }
-    progress("other shadowings");
-    let all = truth_of(table, quantity, fixed, &forms)?;
-    let foreign = |lobe: &usize| all.lobes()[*lobe].form.integrand.is_some();
-    let lobes: Vec<usize> = (0..all.lobes().len()).filter(foreign).collect();
-    let mut others = candidates(&all, case, screen::screen(&all, &few, &tried, &lobes)?)?;
-    if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
-        return Ok(Best { truth, audit, found, sieved, tried });
-    }
-    let first = others.remove(0);
-    others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
-    let audit = finish(&all, table, live, fixed, &others, None)?;
-    Ok(Best { truth: all, audit, found: others, sieved, tried })
-}
-
-/// How many times better the shadowing of another than the quantity's variants must rank to be
-/// told.
-const BEYOND: f64 = 1.5;
-
-/// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
-/// by another shadowing: sampling noise and rounding leave less.
-const CLOSE: f64 = 4e-3;
-
-/// Whether every judged channel is so near to the truth that no other shadowing is looked for.
-fn is_close(done: &Audit) -> bool {
-    let spread = |c: &ChannelAudit| {
-        let ends = c
-            .truth
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(*t), high.max(*t)]);
-        ends[1] - ends[0]
-    };
-    let near = |c: &ChannelAudit| c.errors.as_ref().is_none_or(|e| e.rms <= CLOSE * spread(c));
-    done.fit == Fit::Whole && done.channels.iter().all(near)
-}
-
-/// The shadowing forms that may be meant, of a form that is given and that the quantity's variants
-/// do not have with the one that its name stands for, against which it is held.
-fn forms(quantity: &dyn Quantity, fixed: &Fixed) -> Result<Vec<&'static Form>, AuditError> {
-    let forms = Form::of(quantity);
-    match fixed.form {
-        Some(form) if forms.contains(&form) && form.integrand.is_some() => Ok(vec![form, forms[0]]),
-        Some(form) if forms.contains(&form) => Ok(vec![form]),
-        Some(form) => Err(no_form(quantity, form, &forms)),
-        None => Ok(forms),
-    }
-}
-
-/// The truth that the user asks for; only the lobes that may be meant are integrated.
-fn truth_of<'a>(
-    table: &AuditedTable,
-    quantity: &'a dyn Quantity,
-    fixed: &Fixed,
-    forms: &[&'static Form],
-) -> Result<Truth<'a>, AuditError> {
-    let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
-    // A table without an axis for the cosine may be of averages over it.
-    let own = truth::spec(quantity);
-    let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
-    let spec = mean.or(own).ok_or_else(|| AuditError::Option {
-        option: "--as",
-        value: quantity.name().into(),
-        reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
-    })?;
-    Ok(Truth::new(spec, forms, &sides)?.within(&fixed.domain))
-}
-
-fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {
-    let known = forms.iter().map(|f| f.word).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ");
-    let reason = match known.as_str() {
-        "" => format!("{} has one shadowing form", quantity.name()),
-        known => format!("{} has {known}", quantity.name()),
-    };
-    AuditError::Option { option: "--smith", value: form.word.into(), reason }
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
@@ -425,7 +307,6 @@ fn finish(
         });
     }
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
-    scan::through(truth, (table, live), best, &mut channels)?;
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;

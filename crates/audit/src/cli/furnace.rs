@@ -8,8 +8,9 @@ use clap::{Parser, ValueEnum};
 
 use super::origin::quoted;
 use super::words::setting;
+use crate::audit::Grade;
 use crate::foreign::{self, ShaderFunction};
-use crate::furnace::{self, Asked, FurnaceFindings, Passed, Role};
+use crate::furnace::{self, Asked, FurnaceFindings, Role};
 use lobefit::cli::CliError;
 use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print};
@@ -117,7 +118,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     drop(progress);
     let name = options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
     let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, options.limit);
-    let passed = options.limit.is_none() || judgement.verdict == Passed::Pass;
+    let passed = options.limit.is_none() || judgement.grade == Grade::Pass;
     let found = FurnaceFindings {
         origin: origin(options, &bytes, &name),
         file: name.clone(),

@@ -4,25 +4,13 @@ use lobefit::report::numbers::{brief, significant};
 use serde::Serialize;
 
 use super::measure::{Cell, Energy, Furnace};
-use crate::audit::place;
-
-/// Whether it passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "UPPERCASE")]
-pub enum Passed {
-    /// Within what is allowed.
-    Pass,
-    /// Over it.
-    Fail,
-    /// The error bars of an energy hold the limit.
-    Unknown,
-}
+use crate::audit::{Grade, place};
 
 /// The verdict.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Judgement {
-    /// Whether it passes.
-    pub verdict: Passed,
+    /// In one word: unknown where the error bars of an energy hold the limit.
+    pub grade: Grade,
     /// The verdict in a line.
     pub line: String,
     /// What was found, each with its name.
@@ -46,16 +34,12 @@ pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
     let open = most.value + most.error > 1.0 + allowed;
     let one_way = broken.share > allowed;
     let unusable = found.unusable.is_some();
-    let verdict = match (gains || one_way || unusable, open) {
-        (true, _) => Passed::Fail,
-        (false, true) => Passed::Unknown,
-        (false, false) => Passed::Pass,
+    let grade = match (gains || one_way || unusable, open) {
+        (true, _) => Grade::Fail,
+        (false, true) => Grade::Unknown,
+        (false, false) => Grade::Pass,
     };
-    let word = match verdict {
-        Passed::Pass => "PASS",
-        Passed::Fail => "FAIL",
-        Passed::Unknown => "UNKNOWN",
-    };
+    let word = grade.word();
     let mut wrong = Vec::new();
     if gains || open {
         wrong.push("gains energy");
@@ -71,14 +55,14 @@ pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
     } else {
         wrong.join(" and ")
     };
-    let what = if verdict == Passed::Unknown { format!("may be one that {what}") } else { what };
+    let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
     let line = format!(
         "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}",
         energy(most),
         place(&cell.at)
     );
-    Judgement { verdict, line, points: points(found, gains) }
+    Judgement { grade, line, points: points(found, gains) }
 }
 
 /// An energy with its error.

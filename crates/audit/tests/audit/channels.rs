@@ -259,6 +259,8 @@ fn rounding_is_claimed_where_it_explains_every_texel() {
     };
     assert!(steps(&table(&[("R", &|x, y| half(e(x, y)))])));
     // Errors of two to five steps at a few texels are not what rounding leaves.
-    let worse = |x: usize, y: usize| half(e(x, y) + if (x + y) % 9 == 0 { 1e-3 * jitter(x, y) } else { 0.0 });
+    let worse = |x: usize, y: usize| {
+        half(e(x, y) + if (x + y).is_multiple_of(9) { 1e-3 * jitter(x, y) } else { 0.0 })
+    };
     assert!(!steps(&table(&[("R", &worse)])));
 }

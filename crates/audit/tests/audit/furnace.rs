@@ -2,8 +2,9 @@
 //! not reciprocal.
 
 use lobefit::data::Smith;
+use lobefit_audit::audit::Grade;
 use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
-use lobefit_audit::furnace::{Asked, Furnace, Passed, furnace, judgement, role};
+use lobefit_audit::furnace::{Asked, Furnace, furnace, judgement, role};
 use lobefit_truth::integrate::reflection::{Effort, split};
 
 fn read(text: &str, file: &str, name: &str) -> ShaderFunction {
@@ -46,7 +47,7 @@ fn the_energy_of_ggx_is_its_directional_albedo() {
         assert!(energy.error < 2e-3, "{alpha} {mu}: {energy:?}");
     }
     assert!(found.reciprocity.share < 1e-5 && !found.cosine.included && found.cosine.known == "found");
-    assert_eq!(judgement("ggx", &found, Some(0.01)).verdict, Passed::Pass);
+    assert_eq!(judgement("ggx", &found, Some(0.01)).grade, Grade::Pass);
 }
 
 #[test]
@@ -62,7 +63,7 @@ fn a_lambert_surface_returns_its_albedo_with_and_without_the_cosine() {
             let energy = cell.energy[0];
             assert!((energy.value - 0.8).abs() <= energy.error.min(1e-3), "{name} {:?}: {energy:?}", cell.at);
         }
-        assert_eq!(judgement(name, &found, None).verdict, Passed::Pass);
+        assert_eq!(judgement(name, &found, None).grade, Grade::Pass);
     }
 }
 
@@ -76,7 +77,7 @@ fn what_gains_energy_is_found_at_its_worst_place() {
     assert!((found.least.0.energy[0].value - 0.02 * wanted).abs() < 1e-3);
     let verdict = judgement("twice", &found, Some(0.01));
     assert!(
-        verdict.verdict == Passed::Fail && verdict.line.starts_with("FAIL white furnace: twice gains energy")
+        verdict.grade == Grade::Fail && verdict.line.starts_with("FAIL white furnace: twice gains energy")
     );
     assert!(verdict.line.contains("4.712") && verdict.line.contains("mu 1"), "{}", verdict.line);
     assert!(verdict.points.len() <= 5, "{:?}", verdict.points);
@@ -99,12 +100,8 @@ fn a_lobe_that_prefers_a_direction_is_found() {
         "{broken:?}"
     );
     let verdict = judgement("f", &found, Some(0.3));
-    assert!(
-        verdict.verdict == Passed::Fail && verdict.line.contains("is not reciprocal"),
-        "{}",
-        verdict.line
-    );
-    assert_eq!(judgement("f", &found, Some(0.5)).verdict, Passed::Pass);
+    assert!(verdict.grade == Grade::Fail && verdict.line.contains("is not reciprocal"), "{}", verdict.line);
+    assert_eq!(judgement("f", &found, Some(0.5)).grade, Grade::Pass);
 }
 
 #[test]
@@ -141,7 +138,7 @@ fn arguments_are_known_by_name_or_said() {
     );
     let verdict = judgement("nan", &found, Some(10.0));
     assert!(
-        verdict.verdict == Passed::Fail && verdict.points[0].starts_with("Values: not a number"),
+        verdict.grade == Grade::Fail && verdict.points[0].starts_with("Values: not a number"),
         "{verdict:?}"
     );
 }

@@ -32,7 +32,7 @@ fn a_whole_brdf_is_measured_and_reported() {
         assert_eq!(run(&again).1, figures, "the same bytes for any number of threads");
     }
     let found: serde_json::Value = serde_json::from_str(&figures).unwrap();
-    assert_eq!(found["judgement"]["verdict"], "PASS");
+    assert_eq!(found["judgement"]["grade"], "PASS");
     let energy = found["furnace"]["most"][0]["energy"][0]["value"].as_f64().unwrap();
     assert!((energy - 0.5).abs() < 1e-3, "{energy}");
     let command =

@@ -1,0 +1,133 @@
+//! The best convention of a table: of the quantity's own lobes, then of the shadowings of others.
+
+use super::convention::Fixed;
+use super::found::{Audit, ChannelAudit, Fit};
+use super::lobe::Form;
+use super::sample::{Candidate, Sample};
+use super::table::{AuditedTable, Source};
+use super::truth::{self, Truth};
+use super::{
+    AuditError, Registration, SIEVE, TOLD, arguments, audited, candidates, check_axes, finish, screen,
+};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::Quantity;
+
+/// A table with what is known of it.
+pub(super) struct Case<'a> {
+    pub table: &'a AuditedTable,
+    /// The channels that vary, by their place.
+    pub live: &'a [usize],
+    pub fixed: &'a Fixed,
+    pub progress: &'a dyn Fn(&str),
+}
+
+/// The best convention.
+pub(super) struct Best<'a> {
+    pub truth: Truth<'a>,
+    pub audit: Audit,
+    pub found: Vec<Candidate>,
+    pub sieved: Vec<Candidate>,
+    /// What was left open.
+    pub tried: Fixed,
+}
+
+/// The best convention of the quantity's own lobes, and where those leave something to be explained,
+/// of the shadowings of others.
+pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'a>, AuditError> {
+    let Case { table, live, fixed, progress } = *case;
+    progress("truth");
+    let forms = forms(quantity, fixed)?;
+    let (own, others): (Vec<_>, Vec<_>) = forms.iter().partition(|form| form.integrand.is_none());
+    let truth = truth_of(table, quantity, fixed, if fixed.form.is_some() { &forms } else { &own })?;
+    check_axes(table, &truth)?;
+    fixed.check(&truth, table.size.len(), live.len())?;
+    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+    let roles = table.axes.iter().map(role).collect();
+    let sampled =
+        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
+    let tried = if table.source == Source::Function { sampled } else { fixed.clone() };
+    let case = &Case { fixed: &tried, ..*case };
+    progress("conventions on a few texels");
+    let class = usize::from(table.size.len() == 3);
+    let few = Sample::new(table, live, SIEVE[class], true);
+    let sieved = screen::screen(&truth, &few, &tried, &tried.lobes(&truth))?;
+    let found = candidates(&truth, case, sieved.clone())?;
+    progress("errors under the best convention");
+    let audit = finish(&truth, table, live, fixed, &found, None)?;
+    if fixed.form.is_some() || others.is_empty() || is_close(&audit) {
+        return Ok(Best { truth, audit, found, sieved, tried });
+    }
+    progress("other shadowings");
+    let all = truth_of(table, quantity, fixed, &forms)?;
+    let foreign = |lobe: &usize| all.lobes()[*lobe].form.integrand.is_some();
+    let lobes: Vec<usize> = (0..all.lobes().len()).filter(foreign).collect();
+    let mut others = candidates(&all, case, screen::screen(&all, &few, &tried, &lobes)?)?;
+    if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
+        return Ok(Best { truth, audit, found, sieved, tried });
+    }
+    let first = others.remove(0);
+    others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
+    let audit = finish(&all, table, live, fixed, &others, None)?;
+    Ok(Best { truth: all, audit, found: others, sieved, tried })
+}
+
+/// How many times better the shadowing of another than the quantity's variants must rank to be
+/// told.
+const BEYOND: f64 = 1.5;
+
+/// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
+/// by another shadowing: sampling noise and rounding leave less.
+const CLOSE: f64 = 4e-3;
+
+/// Whether every judged channel is so near to the truth that no other shadowing is looked for.
+fn is_close(done: &Audit) -> bool {
+    let spread = |c: &ChannelAudit| {
+        let ends = c
+            .truth
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(*t), high.max(*t)]);
+        ends[1] - ends[0]
+    };
+    let near = |c: &ChannelAudit| c.errors.as_ref().is_none_or(|e| e.rms <= CLOSE * spread(c));
+    done.fit == Fit::Whole && done.channels.iter().all(near)
+}
+
+/// The shadowing forms that may be meant, of a form that is given and that the quantity's variants
+/// do not have with the one that its name stands for, against which it is held.
+fn forms(quantity: &dyn Quantity, fixed: &Fixed) -> Result<Vec<&'static Form>, AuditError> {
+    let forms = Form::of(quantity);
+    match fixed.form {
+        Some(form) if forms.contains(&form) && form.integrand.is_some() => Ok(vec![form, forms[0]]),
+        Some(form) if forms.contains(&form) => Ok(vec![form]),
+        Some(form) => Err(no_form(quantity, form, &forms)),
+        None => Ok(forms),
+    }
+}
+
+/// The truth that the user asks for; only the lobes that may be meant are integrated.
+pub(super) fn truth_of<'a>(
+    table: &AuditedTable,
+    quantity: &'a dyn Quantity,
+    fixed: &Fixed,
+    forms: &[&'static Form],
+) -> Result<Truth<'a>, AuditError> {
+    let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
+    // A table without an axis for the cosine may be of averages over it.
+    let own = truth::spec(quantity);
+    let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
+    let spec = mean.or(own).ok_or_else(|| AuditError::Option {
+        option: "--as",
+        value: quantity.name().into(),
+        reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
+    })?;
+    Ok(Truth::new(spec, forms, &sides)?.within(&fixed.domain))
+}
+
+fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {
+    let known = forms.iter().map(|f| f.word).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ");
+    let reason = match known.as_str() {
+        "" => format!("{} has one shadowing form", quantity.name()),
+        known => format!("{} has {known}", quantity.name()),
+    };
+    AuditError::Option { option: "--smith", value: form.word.into(), reason }
+}
