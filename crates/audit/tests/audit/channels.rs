@@ -48,7 +48,7 @@ fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
     let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
     eprintln!(
         "{}\n{:?}",
-        found.verdict(None).to_string(),
+        found.verdict(None),
         found.tried.iter().take(2).map(|t| &t.convention.axes).collect::<Vec<_>>()
     );
     found
