@@ -148,10 +148,10 @@ pub fn audit(
         }
     }
     scan::through(&truth, &table, &live, &mut done)?;
-    let done = apart::with_others(done, &case, quantity)?;
-    let told = encoded::told(&truth, &table, &live, &tried, &done)?;
-    let verdict = told.map_or(done.verdict.clone(), |told| format!("{} {told}", done.verdict));
-    Ok(Audit { verdict, ..done })
+    match encoded::told(&truth, &table, &live, &tried, &done)? {
+        Some(told) => Ok(Audit { verdict: format!("{} {told}", done.verdict), ..done }),
+        None => apart::with_others(done, &case, quantity),
+    }
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
