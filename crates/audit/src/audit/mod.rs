@@ -148,10 +148,10 @@ pub fn audit(
         }
     }
     scan::through(&truth, &table, &live, &mut done)?;
-    let done = apart::with_others(done, &case, quantity)?;
-    let told = encoded::told(&truth, &table, &live, &tried, &done)?;
-    let remarks = done.remarks.iter().cloned().chain(told).collect();
-    Ok(Audit { remarks, ..done })
+    match encoded::told(&truth, &table, &live, &tried, &done)? {
+        Some(told) => Ok(Audit { remarks: vec![told], ..done }),
+        None => apart::with_others(done, &case, quantity),
+    }
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {

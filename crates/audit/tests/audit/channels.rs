@@ -11,7 +11,7 @@ use lobefit_truth::integrate::reflection::{Effort, split};
 use lobefit_truth::quantity;
 use lobefit_truth::quantity::sheen;
 
-const N: usize = 24;
+const N: usize = 16;
 
 fn at(i: usize) -> f64 {
     (i as f64 + 0.5) / N as f64
