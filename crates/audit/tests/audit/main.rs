@@ -8,3 +8,4 @@ mod functions;
 mod sidecars;
 mod solids;
 mod tables;
+mod zoo;
