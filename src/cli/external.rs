@@ -21,7 +21,7 @@ pub(super) struct Words {
 }
 
 /// Verbs of other packages.
-const VERBS: [&str; 3] = ["audit", "fit", "report"];
+const VERBS: [&str; 4] = ["audit", "fit", "furnace", "report"];
 
 /// The arguments of the program; `help VERB` of another package's verb becomes `VERB --help`, which
 /// its binary answers.

@@ -70,6 +70,9 @@ enum Verb {
     /// Measure a table or shader function that somebody ships against the truth
     #[command(disable_help_flag = true)]
     Audit(external::Words),
+    /// Measure a whole BRDF of a shader file in a white furnace, and for reciprocity
+    #[command(disable_help_flag = true)]
+    Furnace(external::Words),
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
     Cost(Box<cost::Options>),
@@ -108,6 +111,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Eval(options) => eval::run(&options),
         Verb::Fit(external) => external::run("lobefit-formula", &external.words),
         Verb::Audit(external) => external::run("lobefit-audit", &external.words),
+        Verb::Furnace(external) => {
+            let verb = [OsString::from("furnace")];
+            external::run("lobefit-audit", &[&verb[..], &external.words].concat())
+        }
         Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),
         Verb::Cache(options) => cache::run(&options),

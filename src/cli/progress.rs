@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::output::say;
 use crate::bake::Progress;
+use crate::effects::{self, Called};
 use crate::plan::Plan;
 use crate::scene::Scene;
 
@@ -38,7 +39,11 @@ impl Bar {
 /// Stages that a bake announces: each job, and the page of each effect.
 fn stages(scene: &Scene, plan: &Plan) -> usize {
     let pages = usize::from(scene.output.reports);
-    plan.effects.iter().map(|called| called.work.len() + pages).sum()
+    let of = |called: &Called| {
+        let effect = effects::named(effects::catalogue(), called.effect);
+        effect.map_or(called.work.len(), |effect| effect.stages(scene, &called.work)) + pages
+    };
+    plan.effects.iter().map(of).sum()
 }
 
 impl Progress for Bar {

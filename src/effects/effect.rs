@@ -38,6 +38,11 @@ pub trait Effect: Sync {
     /// What a plan says of the jobs: one summary for each table and each family of fits.
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary>;
 
+    /// Stages that the bake of the jobs announces, but for its page.
+    fn stages(&self, _scene: &Scene, jobs: &[Job]) -> usize {
+        jobs.len()
+    }
+
     /// Seconds of its page on one core.
     fn report_seconds(&self, _scene: &Scene, _jobs: &[Job]) -> f64 {
         REPORT_S

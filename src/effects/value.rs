@@ -43,8 +43,8 @@ pub struct ValueFits<'a> {
     pub curves: &'a [f64],
     /// Seconds on one core of the truth, and of one fit.
     pub seconds: [f64; 2],
-    /// A table beside the fits.
-    pub table: Option<ValueTable>,
+    /// Tables beside the fits.
+    pub table: Option<ValueTable<'a>>,
     /// What the include files have beside the fits: functions that call the most accurate one.
     pub around: Option<Around>,
 }
@@ -82,7 +82,7 @@ impl ValueFits<'_> {
         let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
         let what = format!("{} of {}", self.column, self.of);
         let fits = jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)));
-        let tables = jobs.iter().filter_map(|job| Some(self.table.as_ref()?.expects(job)));
+        let tables = jobs.iter().flat_map(|job| self.table.iter().flat_map(|table| table.expects(job)));
         fits.chain(tables).collect()
     }
 

@@ -326,13 +326,16 @@ impl Scene {
         let mut total = (0, 0);
         for (i, material) in self.materials.iter().enumerate() {
             let lobe = material.lobe();
-            for (j, table) in material.wants.tables.iter().enumerate() {
+            let own = material.wants.tables.iter().enumerate().map(|table| ("wants", table));
+            let of_sheen = material.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
+            for (part, (j, table)) in own.chain(of_sheen.map(|table| ("sheen", table))) {
                 let TableWant { layout, size, format, serves, .. } = table;
-                if tables.insert((lobe == Lobe::Glass, *layout, size.clone(), format.name(), *serves)) {
+                let key = (part, lobe == Lobe::Glass, *layout, size.clone(), format.name(), *serves);
+                if tables.insert(key) {
                     let size = size.clone().unwrap_or_else(|| vec![AUTO_SIDE; 2]);
                     let [columns, rest @ ..] = &size[..] else { continue };
                     let size = [*columns, rest.iter().product::<usize>() * lobe.sides()];
-                    let field = || format!("materials[{i}].wants.tables[{j}].size");
+                    let field = || format!("materials[{i}].{part}.tables[{j}].size");
                     let texel_bytes = Decode::of(*layout, *serves).channels() as u64 * format.bytes();
                     total = add_table(total, size, texel_bytes, field)?;
                 }

@@ -5,10 +5,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::goals::{Goals, Norms};
-use super::material::rough_part;
+use super::limits;
+use super::material::{Lobe, rough_part};
 use super::number::{ErrorLimit, In, Numbers, Ops, Span, Unit, Whole};
-use super::value::{Maybe, Word, from_file};
-use crate::data::AlphaMap;
+use super::table::{OpenTable, TableWant, different};
+use super::value::{List, Maybe, Word, about, from_file};
+use crate::data::{AlphaMap, Serves};
 use lobefit_truth::quantity::Specular;
 
 /// A diffuse base under the specular lobe: Lambert's, or where it is rough that of EON.
@@ -101,6 +103,9 @@ pub struct Sheen {
     /// What the fits of E must keep.
     #[serde(flatten)]
     pub goals: Goals,
+    /// Tables of E beside the fits.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<TableWant>,
 }
 
 impl Sheen {
@@ -130,13 +135,27 @@ struct SheenFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
+    /// Tables of E over mu and roughness beside the fits; default none. At grazing E grows without
+    /// bound as roughness falls: a range of `n_dot_v` or of roughness keeps the error of a table small.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    tables: Maybe<List<OpenTable, { limits::TABLES }>>,
 }
 
 impl TryFrom<SheenFile> for Sheen {
     type Error = String;
 
     fn try_from(file: SheenFile) -> Result<Self, String> {
+        let tables = file.tables.0.map_or_else(Vec::new, |list| list.0);
+        let tables = different(tables, Lobe::Isotropic, "tables")?;
+        if let Some(i) = tables.iter().position(|table| table.serves != Serves::Albedo) {
+            return Err(about(
+                format!("tables[{i}].serves"),
+                "a sheen has one albedo and no f0; leave it out",
+            ));
+        }
         Ok(Sheen {
+            tables,
             roughness: file.roughness.0,
             goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
         })

@@ -67,6 +67,19 @@ pub struct TableWant {
 }
 
 impl TableWant {
+    /// A table of two axes without a limit.
+    pub fn flat(layout: Layout, size: [usize; 2], format: TexelFormat) -> TableWant {
+        let (serves, size) = (Serves::Albedo, Some(size.to_vec()));
+        let (max_error, max_bytes, n_dot_v) = (None, None, TABLE_MU);
+        TableWant { layout, size, has_open_slices: false, format, serves, max_error, max_bytes, n_dot_v }
+    }
+
+    /// Whether the other is the same table, whatever limits there are.
+    pub fn is_like(&self, other: &TableWant) -> bool {
+        let key = |t: &TableWant| (t.layout, t.size.clone(), t.format, t.serves);
+        key(self) == key(other)
+    }
+
     /// Takes as few slices as there may be, where the scene leaves them open: of materials with one
     /// value of what slices span.
     pub(super) fn settle_on_one_value(&mut self) {
@@ -151,6 +164,20 @@ impl TryFrom<TableFile> for OpenTable {
             n_dot_v: file.n_dot_v.0.map_or(TABLE_MU, |s| s.0),
         })
     }
+}
+
+/// The tables of a list at a field, as a material with this lobe wants them, each once.
+pub(super) fn different(list: Vec<OpenTable>, lobe: Lobe, field: &str) -> Result<Vec<TableWant>, String> {
+    let mut tables: Vec<TableWant> = Vec::with_capacity(list.len());
+    for (i, open) in list.into_iter().enumerate() {
+        let table = open.of(lobe).map_err(|e| about(format!("{field}[{i}]"), e))?;
+        if let Some(first) = tables.iter().position(|known| known.is_like(&table)) {
+            let message = format!("it has the layout, size, format and use of {field}[{first}]");
+            return Err(about(format!("{field}[{i}]"), message));
+        }
+        tables.push(table);
+    }
+    Ok(tables)
 }
 
 impl OpenTable {

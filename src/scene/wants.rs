@@ -8,7 +8,7 @@ use super::limits;
 use super::material::Lobe;
 use super::name::HypothesisPath;
 use super::number::{ErrorLimit, In, Ops, Whole};
-use super::table::{OpenTable, TableWant};
+use super::table::{OpenTable, TableWant, different};
 use super::value::{List, Maybe, Text, about, from_file};
 pub use crate::data::Norm;
 
@@ -141,17 +141,7 @@ impl OpenWants {
             let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
             return Err(about("wants.fit", message));
         }
-        let mut tables: Vec<TableWant> = Vec::with_capacity(self.tables.len());
-        for (i, open) in self.tables.into_iter().enumerate() {
-            let table = open.of(lobe).map_err(|e| about(format!("wants.tables[{i}]"), e))?;
-            let key = |t: &TableWant| (t.layout, t.size.clone(), t.format, t.serves);
-            if let Some(first) = tables.iter().position(|known| key(known) == key(&table)) {
-                let message = format!("it has the layout, size, format and use of wants.tables[{first}]");
-                return Err(about(format!("wants.tables[{i}]"), message));
-            }
-            tables.push(table);
-        }
-        Ok(Wants { tables, fit: self.fit })
+        Ok(Wants { tables: different(self.tables, lobe, "wants.tables")?, fit: self.fit })
     }
 }
 

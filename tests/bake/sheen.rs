@@ -142,6 +142,12 @@ fn a_sheen_that_makes_no_sense_is_refused_with_its_field() {
         (r#"{"roughness": 1.5}"#, "sheen.roughness"),
         (r#"{"roughness": [0.1, 1], "norms": []}"#, "norms: the list is empty"),
         (r#"{"roughness": 1, "alpha": 1}"#, "alpha"),
+        (r#"{"roughness": 1, "tables": [{"serves": "split-sum"}]}"#, "sheen.tables[0].serves"),
+        (r#"{"roughness": 1, "tables": [{"layout": "azimuth"}]}"#, "sheen.tables[0].layout"),
+        (
+            r#"{"roughness": 1, "tables": [{"size": [8, 8]}, {"size": [8, 8]}]}"#,
+            "sheen.tables[1]: it has the layout, size, format and use of tables[0]",
+        ),
         (r#"0.5"#, "an object that describes a sheen layer"),
     ] {
         let json = format!(
@@ -162,6 +168,48 @@ fn a_promise_on_the_sheen_is_kept_or_told() {
         broken.len() == 1
             && broken[0].starts_with("sheen: the best is ")
             && broken[0].contains("materials[0].sheen.max_error"),
+        "{broken:?}"
+    );
+}
+
+/// A plain table is what engines read today: texel centres, E itself. Its certificate bounds the
+/// lookup, read here by hand, and a limit that it does not keep names its field.
+#[test]
+fn a_table_of_the_sheen_drops_in_with_its_certificate() {
+    let with = |sheen: &str| {
+        format!(
+            r#""kind": "dielectric", "ior": 1.5, "roughness": 0, "sheen": {{"roughness": [0.2, 1], {sheen}}}"#
+        )
+    };
+    let table = r#"{"layout": "plain", "size": [32, 24], "format": "f32", "n_dot_v": [0.1, 1]"#;
+    let baked = plain(&with(&format!(r#""max_ops": 9, "tables": [{table}}}]"#)));
+    let [held] = &baked.tables[..] else { panic!("one table") };
+    let texels = &held.table().expect("a table").channels[0].texels;
+    let fetch = |roughness: f64, mu: f64| {
+        let at = |u: f64, n: usize| {
+            let x = (u * n as f64 - 0.5).clamp(0.0, (n - 1) as f64);
+            (x.floor() as usize, (x.floor() as usize + 1).min(n - 1), x.fract())
+        };
+        let ((x0, x1, s), (y0, y1, t)) = (at(mu, 32), at(roughness, 24));
+        let row = |y: usize| (1.0 - s) * texels[y * 32 + x0] + s * texels[y * 32 + x1];
+        (1.0 - t) * row(y0) + t * row(y1)
+    };
+    let mut worst = 0.0_f64;
+    for i in 0..=80 {
+        for j in 0..=90 {
+            let (r, mu) = (0.2 + 0.01 * f64::from(i), 0.1 + 0.01 * f64::from(j));
+            worst = worst.max((fetch(r, mu) - albedo(r * r, mu)).abs());
+        }
+    }
+    let stated = held.errors.lookup.max;
+    assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{worst} of {stated}");
+    let manifest = manifest(&baked);
+    assert_eq!(manifest["tables"][0]["quantity"], "sheen-charlie");
+    let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(text.contains("fn sheen_lookup(") && text.contains("fn sheen_base_scale("), "{text}");
+    let broken = plain(&with(&format!(r#""tables": [{table}, "max_error": 1e-6}}]"#))).broken;
+    assert!(
+        broken.len() == 1 && broken[0].contains("m (materials[0].sheen.tables[0].max_error)"),
         "{broken:?}"
     );
 }

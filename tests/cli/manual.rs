@@ -34,6 +34,7 @@ fn every_verb_has_a_manual_page() {
         "cost",
         "eval",
         "fit",
+        "furnace",
         "man",
         "merge",
         "plan",

@@ -9,7 +9,7 @@ use lobefit::effects::demand::{Demand, Job};
 use lobefit::effects::table::ValueTable;
 use lobefit::effects::value::ValueFits;
 use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
-use lobefit::scene::{Goals, Scene};
+use lobefit::scene::{Goals, Scene, TableWant};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::brdf::Brdf;
 use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
@@ -61,18 +61,15 @@ const FITS: ValueFits = ValueFits {
     caption: "E of Minnaert's lobe.",
     curves: &[0.5],
     seconds: [1.0, 0.1],
-    table: Some(ValueTable {
-        quantity: &Minnaert,
-        column: "E",
-        name: "minnaert",
-        role: "minnaert_lookup",
-        layout: Layout::Homogeneous,
-        size: [16, 12],
-        format: TexelFormat::F16,
-        seconds: 0.5,
-    }),
+    table: None,
     around: None,
 };
+
+fn with_table<T>(of: impl FnOnce(ValueFits) -> T) -> T {
+    let wants = &[(TableWant::flat(Layout::Homogeneous, [16, 12], TexelFormat::F16), String::new())];
+    let (quantity, column, name, role) = (&Minnaert, "E", "minnaert", "minnaert_lookup");
+    of(ValueFits { table: Some(ValueTable { quantity, column, name, role, seconds: 0.5, wants }), ..FITS })
+}
 
 pub struct Moon;
 
@@ -88,12 +85,12 @@ impl Effect for Moon {
         "nothing is drawn as the moon is".into()
     }
     fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
+        with_table(|fits| fits.expects(jobs))
     }
     fn formulas(&self) -> Vec<&'static Entry> {
         FITS.own.iter().collect()
     }
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
+        with_table(|fits| fits.bake(called, context))
     }
 }

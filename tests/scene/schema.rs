@@ -164,7 +164,7 @@ fn it_refuses_what_the_program_refuses() {
 fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let anisotropic = r#"{"schema_version":1,"formats":["exr","raw"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"anisotropy":[0,1],"wants":{"fit":{},"tables":[{"size":[8,8,8]},{"layout":"azimuth"},{"layout":"path-tracer"}]}}]}"#;
     let glass = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":[1,2],"roughness":1,"wants":{"tables":[{"format":"f32"}]}}]}"#;
-    let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9},"wants":{"fit":{"blend":true}}}]}"#;
+    let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9,"tables":[{"layout":"plain"}]},"wants":{"fit":{"blend":true}}}]}"#;
     let based = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"base":{"albedo":[0.5,1,0],"specular":"single","max_ops":9,"norms":["max"]}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
@@ -332,6 +332,7 @@ fn it_names_and_describes_every_field() {
             "size",
             "smith",
             "specular",
+            "tables",
             "tables",
             "taps",
             "wants",

@@ -80,11 +80,22 @@ impl Depth {
     /// The farthest of each square, empty where any of it is: what stands in front of a texel
     /// stands in front of its neighbours too.
     pub fn eroded(&self, radius: usize) -> Depth {
-        let [width, _] = self.size;
-        let worst = |i: usize| {
-            let all = self.around(i % width, i / width, radius);
-            all.fold(0.0, |far, z| if far == EMPTY || z == EMPTY { EMPTY } else { f32::max(far, z) })
-        };
-        Depth { size: self.size, texels: (0..self.texels.len()).map(worst).collect() }
+        let [width, height] = self.size;
+        let worst = |far: f32, z: &f32| if far == EMPTY || *z == EMPTY { EMPTY } else { far.max(*z) };
+        // The farthest of each row's stretch, then of each column's.
+        let mut rows = Depth { size: self.size, texels: Vec::with_capacity(self.texels.len()) };
+        for row in self.texels.chunks(width) {
+            let stretch = |x: usize| &row[x.saturating_sub(radius)..(x + radius + 1).min(width)];
+            rows.texels.extend((0..width).map(|x| stretch(x).iter().fold(0.0, worst)));
+        }
+        let mut out = rows.clone();
+        for y in 0..height {
+            for other in y.saturating_sub(radius)..(y + radius + 1).min(height) {
+                let (own, other) =
+                    (&mut out.texels[y * width..][..width], &rows.texels[other * width..][..width]);
+                own.iter_mut().zip(other).for_each(|(far, z)| *far = worst(*far, z));
+            }
+        }
+        out
     }
 }

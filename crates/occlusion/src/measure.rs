@@ -168,14 +168,18 @@ pub fn measured(film: &Film, span: &Span, trials: &[Trial], boxes: &[Cuboid]) ->
         let (camera, truth) = (&film.cameras[frame], &film.depth[frame]);
         let tested: Vec<Tested> =
             boxes.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
-        let one = |trial: &Trial| {
-            let depth = film.fine(trial.passes.fineness(), late);
+        let one = |trials: &&[Trial]| {
+            let passes = trials[0].passes;
+            let depth = film.fine(passes.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
-            let (buffer, work, _) = trial.passes.run(late, camera, film.size);
-            tally((&buffer, work), (truth, camera), &tested, trial.bias)
+            let (buffer, work, _) = passes.run(late, camera, film.size);
+            let tested = |trial: &Trial| tally((&buffer, work), (truth, camera), &tested, trial.bias);
+            trials.iter().map(tested).collect()
         };
-        let found: Vec<Tally> = trials.par_iter().map(one).collect();
-        tallies.iter_mut().zip(found).for_each(|(sum, one)| *sum = sum.plus(one));
+        // Trials of the same passes that stand side by side share their buffer.
+        let shared: Vec<&[Trial]> = trials.chunk_by(|a, b| a.passes == b.passes).collect();
+        let found: Vec<Vec<Tally>> = shared.par_iter().map(one).collect();
+        tallies.iter_mut().zip(found.into_iter().flatten()).for_each(|(sum, one)| *sum = sum.plus(one));
     }
     tallies
 }

@@ -3,7 +3,7 @@
 use crate::depth::{Depth, EMPTY};
 use crate::measure::{TOLERANCE, Tally, error, part};
 use crate::passes::{Passes, Work};
-use crate::study::{ALLOWED, Choice, Point, Results};
+use crate::study::{ALL, ALLOWED, Choice, OnShots, Point, Results};
 use lobefit::report::numbers::{brief, grouped};
 use lobefit::report::{
     Block, Curves, Origin, Page, Pixels, ReportError, Section, Series, Spread, Style, TextTable, check,
@@ -40,8 +40,9 @@ fn percent(x: f64) -> String {
     format!("{}\u{a0}%", brief(100.0 * x, 2))
 }
 
-fn row<'a>(results: &'a Results, name: &str) -> Option<&'a Tally> {
-    results.rows.iter().find(|row| row.name == name).map(|row| &row.tally)
+/// What passes do on the path of the scene.
+fn by(results: &Results, passes: Passes) -> Option<&Tally> {
+    results.rows.iter().find(|row| row.trial.passes == passes).map(|row| &row.tally)
 }
 
 fn path(path: CameraPath) -> &'static str {
@@ -56,12 +57,13 @@ fn path(path: CameraPath) -> &'static str {
 fn lead(results: &Results) -> String {
     let culling = &results.culling;
     let rates = |tally: &Tally| (percent(tally.wrongly_kept()), percent(tally.wrongly_culled()));
-    let of = |name: &str| row(results, name).map(rates).unwrap_or_default();
-    let (alone, all, safe) = (of("depth"), of("depth and voxels, median, dilation"), of("conservative"));
+    let of = |passes: Passes| by(results, passes).map(rates).unwrap_or_default();
+    let (alone, all, safe) = (of(Passes::POINTS), of(ALL), of(Passes::CONSERVATIVE));
     let [width, height] = culling.buffer;
     format!(
         "Where depth is {} frames old, its points alone keep {} of the boxes that the frame hides and cull {} of those that it shows; with \
          medians, voxels and dilation it is {} and {}, for what fills holes also closes gaps that are there; the conservative mode keeps {} and culls {}.\n\
+         {}{} \
          A world of boxes is drawn on the CPU, with the camera on a path of {} frames; an occlusion buffer of {width} x {height} texels is made from the \
          depth that has arrived and is held against the depth of the frame itself, which only the study has. Work is texels and voxels read or \
          written, per texel of the buffer: a count, the same on every machine. All figures: results.json.",
@@ -72,7 +74,40 @@ fn lead(results: &Results) -> String {
         all.1,
         safe.0,
         safe.1,
+        sideways(results),
+        chosen(results),
         crate::study::FRAMES,
+    )
+}
+
+/// What all passes of the scene do where the camera moves sideways, if that is not its path.
+fn sideways(results: &Results) -> String {
+    let culling = &results.culling;
+    let here = |point: &&Point| {
+        point.path == CameraPath::Strafe && point.speed == 1.0 && point.latency == culling.latency as usize
+    };
+    let point = results.sweep.iter().find(here).filter(|_| culling.path != CameraPath::Strafe);
+    point.map_or(String::new(), |point| {
+        format!(
+            "That is on the path `{}`: with the camera moving sideways the points cull {} and all passes of the scene {}. ",
+            path(culling.path),
+            percent(point.points.wrongly_culled()),
+            percent(point.all.wrongly_culled())
+        )
+    })
+}
+
+/// What the chosen parameters do on other shots, and whether they keep what is allowed.
+fn chosen(results: &Results) -> String {
+    let [_, Choice { trial, reported, .. }] = &results.choices;
+    let kept = if reported.most_culled <= ALLOWED[0] { "no more" } else { "more" };
+    format!(
+        "Parameters that were chosen to cull at most {} ({}) cull {} on other shots, on the worst of these {} ({kept} than allowed), and keep {}.",
+        percent(ALLOWED[0]),
+        worded(&trial.passes, trial.bias),
+        percent(reported.sum.wrongly_culled()),
+        percent(reported.most_culled),
+        percent(reported.sum.wrongly_kept())
     )
 }
 
@@ -199,9 +234,9 @@ const SOURCES: [&str; 4] = ["depth", "depth of twice the resolution", "voxels", 
 fn split(results: &Results) -> TextTable {
     let columns = ["buffer", "points", "medians", "voxels", "dilation", "tests of boxes"];
     let columns = columns.map(|name| (name, name != "buffer"));
-    let shown =
-        ["depth", "depth of twice the resolution", "depth and voxels, median, dilation", "conservative"];
-    let rows = results.rows.iter().filter(|row| shown.contains(&row.name.as_str())).map(|row| {
+    let half = Passes { half: Some(true), ..Passes::NONE };
+    let shown = [Passes::POINTS, half, ALL, Passes::CONSERVATIVE];
+    let rows = results.rows.iter().filter(|row| shown.contains(&row.trial.passes)).map(|row| {
         let Work { reproject, median, voxels, dilation } = row.tally.work;
         let all = [reproject, median, voxels, dilation, row.tally.reads];
         let cells = all.map(|n| brief(part(n, row.tally.texels), 3));
@@ -242,12 +277,12 @@ fn passes(results: &Results) -> Result<Section, ReportError> {
     Ok(Section {
         id: "passes".into(),
         title: "What each pass buys".into(),
-        lead: "Points of old depth leave cracks, which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
+        lead: "Points of old depth leave cracks, most of which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
                wide: it closes the holes of fences. Depth of twice the resolution leaves fewer cracks than a median does, at more work, and more of it is too near at edges."
             .into(),
         blocks: vec![
             Block::Table(words::table(&columns, rows.collect(), &caption)),
-            figures(&charts, "The first mark of each line is the points alone; median, dilation and both follow by rising work.")?,
+            figures(&charts, "Marks of a line, by rising work: its source alone, with the median, with the dilation, with both. Lower is better in both charts.")?,
             Block::Table(split(results)),
         ],
     })
@@ -346,19 +381,22 @@ fn worded(passes: &Passes, bias: f32) -> String {
         Some(lod) => format!("sub-voxels up to {} m, super-voxels beyond {} m", lod.near, lod.far),
     };
     format!(
-        "median {}, dilation {}, {voxels}, margin {}",
+        "median {}, dilation {}, erosion {}, {voxels}, margin {}",
         square(passes.median),
         square(passes.dilation),
+        square(passes.erosion),
         percent(f64::from(bias))
     )
 }
 
 fn parameters(results: &Results) -> Section {
-    let columns = [&[("parameters", false), ("shots", false)][..], &RATES].concat();
+    let columns =
+        [&[("parameters", false), ("shots", false), ("culled, worst shot", true)][..], &RATES].concat();
     let two = |name: &str, choice: &Choice| {
         let text = format!("{name}: {}", worded(&choice.trial.passes, choice.trial.bias));
-        let row = |shots: &str, tally: &Tally| -> Vec<String> {
-            [text.clone(), shots.into()].into_iter().chain(rates(tally)).collect()
+        let row = |shots: &str, found: &OnShots| -> Vec<String> {
+            let first = [text.clone(), shots.into(), percent(found.most_culled)];
+            first.into_iter().chain(rates(&found.sum)).collect()
         };
         [row("chosen on", &choice.chosen), row("others", &choice.reported)]
     };
@@ -366,9 +404,10 @@ fn parameters(results: &Results) -> Section {
     let rows = [two("usual", own), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
     let lead = format!(
-        "Radius of median and dilation, levels of detail and the margin of depth in tests: all {} combinations on a turn, a strafe and a walk from two \
-         places each. Chosen is the one of least work that culls at most {culled} of what is seen and keeps at most {kept} of what is hidden, or breaks this least. It is \
-         reported on shots from other places.",
+        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests: all {} combinations on a turn, a strafe and a walk from \
+         two places each. The erosion takes the farthest of a square about every texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any \
+         shot and to keep {kept} of what is hidden. Chosen is the combination of least work that culls at most half as much, for other shots are other, \
+         or breaks this least. It is reported on shots from other places.",
         results.combinations
     );
     Section {

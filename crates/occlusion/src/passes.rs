@@ -22,6 +22,8 @@ pub struct Passes {
     pub voxels: Option<Lod>,
     /// Largest radius of the dilation; 0: none.
     pub dilation: usize,
+    /// Texels by which what stands in front shrinks at the end; 0: none.
+    pub erosion: usize,
     /// Nothing is hidden that may be seen: the farthest point of each texel, of depth that is four
     /// times as fine, nothing known at edges and next to them. The other passes invent depth, and
     /// are left out.
@@ -38,7 +40,7 @@ pub struct Work<T> {
     pub median: T,
     /// Of the splats.
     pub voxels: T,
-    /// Of the dilation.
+    /// Of the dilation and the erosion.
     pub dilation: T,
 }
 
@@ -71,6 +73,14 @@ pub struct Late<'a> {
 }
 
 impl Passes {
+    /// No pass at all.
+    pub const NONE: Passes =
+        Passes { half: None, median: 0, voxels: None, dilation: 0, erosion: 0, conservative: false };
+    /// Old depth as points.
+    pub const POINTS: Passes = Passes { half: Some(false), ..Passes::NONE };
+    /// Nothing is hidden that may be seen.
+    pub const CONSERVATIVE: Passes = Passes { conservative: true, ..Passes::POINTS };
+
     /// How many times as fine as the buffer the old depth is.
     pub fn fineness(&self) -> usize {
         match (self.conservative, self.half) {
@@ -112,6 +122,13 @@ impl Passes {
         }
         if self.dilation > 0 {
             timed(&mut work.dilation, &mut seconds.dilation, &mut || out.dilation(self.dilation));
+        }
+        if self.erosion > 0 {
+            timed(&mut work.dilation, &mut seconds.dilation, &mut || {
+                out = out.eroded(self.erosion);
+                // By rows, then by columns.
+                (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64
+            });
         }
         (out, work, seconds)
     }

@@ -5,14 +5,17 @@ mod catalogue;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
-use super::value::ValueFits;
+use super::table::ValueTable;
+use super::value::{Around, ValueFits};
 use super::who::{about, reasons, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::approximate::Entry;
 use crate::approximate::target::Target;
+use crate::approximate::{Entry, Fit};
 use crate::data::Use;
-use crate::scene::{Material, Scene};
+use crate::scene::{Material, Scene, TableWant};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
+use lobefit_shade::Source;
+use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::{Quantity, SheenCharlie};
 
 /// The effect.
@@ -32,8 +35,59 @@ const FITS: ValueFits = ValueFits {
     curves: &[0.1, 0.2, 0.3, 0.5, 1.0],
     seconds: [2.0, 0.15],
     table: None,
-    around: None,
+    around: Some(Around { print: scale, said: |_| Ok(String::new()) }),
 };
+
+/// Its tables, but for which are wanted.
+const TABLE: ValueTable = ValueTable {
+    quantity: &SheenCharlie,
+    column: "E",
+    name: "sheen",
+    role: "sheen_lookup",
+    seconds: 0.5,
+    wants: &[],
+};
+
+/// What the base below keeps, in WGSL.
+const SCALE: &str = include_str!("sheen.wgsl");
+
+/// The function of the base, in a language.
+fn scale(language: Language, _: &Fit) -> Result<String, BakeError> {
+    let source = Source::parse("sheen.wgsl", SCALE).map_err(CodeError::from)?;
+    Ok(format!("\n{}", source.print_documented(language, "sheen_base_scale")?))
+}
+
+/// The tables that the sheens of a scene want, each once and within the strictest limit, with who
+/// sets that.
+fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
+    let mut all: Vec<(TableWant, String)> = Vec::new();
+    for (i, material) in scene.materials.iter().enumerate() {
+        let sheen = material.sheen.as_ref().filter(|sheen| sheen.rough_range(scene.alpha).is_some());
+        for (j, table) in sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate()) {
+            let by = format!("{} (materials[{i}].sheen.tables[{j}].max_error)", material.name);
+            let stricter = |known: &TableWant| {
+                table.max_error.is_some_and(|e| known.max_error.is_none_or(|known| e < known))
+            };
+            match all.iter_mut().find(|(known, _)| known.is_like(table)) {
+                None => all.push((table.clone(), by)),
+                Some((known, limited_by)) => {
+                    let [low, high] = known.n_dot_v;
+                    if stricter(known) {
+                        (known.max_error, *limited_by) = (table.max_error, by);
+                    }
+                    known.n_dot_v = [low.min(table.n_dot_v[0]), high.max(table.n_dot_v[1])];
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The fits, and the tables that are wanted beside them.
+fn with(wants: &[(TableWant, String)]) -> ValueFits<'_> {
+    let table = (!wants.is_empty()).then_some(ValueTable { wants, ..TABLE });
+    ValueFits { table, ..FITS }
+}
 
 impl Effect for Sheen {
     fn name(&self) -> &'static str {
@@ -56,8 +110,20 @@ impl Effect for Sheen {
             .unwrap_or_else(|| "no material has a sheen layer".into())
     }
 
-    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        with(&wanted(scene)).expects(jobs)
+    }
+
+    fn stages(&self, scene: &Scene, jobs: &[Job]) -> usize {
+        jobs.len() + wanted(scene).len()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        vec!["sheen_base_scale".into()]
+    }
+
+    fn sources(&self) -> Vec<&'static str> {
+        self.formulas().into_iter().map(|entry| entry.source).chain([SCALE]).collect()
     }
 
     fn formulas(&self) -> Vec<&'static Entry> {
@@ -70,7 +136,7 @@ impl Effect for Sheen {
     }
 
     fn prefixes(&self) -> &'static [&'static str] {
-        &["sheen_albedo"]
+        &["sheen_albedo", "sheen_lookup"]
     }
 
     fn lobe(&self, scene: &Scene) -> String {
@@ -89,6 +155,6 @@ impl Effect for Sheen {
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
+        with(&wanted(context.scene)).bake(called, context)
     }
 }

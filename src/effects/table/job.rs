@@ -23,6 +23,9 @@ const SIZES: [usize; 4] = [16, 32, 64, AUTO_SIDE];
 /// Side of the largest of them.
 pub(super) const AUTO_SIDE: usize = 128;
 
+/// What a plan says of the size that the bake chooses.
+pub(super) const OPEN_SIZE: &str = "of the smallest sufficient side of 16, 32, 64 and 128";
+
 /// The tables to bake for all materials that want the same layout, size, format and use: one of a
 /// lobe that reflects, of rough glass one for each side.
 #[derive(Clone, Debug, PartialEq)]
@@ -305,7 +308,7 @@ pub(super) fn size_text(size: &[usize]) -> String {
 
 /// What tells a table from others of its role: its size, and of format and layout what is not the
 /// default.
-fn shape(size: &str, format: TexelFormat, layout: Layout) -> String {
+pub(super) fn shape(size: &str, format: TexelFormat, layout: Layout) -> String {
     let mut shape = size.to_string();
     if format != TexelFormat::F16 {
         shape = format!("{shape}-{}", format.name());
@@ -416,10 +419,7 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
 
 /// `table 32x32 f16, homogeneous layout, for albedo`.
 fn summary(family: &dyn Family, job: &TableJob, side: Option<Side>) -> String {
-    let size = job
-        .size
-        .as_ref()
-        .map_or_else(|| "of the smallest sufficient side of 16, 32, 64 and 128".into(), |n| size_text(n));
+    let size = job.size.as_ref().map_or_else(|| OPEN_SIZE.into(), |n| size_text(n));
     let (format, layout, of) = (job.format.name(), job.layout.name(), family.described(job, side));
     let fixed = if job.layout == Layout::PathTracer {
         format!(" ({} Smith, alpha = {})", job.smith.name(), job.alpha_map.name())

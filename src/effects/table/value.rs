@@ -2,16 +2,17 @@
 
 use std::cell::Cell;
 
+use super::job::{AUTO_SIDE, OPEN_SIZE, shape, size_text};
 use super::{
     BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, Spec, TableJob, Truths, bake,
     flat,
 };
 use crate::approximate::Counter;
-use crate::data::{Layout, Serves, Smith, Table, TexelFormat};
+use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::{Albedo, BakeError, JobSummary};
-use crate::scene::limits::TABLE_MU;
+use crate::scene::TableWant;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
@@ -29,6 +30,7 @@ const LOG2_POINTS: u32 = 14;
 /// use lobefit::effects::context::Context;
 /// use lobefit::effects::table::ValueTable;
 /// use lobefit::effects::{BakeError, Called, Made};
+/// use lobefit::scene::TableWant;
 /// use lobefit_truth::quantity::GGX_REFLECTION;
 ///
 /// const TABLE: ValueTable = ValueTable {
@@ -36,14 +38,14 @@ const LOG2_POINTS: u32 = 14;
 ///     column: "E",
 ///     name: "ggx",
 ///     role: "ggx_lookup",
-///     layout: Layout::Homogeneous,
-///     size: [32, 32],
-///     format: TexelFormat::F16,
 ///     seconds: 1.0,
+///     wants: &[],
 /// };
 ///
 /// fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
-///     let (tables, broken) = TABLE.bake(called.only_job()?, context)?;
+///     let want = TableWant::flat(Layout::Homogeneous, [32, 32], TexelFormat::F16);
+///     let wants = [(want, String::new())];
+///     let (tables, broken) = ValueTable { wants: &wants, ..TABLE }.bake(called.only_job()?, context)?;
 ///     let error = tables.first().map(|table| table.errors.lookup.max);
 ///     let mut made = Made::new(called, error, "lookup error of E");
 ///     made.broken = broken;
@@ -52,7 +54,7 @@ const LOG2_POINTS: u32 = 14;
 /// }
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct ValueTable {
+pub struct ValueTable<'a> {
     /// A quantity whose inputs are alpha and mu.
     pub quantity: &'static dyn Quantity,
     /// The column that it holds. Its channel and its decoding call it E.
@@ -61,92 +63,101 @@ pub struct ValueTable {
     pub name: &'static str,
     /// The name of its function: `minnaert_lookup`.
     pub role: &'static str,
-    /// Coordinates over mu and roughness: `homogeneous`, `plain` or `plain-squared`.
-    pub layout: Layout,
-    /// Texels along mu and along roughness.
-    pub size: [usize; 2],
-    /// How a texel is stored.
-    pub format: TexelFormat,
-    /// Seconds of it on one core.
+    /// Seconds of one on one core.
     pub seconds: f64,
+    /// Tables of two axes, each with who sets its limit.
+    pub wants: &'a [(TableWant, String)],
 }
 
-impl ValueTable {
-    /// The table of a job whose ranges are of roughness and mu, and the limit of the job where it
-    /// is not kept, in words.
+impl ValueTable<'_> {
+    /// The tables of a job whose ranges are of roughness and mu, and their limits that are not kept,
+    /// in words.
     ///
     /// # Errors
     /// A job without these ranges; a truth that cannot be integrated; a layout with slices.
     pub fn bake(&self, job: &Job, context: &Context) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
-        let (smith, alpha_map) = (context.scene.smith, context.scene.alpha);
-        let job = TableJob {
-            names: vec![self.named()],
-            smith,
-            alpha_map,
-            layout: self.layout,
-            serves: Serves::Albedo,
-            size: Some(self.size.to_vec()),
-            max_bytes: None,
-            format: self.format,
-            roughness: job.range("roughness")?,
-            mu: TABLE_MU,
-            slices: None,
-            max_error: job.goals.max_error,
-            limited_by: job.limited_by(),
-            unjudged_by: None,
-            wanted_by: job.wanted_by(),
+        let one = |(want, limited_by): &(TableWant, String)| {
+            Ok(TableJob {
+                names: vec![self.named(want)],
+                smith: context.scene.smith,
+                alpha_map: context.scene.alpha,
+                layout: want.layout,
+                serves: Serves::Albedo,
+                size: want.size.clone(),
+                max_bytes: want.max_bytes,
+                format: want.format,
+                roughness: job.range("roughness")?,
+                mu: want.n_dot_v,
+                slices: None,
+                max_error: want.max_error,
+                limited_by: limited_by.clone(),
+                unjudged_by: None,
+                wanted_by: job.wanted_by(),
+            })
         };
-        bake(self, &[job], context)
+        let jobs: Vec<TableJob> = self.wants.iter().map(one).collect::<Result<_, BakeError>>()?;
+        bake(self, &jobs, context)
     }
 
-    /// What a plan says of it.
-    pub fn expects(&self, job: &Job) -> JobSummary {
-        let [columns, rows] = self.size;
-        let (format, layout) = (self.format.name(), self.layout.name());
-        JobSummary {
-            name: self.named(),
-            approximation: format!("table {columns}x{rows} {format}, {layout} layout, of {}", self.column),
-            ranges: job.ranges.clone(),
-            bytes: (columns * rows) as u64 * self.format.bytes(),
-            bytes_at_most: false,
-            expected_error: job.goals.max_error,
-            recommended: None,
-            seconds: self.seconds,
-            merging: None,
-        }
+    /// What a plan says of them.
+    pub fn expects(&self, job: &Job) -> Vec<JobSummary> {
+        let one = |(want, _): &(TableWant, String)| {
+            let (format, layout) = (want.format.name(), want.layout.name());
+            let size = want.size.as_ref().map_or_else(|| OPEN_SIZE.into(), |size| size_text(size));
+            let texels = want.size.as_ref().map_or(AUTO_SIDE * AUTO_SIDE, |size| size.iter().product());
+            JobSummary {
+                name: self.named(want),
+                approximation: format!("table {size} {format}, {layout} layout, of {}", self.column),
+                ranges: job.ranges.clone().into_iter().chain([("mu", want.n_dot_v)]).collect(),
+                bytes: texels as u64 * want.format.bytes(),
+                bytes_at_most: want.size.is_none(),
+                expected_error: want.max_error,
+                recommended: None,
+                seconds: self.seconds,
+                merging: None,
+            }
+        };
+        self.wants.iter().map(one).collect()
     }
 
-    fn named(&self) -> String {
-        let [columns, rows] = self.size;
-        format!("{}-{columns}x{rows}", self.name)
+    fn named(&self, want: &TableWant) -> String {
+        let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
+        format!("{}-{}", self.name, shape(&size, want.format, want.layout))
     }
+}
 
+/// A column of a quantity.
+#[derive(Clone, Copy)]
+struct Held(&'static dyn Quantity, &'static str);
+
+impl Held {
     /// The values at places of alpha and mu, and how far they may be off.
     fn truth(
-        &self,
+        self,
         smith: Smith,
         [alpha, mu]: [Vec<f64>; 2],
         counter: &Counter,
     ) -> Result<(Vec<f64>, f64), IntegrateError> {
-        let has = self.quantity.has(Choice::Smith);
+        let Held(quantity, column) = self;
+        let has = quantity.has(Choice::Smith);
         let variant = if has { Variant::from(smith) } else { Variant::default() };
         // A texel at the end of its axis may lie beyond the quantity's domain: it has the nearest
         // value that there is.
-        let domain = |name| self.quantity.inputs().iter().find(|input| input.name == name);
+        let domain = |name| quantity.inputs().iter().find(|input| input.name == name);
         let inside = |name: &'static str, column: Vec<f64>| {
             let [low, high] = domain(name).map_or([0.0, 1.0], |input| input.domain);
             (name, column.into_iter().map(|x| x.clamp(low, high)).collect::<Vec<f64>>())
         };
         let points = points::Points::new([inside("alpha", alpha), inside("mu", mu)]);
-        let tolerance = self.quantity.tolerance_of_many(&variant);
-        let truth = self.quantity.truth(&variant, &points, &[self.column], tolerance)?;
+        let tolerance = quantity.tolerance_of_many(&variant);
+        let truth = quantity.truth(&variant, &points, &[column], tolerance)?;
         counter.add(points.len());
         let (error, [values]) = (truth.error.max(tolerance), truth.arrays());
         Ok((values, error))
     }
 }
 
-impl Family for ValueTable {
+impl Family for ValueTable<'_> {
     fn prefix(&self, _: Layout) -> &'static str {
         self.name
     }
@@ -164,10 +175,10 @@ impl Family for ValueTable {
     }
 
     fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
-        let integration = Cell::new(0.0);
+        let (held, integration) = (Held(self.quantity, self.column), Cell::new(0.0));
         let mut tables = flat::build(self.quantity.name(), spec, flat::ROUNDS, &|places| {
             let (alpha, mu) = places.iter().copied().unzip();
-            let (values, error) = self.truth(spec.smith, [alpha, mu], counter)?;
+            let (values, error) = held.truth(spec.smith, [alpha, mu], counter)?;
             integration.set(error);
             Ok(values.into_iter().map(|e| (e, 0.0)).collect())
         })?;
@@ -188,11 +199,11 @@ impl Family for ValueTable {
         _: bool,
         counter: &Counter,
     ) -> Result<Truths, IntegrateError> {
-        let table = *self;
+        let held = Held(self.quantity, self.column);
         let at = move |points: &LookupPoints, counter: &Counter| {
             let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
                 .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
-            let (e, integration) = table.truth(smith, [alpha, mu], counter)?;
+            let (e, integration) = held.truth(smith, [alpha, mu], counter)?;
             Ok((Albedo { e, b: Vec::new() }, integration))
         };
         let (albedo, integration) = at(points, counter)?;

@@ -56,11 +56,15 @@ pub(super) fn feeds(
 ) -> Result<(Vec<String>, Vec<Feed>), AuditError> {
     let (arguments, inputs) = (&function.inputs, inputs_of(quantity));
     let role = |name: &str| role_in(quantity, name);
-    if let Some((name, value)) = set.iter().find(|(n, _)| !arguments.contains(n)) {
+    // A vector or a structure is set as a whole by its name.
+    let of = |name: &str, set: &str| {
+        name == set || name.strip_prefix(set).is_some_and(|rest| rest.starts_with('.'))
+    };
+    if let Some((name, value)) = set.iter().find(|(n, _)| !arguments.iter().any(|a| of(a, n))) {
         let reason = format!("{} has the arguments {}", function.name, arguments.join(", "));
         return Err(AuditError::Option { option: "--set", value: format!("{name}={value}"), reason });
     }
-    let given = |name: &String| set.iter().find(|(n, _)| n == name).map(|(_, x)| Feed::Value(*x as f32));
+    let given = |name: &String| set.iter().rfind(|(n, _)| of(name, n)).map(|(_, x)| Feed::Value(*x as f32));
     let mut feeds: Vec<Option<Feed>> = arguments.iter().map(given).collect();
     let free = |feeds: &[Option<Feed>]| (0..feeds.len()).filter(|i| feeds[*i].is_none()).collect::<Vec<_>>();
     let mut axes: Vec<(usize, String)> = Vec::new();
@@ -68,9 +72,28 @@ pub(super) fn feeds(
         axes.extend(directions(arguments, &mut feeds));
     }
     for i in free(&feeds) {
-        if free(&feeds).len() + axes.len() > inputs && is_f0(&arguments[i], quantity) {
-            feeds[i] = Some(Feed::Blend);
+        if free(&feeds).len() + axes.len() <= inputs {
+            break;
         }
+        feeds[i] = match arguments[i].to_ascii_lowercase().contains("f90") {
+            true => Some(Feed::Value(1.0)),
+            false => is_f0(&arguments[i], quantity).then_some(Feed::Blend),
+        };
+    }
+    if free(&feeds).len() + axes.len() > inputs {
+        let value = |feed: &Option<Feed>| if let Some(Feed::Value(x)) = feed { Some(*x) } else { None };
+        let values: Vec<Option<f32>> = feeds.iter().map(value).collect();
+        for i in free(&feeds) {
+            // Of a structure a function may read a few members alone.
+            let idle = role(&arguments[i]).is_none() && function.is_idle(i, &values);
+            feeds[i] = idle.then_some(Feed::Value(0.5));
+        }
+    }
+    if let Some(i) = free(&feeds).into_iter().find(|i| function.whole[*i]) {
+        let name = &arguments[i];
+        let reason =
+            format!("the argument {name} is no f32, which runs along no axis: give --set {name}=VALUE");
+        return Err(AuditError::refused(&function.signature, reason));
     }
     let left = free(&feeds);
     let squared = if left.len() + axes.len() > inputs { both_widths(arguments, &left) } else { None };
@@ -82,7 +105,7 @@ pub(super) fn feeds(
         let reason = format!(
             "the arguments {names} are left for {inputs} inputs; give --set NAME=VALUE to those that are none"
         );
-        return Err(AuditError::refused(&function.name, reason));
+        return Err(AuditError::refused(&function.signature, reason));
     }
     for (axis, (i, name)) in axes.iter_mut().enumerate() {
         let named = (role(name) == Some(Input::Ior)).then_some(if inverse { Scale::Eta } else { Scale::Ior });

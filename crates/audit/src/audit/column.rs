@@ -1,10 +1,14 @@
 //! What a channel may hold: a column of a quantity, or what people store instead of one.
 
-use super::truth::spec;
+use super::truth::{averaged, spec};
 use lobefit_truth::quantity::Quantity;
 
-/// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass,
-/// E_avg and E(mu = 1) for averages.
+/// What columns are made of: E and B for reflection, R and T for glass, E_avg and E(mu = 1) for
+/// averages; then the scale of transmitted radiance, 1/eta^2 with eta the index beyond the surface
+/// over that before it, which is 0 but of glass.
+pub type Base = [f64; 3];
+
+/// What a channel holds: a function of [`Base`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
     /// Directional albedo.
@@ -35,6 +39,12 @@ pub enum Column {
     InverseRT,
     /// R/(R + T).
     ShareR,
+    /// 1 - R.
+    LossR,
+    /// T/eta^2, the radiance of what is transmitted.
+    RadianceT,
+    /// R + T/eta^2, what a path tracer of radiance sums to.
+    Radiance,
     /// Cosine-weighted average of E.
     Average,
     /// 1 - E_avg.
@@ -63,19 +73,32 @@ pub const REFLECTION: [Column; 10] = [
 /// Columns of a quantity that has E alone.
 pub const ALBEDO: [Column; 4] = [Column::E, Column::Loss, Column::Inverse, Column::Excess];
 /// Columns of glass.
-pub const GLASS: [Column; 6] =
-    [Column::RT, Column::LossRT, Column::InverseRT, Column::R, Column::T, Column::ShareR];
+pub const GLASS: [Column; 9] = [
+    Column::RT,
+    Column::LossRT,
+    Column::InverseRT,
+    Column::R,
+    Column::T,
+    Column::ShareR,
+    Column::LossR,
+    Column::RadianceT,
+    Column::Radiance,
+];
 /// Columns of averages.
 pub const AVERAGE: [Column; 5] =
     [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
+/// Columns of averages of a quantity of which there is no other.
+pub const MEAN: [Column; 3] = [Column::Average, Column::AverageLoss, Column::AverageInverse];
 
 /// What a column of one f0 is.
 const FIXED: &str = "f0 A + B at that f0, fixed";
 
 impl Column {
-    /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
-    pub fn of(quantity: &dyn Quantity) -> &'static [Column] {
-        spec(quantity).map_or(&[], |spec| spec.columns)
+    /// What channels of a table of a quantity, or of its averages, may hold; nothing for a quantity
+    /// that is not audited.
+    pub fn of(quantity: &dyn Quantity) -> Vec<Column> {
+        let specs = spec(quantity).into_iter().chain(averaged(quantity));
+        specs.flat_map(|spec| spec.columns.iter().copied()).collect()
     }
 
     /// The word in options, verdicts and files, and what it is.
@@ -94,6 +117,9 @@ impl Column {
             Column::R => ("R", "reflected"),
             Column::T => ("T", "transmitted"),
             Column::ShareR => ("R/E", "a ratio"),
+            Column::LossR => ("1-R", "what is not reflected"),
+            Column::RadianceT => ("T/eta^2", "transmitted, scaled as radiance"),
+            Column::Radiance => ("R+T/eta^2", "the albedo with T scaled as radiance"),
             Column::Average => ("E_avg", "the cosine-weighted average"),
             Column::AverageLoss => ("1-E_avg", "the loss"),
             Column::AverageInverse => ("1/E_avg", "a normalisation"),
@@ -113,8 +139,8 @@ impl Column {
         format!("{name} ({what})")
     }
 
-    /// Its value from the two base values.
-    pub fn value(self, [first, second]: [f64; 2]) -> f64 {
+    /// Its value.
+    pub fn value(self, [first, second, scale]: Base) -> f64 {
         match self {
             Column::E | Column::R | Column::Average => first,
             Column::A => first - second,
@@ -129,6 +155,9 @@ impl Column {
             Column::InverseRT => 1.0 / (first + second),
             Column::ShareR => first / (first + second),
             Column::NormalLoss => 1.0 - second,
+            Column::LossR => 1.0 - first,
+            Column::RadianceT => second * scale,
+            Column::Radiance => first + second * scale,
         }
     }
 
@@ -144,8 +173,14 @@ impl Column {
     }
 
     /// The truth of [`Column::albedo`].
-    pub fn true_albedo(self, base: [f64; 2]) -> Option<f64> {
+    pub fn true_albedo(self, base: Base) -> Option<f64> {
         self.albedo(self.value(base))
+    }
+
+    /// Whether few tables hold it, so that it is told only where it is clearly better than what others
+    /// hold.
+    pub fn is_rare(self) -> bool {
+        matches!(self, Column::LossR | Column::RadianceT | Column::Radiance)
     }
 
     /// Whether it is of one f0: B is near to all of these columns, so that only clear figures

@@ -3,9 +3,12 @@
 use super::AuditError;
 use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
-use super::truth::{Lobe, Truth};
-use lobefit::data::Smith;
+use super::lobe::{Form, Lobe};
+use super::truth::Truth;
 use lobefit_truth::integrate::glass::Side;
+
+/// The word of `--meaning` for a channel that is left out.
+pub const LEFT_OUT: &str = "-";
 
 /// One way to read a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,24 +29,28 @@ pub struct Fixed {
     /// Registration of every axis, or one for all.
     pub registrations: Option<Vec<Registration>>,
     /// Shadowing form.
-    pub smith: Option<Smith>,
+    pub form: Option<&'static Form>,
     /// Side of the ray.
     pub side: Option<Side>,
-    /// What the channels hold, in their order.
-    pub meanings: Option<Vec<Column>>,
+    /// What the channels hold, in their order; none of one that is left out.
+    pub meanings: Option<Vec<Option<Column>>>,
     /// The one column that is asked for.
     pub column: Option<Column>,
+    /// Least values that inputs were clamped to.
+    pub floors: Vec<(Input, f64)>,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
     /// [`sampled_inverse`](super::sampled_inverse) does.
     pub inverse: bool,
+    /// Of a function: ranges of inputs in which it is judged.
+    pub domain: Vec<(Input, [f64; 2])>,
 }
 
 impl Fixed {
-    /// Whether nothing but the column is given.
+    /// Whether nothing but the column, and where it is judged, is given.
     pub fn is_free(&self) -> bool {
-        Fixed { column: None, inverse: false, ..self.clone() } == Fixed::default()
+        Fixed { column: None, inverse: false, domain: Vec::new(), ..self.clone() } == Fixed::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
@@ -75,17 +82,24 @@ impl Fixed {
         if let Some(given) = &self.meanings
             && given.len() != channels
         {
-            let names = given.iter().map(|c| c.name()).collect::<Vec<_>>().join(",");
             return refuse(
                 "--meaning",
-                names,
+                meanings(given),
                 format!(
                     "{channels} channels vary; a word for each of those is called for, or one for every channel"
                 ),
             );
         }
+        if let Some(given) = self.meanings.as_ref().filter(|given| given.iter().all(Option::is_none)) {
+            return refuse("--meaning", meanings(given), "every channel is left out".into());
+        }
+        if let Some((input, floor)) = self.floors.iter().find(|(input, _)| !truth.inputs().contains(input)) {
+            let reason = format!("{} has no such input", truth.quantity());
+            return refuse("--clamp", format!("{}={floor:?}", input.name()), reason);
+        }
         let unknown = |c: &&Column| !truth.columns().contains(c);
-        if let Some(bad) = self.meanings.iter().flatten().chain(&self.column).find(unknown) {
+        let asked = self.meanings.iter().flatten().flatten().chain(&self.column);
+        if let Some(bad) = asked.into_iter().find(unknown) {
             let names: Vec<&str> = truth.columns().iter().map(|c| c.name()).collect();
             let reason = format!("{} has {}", truth.quantity(), names.join(", "));
             return refuse("--meaning", bad.name().into(), reason);
@@ -108,22 +122,31 @@ impl Fixed {
             None => REGISTRATIONS.to_vec(),
         };
         let both = |(scale, reversed): (Scale, bool)| {
-            registrations
-                .iter()
-                .map(move |registration| AxisReading::new(scale, *registration, reversed))
-                .collect::<Vec<_>>()
+            let floor = self.floor(input).unwrap_or(0.0);
+            let reading = |r: &Registration| AxisReading { floor, ..AxisReading::new(scale, *r, reversed) };
+            registrations.iter().map(reading).collect::<Vec<_>>()
         };
         scales.into_iter().flat_map(both).collect()
+    }
+
+    /// The clamp of an input, if it is given.
+    pub(super) fn floor(&self, input: Input) -> Option<f64> {
+        self.floors.iter().find(|(own, _)| *own == input).map(|(_, floor)| *floor)
     }
 
     /// The lobes to be tried, by their place.
     pub(super) fn lobes(&self, truth: &Truth) -> Vec<usize> {
         let fits = |l: &Lobe| {
-            self.smith.is_none_or(|s| l.smith.is_none_or(|own| own == s))
+            self.form.is_none_or(|form| l.form == form)
                 && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
         };
         (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
     }
+}
+
+/// Words of what channels hold, as `--meaning` takes them.
+pub(super) fn meanings(given: &[Option<Column>]) -> String {
+    given.iter().map(|c| c.map_or(LEFT_OUT, Column::name)).collect::<Vec<_>>().join(",")
 }
 
 /// What an argument may be given for an input: nobody passes the root of a cosine, and one that is

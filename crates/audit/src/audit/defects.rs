@@ -87,7 +87,7 @@ pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Opt
     }
     let (noise, rms) = (noise(r), rms(r));
     let rounding = rounding(r, step);
-    if rms <= ROUNDED * rounding {
+    if rms <= ROUNDED * rounding && r.judged.iter().all(|i| within_a_step(r, step, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
     } else if noise > 0.5 * rms && rms > 1e-7 {
         found.push(Defect::Noise { rms: noise, share: noise / rms });
@@ -106,6 +106,12 @@ pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
 fn rounding(r: &Residuals, step: Step) -> f64 {
     let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
     (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
+}
+
+/// Whether rounding to nearest explains the error of a texel, but for a tenth of a step and for what
+/// the truth is off by.
+fn within_a_step(r: &Residuals, step: Step, i: usize) -> bool {
+    r.errors[i].abs() <= 1.2 * step.rounding(r.values[i]) + 1e-7
 }
 
 fn rms(r: &Residuals) -> f64 {

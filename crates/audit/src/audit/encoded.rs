@@ -1,10 +1,12 @@
-//! Values that were encoded for display: a table that was saved as a picture, and fits only once
-//! that is undone.
+//! Values that were encoded, for display or to hold more than the format can: a table that fits only
+//! once that is undone.
 
+use super::sample::Sample;
+use super::screen::screen;
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::{long, opening};
-use super::{Audit, AuditError, Fit, Fixed, candidates, finish};
+use super::{Audit, AuditError, Case, Fit, Fixed, SIEVE, candidates, finish};
 use crate::foreign::{Channel, Step};
 use lobefit_math::ops;
 
@@ -12,9 +14,69 @@ use lobefit_math::ops;
 /// two.
 const AXES: usize = 2;
 
-/// What is said of a table that fits nothing, but does when its values are decoded from sRGB; none
-/// if it does not.
-pub(super) fn srgb(
+/// An encoding: a line of [`ENCODINGS`].
+struct Encoding {
+    /// Its name.
+    name: &'static str,
+    /// What to do about it.
+    remedy: &'static str,
+    /// The value of a colour, 0 to 1, at a texel whose alpha is given.
+    decode: fn(f64, f64) -> f64,
+    /// Whether it takes the alpha beside three colours of 8 bits, which is no channel then.
+    takes_alpha: bool,
+}
+
+/// Every encoding that is tried.
+static ENCODINGS: [Encoding; 4] = [
+    Encoding {
+        name: "sRGB",
+        remedy: "Its values were encoded for display: store them as they are, or sample it as an sRGB texture.",
+        decode: |x, _| srgb(x),
+        takes_alpha: false,
+    },
+    Encoding {
+        name: "RGBE",
+        remedy: "Decode it before it is filtered: the mean of two exponents is no exponent of the mean.",
+        decode: |x, alpha| x * 255.0 / 256.0 * ops::pow(2.0, 255.0 * alpha - 128.0),
+        takes_alpha: true,
+    },
+    Encoding {
+        name: "RGBD of gamma 2.2",
+        remedy: "Decode it before it is filtered: the mean of two divisors is no divisor of the mean.",
+        decode: |x, alpha| ops::pow(x, 2.2) / alpha,
+        takes_alpha: true,
+    },
+    Encoding {
+        name: "RGBD",
+        remedy: "Decode it before it is filtered: the mean of two divisors is no divisor of the mean.",
+        decode: |x, alpha| x / alpha,
+        takes_alpha: true,
+    },
+];
+
+impl Encoding {
+    /// A table without the encoding; none of one that cannot have it.
+    fn undone(&self, table: &AuditedTable) -> Option<AuditedTable> {
+        let alpha = table.channels.iter().find(|c| c.name == "A");
+        let colours = table.channels.iter().filter(|c| c.name != "A");
+        let alphas = match (alpha, self.takes_alpha) {
+            (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm8 => &alpha.values,
+            (_, true) => return None,
+            (_, false) => &table.channels[0].values,
+        };
+        let decoded = |c: &Channel| Channel {
+            name: c.name.clone(),
+            values: c.values.iter().zip(alphas).map(|(x, alpha)| (self.decode)(*x, *alpha)).collect(),
+        };
+        let channels: Vec<Channel> = colours.map(decoded).collect();
+        let finite = channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite());
+        (finite && !channels.is_empty()).then(|| AuditedTable { channels, step: Step::None, ..table.clone() })
+    }
+}
+
+/// What is said of a table that fits nothing, but does when its values are decoded; none if it does
+/// not.
+pub(super) fn told(
     truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
@@ -23,31 +85,32 @@ pub(super) fn srgb(
 ) -> Result<Option<String>, AuditError> {
     let values = || live.iter().flat_map(|k| &table.channels[*k].values);
     let picture = table.source == Source::Table && table.size.len() <= AXES;
+    let said = fixed.meanings.as_ref().map(Vec::len);
     if done.fit != Fit::None || !picture || !values().all(|v| (0.0..=1.0).contains(v)) {
         return Ok(None);
     }
-    let channel = |c: &Channel| Channel {
-        name: c.name.clone(),
-        values: c.values.iter().map(|v| decoded(*v)).collect(),
-    };
-    let linear = AuditedTable {
-        channels: table.channels.iter().map(channel).collect(),
-        step: Step::None,
-        ..table.clone()
-    };
-    let (found, _) = candidates(truth, &linear, live, fixed, &|_| ())?;
-    let linear = finish(truth, &linear, live, fixed, &found, None)?;
-    Ok((linear.fit == Fit::Whole).then(|| {
-        format!(
-            "But with its values decoded from sRGB, {} Its values were encoded for display: store them as they are, or sample it as an \
-             sRGB texture. So read it is off by at most {}.",
-            opening(&linear),
-            long(linear.worst())
-        )
-    }))
+    for encoding in &ENCODINGS {
+        let Some(linear) = encoding.undone(table) else { continue };
+        let Ok(live) = linear.live(said) else { continue };
+        if said.is_some_and(|said| said != live.len()) {
+            continue;
+        }
+        let sieved = screen(truth, &Sample::new(&linear, &live, SIEVE[0], true), fixed, &fixed.lobes(truth))?;
+        let case = Case { table: &linear, live: &live, fixed, progress: &|_| () };
+        let found = candidates(truth, &case, sieved)?;
+        let linear = finish(truth, &linear, &live, fixed, &found, None)?;
+        if linear.fit == Fit::Whole {
+            let (name, remedy) = (encoding.name, encoding.remedy);
+            let (reading, worst) = (opening(&linear), long(linear.worst()));
+            return Ok(Some(format!(
+                "But with its values decoded from {name} it is {reading} {remedy} So read it is off by at most {worst}."
+            )));
+        }
+    }
+    Ok(None)
 }
 
 /// The linear value of an sRGB one in [0, 1] (IEC 61966-2-1).
-fn decoded(x: f64) -> f64 {
+fn srgb(x: f64) -> f64 {
     if x <= 0.04045 { x / 12.92 } else { ops::pow((x + 0.055) / 1.055, 2.4) }
 }

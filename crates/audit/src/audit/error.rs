@@ -42,7 +42,7 @@ pub enum AuditError {
 
 impl AuditError {
     /// Of a table or function.
-    pub(super) fn refused(what: &str, reason: impl Into<String>) -> AuditError {
+    pub(crate) fn refused(what: &str, reason: impl Into<String>) -> AuditError {
         AuditError::Refused { what: what.into(), reason: reason.into() }
     }
 }

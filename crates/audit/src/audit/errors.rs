@@ -38,6 +38,18 @@ pub struct TexelErrors {
     pub unsampled: usize,
 }
 
+impl TexelErrors {
+    /// The figures of two parts of a table together, but for the median.
+    pub(super) fn with(self, other: TexelErrors) -> TexelErrors {
+        let [own, its] = [&self, &other].map(|e| e.judged as f64);
+        let mean = |f: fn(&TexelErrors) -> f64| (own * f(&self) + its * f(&other)) / (own + its);
+        let (rms, mean) = (mean(|e| e.rms * e.rms).sqrt(), mean(|e| e.mean));
+        let judged = self.judged + other.judged;
+        let worst = if other.max > self.max { other } else { self };
+        TexelErrors { rms, mean, judged, ..worst }
+    }
+}
+
 /// A channel beside its truth at the texels that are judged.
 pub(super) struct Residuals<'a> {
     pub sample: &'a Sample,

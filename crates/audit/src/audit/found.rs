@@ -4,10 +4,12 @@ use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::errors::TexelErrors;
+use super::lobe::Lobe;
 use super::lookup::LookupErrors;
 use super::plain::Plain;
 use super::table::Source;
 use super::two_lobes::TwoLobes;
+use super::verdict::Verdict;
 use lobefit::data::Place;
 
 /// How a table fits its best convention, the better first.
@@ -43,6 +45,15 @@ pub struct Furnace {
     pub dark: usize,
 }
 
+/// What a channel holds that follows no column of the quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Other {
+    /// Another quantity, judged as that.
+    Quantity(Box<Audit>),
+    /// Nothing that is known.
+    Unknown,
+}
+
 /// A channel under the best convention.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChannelAudit {
@@ -52,6 +63,8 @@ pub struct ChannelAudit {
     pub column: Option<Column>,
     /// Its value, if it is constant and was not asked for.
     pub constant: Option<f64>,
+    /// What it holds, if it was left out because it is foreign to the quantity.
+    pub other: Option<Other>,
     /// Its errors at the texels, where it is judged.
     pub errors: Option<TexelErrors>,
     /// How it fits.
@@ -97,6 +110,11 @@ pub struct Audit {
     /// The plain reading, where the best reading is another and the user did not say that the other
     /// is meant.
     pub plain: Option<Plain>,
+    /// Of a table of a shadowing form that the quantity's variants do not have: the lobe that its
+    /// name stands for, and the largest error held against that.
+    pub departure: Option<(Lobe, f64)>,
+    /// Of a table of A and B, lookups of f0 A + B at the f0 in [0, 1] where they are worst.
+    pub blend: Option<LookupErrors>,
     /// The channels.
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.
@@ -106,8 +124,8 @@ pub struct Audit {
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
-    /// All of it in a paragraph.
-    pub verdict: String,
+    /// What else is to be said of it, in sentences.
+    pub remarks: Vec<String>,
 }
 
 impl Audit {
@@ -120,8 +138,12 @@ impl Audit {
         best.tried.sort_by(|a, b| a.rank.total_cmp(&b.rank));
         best.tried.truncate(super::TOLD);
         best.margin = super::margin(&best.tried.iter().map(|t| t.rank).collect::<Vec<_>>());
-        best.verdict = super::verdict::paragraph(&best);
         best
+    }
+
+    /// The verdict; `limit` is the largest error that the user allows.
+    pub fn verdict(&self, limit: Option<f64>) -> Verdict {
+        super::verdict::of(self, limit)
     }
 
     /// The best convention.
@@ -129,9 +151,14 @@ impl Audit {
         &self.tried[0].convention
     }
 
-    /// Largest error at a texel of any judged channel.
+    /// Largest error at a texel of any judged channel, of one of another quantity too.
     pub fn worst(&self) -> f64 {
-        self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
+        let other = |c: &ChannelAudit| match &c.other {
+            Some(Other::Quantity(audit)) => audit.worst(),
+            _ => 0.0,
+        };
+        let own = |c: &ChannelAudit| c.errors.as_ref().map_or(0.0, |e| e.max);
+        self.channels.iter().map(|c| own(c).max(other(c))).fold(0.0, f64::max)
     }
 
     /// What was not judged, for which it passes no limit: texels that were not sampled, or constant
@@ -143,8 +170,19 @@ impl Audit {
         }
         let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused);
         let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();
-        let advice = "give --meaning for every channel to judge it, or for those that vary to leave it out";
-        (!names.is_empty()).then(|| format!("channel {} is constant: {advice}", names.join(", ")))
+        if !names.is_empty() {
+            let advice =
+                "give --meaning for every channel to judge it, or for those that vary to leave it out";
+            return Some(format!("channel {} is constant: {advice}", names.join(", ")));
+        }
+        let foreign = self.channels.iter().find(|c| c.other == Some(Other::Unknown))?;
+        let word = |c: &ChannelAudit| c.column.map_or("-", Column::name);
+        let words: Vec<&str> = self.channels.iter().filter(|c| c.constant.is_none()).map(word).collect();
+        Some(format!(
+            "channel {} follows nothing that is known: give --meaning {} to leave it out",
+            foreign.name,
+            words.join(",")
+        ))
     }
 
     /// Largest error as the table will be read: plainly, but for what the user said of it.

@@ -15,6 +15,9 @@ const PLACES: [usize; 3] = [512, 128, 20];
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
 const BLENDS: [(f32, &str); 2] = [(0.0, "at f0 = 0"), (1.0, "at f0 = 1")];
 
+/// An F0 that every saturate(50 f0), by which engines take black for no mirror, leaves whole.
+const DIELECTRIC: f32 = 0.04;
+
 /// A function over as many arguments as the quantity has inputs; `set` gives others a value, by
 /// name, and `axes` says what the remaining ones are given, if the user does.
 ///
@@ -62,22 +65,41 @@ fn of_feeds(
     let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();
     let centre = |i: usize| (i as f32 + 0.5) / n as f32;
     let blended = feeds.contains(&Feed::Blend);
-    let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };
-    let mut channels: Vec<Channel> = Vec::new();
-    for (f0, words) in blends {
+    let run = |f0: f32| -> Result<Vec<Vec<f64>>, AuditError> {
         let column = |feed: &Feed| -> Vec<f32> {
-            places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
+            places.iter().map(|p| feed.value(&|axis| centre(p[axis]), f0)).collect()
         };
         let columns: Vec<Vec<f32>> = feeds.iter().map(column).collect();
         let results = function.evaluate(&columns);
         let results = results.map_err(|e| AuditError::refused(&function.name, e.to_string()))?;
-        for (k, values) in results.into_iter().enumerate() {
-            let values: Vec<f64> = values.into_iter().map(f64::from).collect();
+        Ok(results.into_iter().map(|values| values.into_iter().map(f64::from).collect()).collect())
+    };
+    let mut channels: Vec<Channel> = Vec::new();
+    let mut add = |name: String, values: Vec<f64>| {
+        // A grey result is one channel, not three.
+        if !channels.iter().any(|c| c.values == values) {
+            channels.push(Channel { name, values });
+        }
+    };
+    let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };
+    let runs = blends.iter().map(|(f0, _)| run(*f0)).collect::<Result<Vec<_>, _>>()?;
+    let constant = |values: &[f64]| values.iter().all(|v| *v == values[0]);
+    let hidden = |k: usize| runs.len() > 1 && constant(&runs[0][k]) && !constant(&runs[1][k]);
+    let some = (0..function.results.len()).any(hidden).then(|| run(DIELECTRIC)).transpose()?;
+    for ((_, words), (which, results)) in blends.iter().zip(runs.iter().enumerate()) {
+        for (k, values) in results.iter().enumerate() {
             let component = component(function, k);
-            let name = if blended { format!("{component} {words}") } else { component };
-            // A grey result is one channel, not three.
-            if !channels.iter().any(|c| c.values == values) {
-                channels.push(Channel { name, values });
+            match &some {
+                // Black is taken for no mirror: B is what is left at f0 = 0 of the line through two
+                // others.
+                Some(some) if which == 0 && hidden(k) => {
+                    let low = f64::from(DIELECTRIC);
+                    let pairs = some[k].iter().zip(&runs[1][k]);
+                    let values = pairs.map(|(at, one)| (at - low * one) / (1.0 - low)).collect();
+                    add(format!("{component} less f0 A, by f0 = {DIELECTRIC} and 1"), values);
+                }
+                _ if blended => add(format!("{component} {words}"), values.clone()),
+                _ => add(component, values.clone()),
             }
         }
     }

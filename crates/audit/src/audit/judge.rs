@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::sample::{Candidate, Fitted, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::screen::best;
 use super::truth::{Truth, Values};
 
 /// Least values that tables clamp alpha and mu to.
-const FLOORS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-5];
+const FLOORS: [f64; 7] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2];
 
 /// Base values at every texel of a sample under a reading, in the table's order, and which are
 /// judged.
@@ -29,7 +29,7 @@ pub(super) fn judge(
     axes: &[AxisReading],
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, &|at| truth.exact(lobe, at))
+    judged_by(truth, sample, axes, lobe, Truth::exact)
 }
 
 /// The quick truth under a reading.
@@ -39,17 +39,18 @@ pub(super) fn quickly(
     axes: &[AxisReading],
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, &|at| truth.quick(lobe, at))
+    judged_by(truth, sample, axes, lobe, Truth::quick)
 }
 
-/// Values at every combination of inputs.
-type Truths<'a> = dyn Fn(&[&[f64]]) -> Result<Values, AuditError> + 'a;
+/// Values of a lobe at every combination of inputs.
+type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
-fn judged_by(
-    truth: &Truth,
+fn judged_by<'a>(
+    truth: &Truth<'a>,
     sample: &Sample,
     axes: &[AxisReading],
-    values: &Truths,
+    lobe: usize,
+    values: Truths<'a>,
 ) -> Result<Judgement, AuditError> {
     let inputs = truth.inputs();
     let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
@@ -58,15 +59,15 @@ fn judged_by(
         .iter()
         .zip(inputs)
         .map(|(axis, input)| {
-            let [low, high] = truth.range(*input);
+            let [low, high] = truth.range(lobe, *input);
             sample.nodes(*axis, &axes[*axis]).iter().map(|x| x.clamp(low, high)).collect()
         })
         .collect();
     let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-    let values = values(&at)?;
+    let values = values(truth, lobe, &at)?;
     let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
     let view = View { values: &values, steps: steps(&lengths, &assigned), start: 0 };
-    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes) })
+    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes, lobe) })
 }
 
 /// A reading with its exact figures.
@@ -77,8 +78,9 @@ fn refit(
     axes: Vec<AxisReading>,
     lobe: usize,
 ) -> Result<Option<Candidate>, AuditError> {
-    let judgement = judge(truth, sample, &axes, lobe)?;
-    let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
+    let judgement = judged_by(truth, sample, &axes, lobe, Truth::ranked)?;
+    let judged = ranked(judgement.judged, shared(truth, sample, fixed, lobe).as_ref());
+    let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
     Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
 }
 
@@ -107,7 +109,8 @@ pub(super) fn requick(
 ) -> Result<Vec<Candidate>, AuditError> {
     let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
         let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
-        let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
+        let judged = ranked(judgement.judged, shared(truth, sample, fixed, c.lobe).as_ref());
+        let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
         Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
     };
     let done: Vec<Option<Candidate>> = list.into_par_iter().map(one).collect::<Result<_, _>>()?;
@@ -124,7 +127,8 @@ pub(super) fn with_floors(
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
     let of = |inputs: &[Input]| -> Vec<usize> {
-        (0..at.axes.len()).filter(|k| inputs.contains(&at.axes[*k].scale.input())).collect()
+        let open = |input: Input| inputs.contains(&input) && fixed.floor(input).is_none();
+        (0..at.axes.len()).filter(|k| open(at.axes[*k].scale.input())).collect()
     };
     let (axes, iors) = (of(&[Input::Alpha, Input::Mu]), of(&[Input::Ior]));
     let least =
@@ -155,9 +159,11 @@ pub(super) fn with_floors(
 }
 
 /// Whether a clamp explains something: more of the texels as well as those before, or none fewer
-/// clearly better. A clamp that takes texels out of the domain explains nothing.
+/// clearly better and the worst no worse. A clamp that takes texels out of the domain explains nothing.
 fn explains(clamped: &Candidate, before: &Candidate) -> bool {
     let (now, then) = (&clamped.fitted, &before.fitted);
+    let max = |fitted: &Fitted| fitted.misfits.iter().flatten().map(|m| m.max).fold(0.0, f64::max);
+    let worse = max(now) > 1.5 * max(then);
     now.texels > then.texels && now.rank < 1.2 * then.rank
-        || now.texels >= then.texels && now.rank < 0.9 * then.rank
+        || now.texels >= then.texels && now.rank < 0.9 * then.rank && !worse
 }

@@ -1,15 +1,16 @@
 //! What a shader gets between the texels: linear interpolation, with the table's own registration
 //! and with that of a texture unit.
 
+use lobefit_math::ops;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::AuditError;
-use super::axis::Registration;
+use super::axis::{AxisReading, Registration};
 use super::column::Column;
 use super::convention::Convention;
 use super::table::{AuditedTable, flat, place};
-use super::truth::Truth;
+use super::truth::{Truth, Values};
 use lobefit::data::Place;
 
 /// Places along every axis at which lookups are judged: of one axis, of two and of three.
@@ -18,7 +19,7 @@ const PLACES: [usize; 3] = [1024, 160, 24];
 /// Error of a lookup of one channel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LookupErrors {
-    /// Largest magnitude over the domain.
+    /// Largest magnitude over the domain, closed in on from the worst of the places that were sampled.
     pub max: f64,
     /// Root mean square over evenly spaced coordinates.
     pub rms: f64,
@@ -30,27 +31,126 @@ pub struct LookupErrors {
     pub at: Place,
 }
 
-/// The points of all lookups: coordinates in the table's axes, with the truth.
-pub(super) struct Points {
+/// Rounds in which the worst of the sampled places is closed in on: places along every axis on each
+/// side of it, and what is left of the distance after a round (2 axes or fewer, and 3).
+const ROUNDS: usize = 4;
+const BESIDE: [(usize, f64); 2] = [(3, 0.34), (1, 0.5)];
+
+/// Places of lookups: coordinates in the table's axes, with the truth.
+struct Grid {
     /// Coordinates along every axis of the table.
     coordinates: Vec<Vec<f64>>,
     /// Inputs there.
     inputs: Vec<Vec<f64>>,
     /// Base values, the table's first axis fastest.
-    base: Vec<[f64; 2]>,
+    base: Values,
 }
 
-impl Points {
+/// What is looked up: the values of one channel, and where the reader takes its texels to be.
+pub(super) struct Look<'a> {
+    /// Size of the table.
+    pub size: &'a [usize],
+    /// Its values.
+    pub values: &'a [f64],
+    /// What they hold.
+    pub column: Column,
+    /// What the reader takes the texels to be at; the table's own for none.
+    pub registration: Option<Registration>,
+}
+
+/// The points of all lookups of a table under a convention.
+pub(super) struct Points<'a> {
+    truth: &'a Truth<'a>,
+    convention: &'a Convention,
+    lobe: usize,
+    grid: Grid,
+}
+
+impl<'a> Points<'a> {
     /// Evenly spaced coordinates over the part of the domain where the truth can be had.
-    pub(super) fn new(truth: &Truth, convention: &Convention, lobe: usize) -> Result<Points, AuditError> {
+    pub(super) fn new(
+        truth: &'a Truth<'a>,
+        convention: &'a Convention,
+        lobe: usize,
+    ) -> Result<Points<'a>, AuditError> {
         let n = PLACES[convention.axes.len() - 1];
-        let coordinate = |k: usize| (k as f64 + 0.5) / n as f64;
+        let even: Vec<f64> = (0..n).map(|k| (k as f64 + 0.5) / n as f64).collect();
+        let grid = Grid::new(truth, convention, lobe, vec![even; convention.axes.len()])?;
+        Ok(Points { truth, convention, lobe, grid })
+    }
+
+    /// Errors of a lookup, the largest closed in on from the worst of the places; none where no
+    /// place has a truth.
+    pub(super) fn errors(&self, look: &Look) -> Result<Option<LookupErrors>, AuditError> {
+        let errors = self.grid.errors(self.convention, look);
+        let Some(worst) = worst(&errors) else { return Ok(None) };
+        let n = errors.len() as f64;
+        let mut found = LookupErrors {
+            max: errors[worst].0.abs(),
+            at: self.grid.place(worst, self.convention),
+            rms: (errors.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt(),
+            mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
+            inner: errors.iter().filter(|e| e.1).map(|e| e.0.abs()).fold(0.0, f64::max),
+        };
+        let class = usize::from(look.size.len() == 3);
+        let (beside, left) = BESIDE[class];
+        let mut centre = self.grid.coordinates_of(worst);
+        let edges = Grid::new(self.truth, self.convention, self.lobe, vec![edges(class); look.size.len()])?;
+        let at_edges = edges.errors(self.convention, look);
+        if let Some(worst) = self::worst(&at_edges).filter(|w| at_edges[*w].0.abs() > found.max) {
+            (found.max, found.at) = (at_edges[worst].0.abs(), edges.place(worst, self.convention));
+            centre = edges.coordinates_of(worst);
+        }
+        let mut width = 1.0 / PLACES[look.size.len() - 1] as f64;
+        for _ in 0..ROUNDS {
+            let along = |c: &f64| -> Vec<f64> {
+                let at = |k: usize| c + width * (k as f64 / beside as f64 - 1.0);
+                let mut list: Vec<f64> = (0..=2 * beside).map(|k| at(k).clamp(0.0, 1.0)).collect();
+                list.dedup();
+                list
+            };
+            let grid = Grid::new(self.truth, self.convention, self.lobe, centre.iter().map(along).collect())?;
+            let errors = grid.errors(self.convention, look);
+            if let Some(worst) = self::worst(&errors).filter(|w| errors[*w].0.abs() >= found.max) {
+                (found.max, found.at) = (errors[worst].0.abs(), grid.place(worst, self.convention));
+                centre = grid.coordinates_of(worst);
+                if errors[worst].1 {
+                    found.inner = found.inner.max(found.max);
+                }
+            }
+            width *= left;
+        }
+        Ok(Some(found))
+    }
+}
+
+/// Coordinates that crowd towards both ends, where lobes change most; fewer of three axes.
+fn edges(class: usize) -> Vec<f64> {
+    let half = [16, 4][class];
+    let at = |k: usize| ops::pow(k as f64 / half as f64, 4.0) / 2.0;
+    (0..=half).map(at).chain((0..half).rev().map(|k| 1.0 - at(k))).collect()
+}
+
+/// Place of the largest.
+fn worst(errors: &[(f64, bool)]) -> Option<usize> {
+    (0..errors.len()).reduce(|a, b| if errors[b].0.abs() > errors[a].0.abs() { b } else { a })
+}
+
+impl Grid {
+    /// The places of a product of coordinates at which the truth can be had.
+    fn new(
+        truth: &Truth,
+        convention: &Convention,
+        lobe: usize,
+        all: Vec<Vec<f64>>,
+    ) -> Result<Grid, AuditError> {
         let (mut coordinates, mut inputs) = (Vec::new(), Vec::new());
-        for axis in &convention.axes {
+        for (axis, list) in convention.axes.iter().zip(all) {
             let input = axis.scale.input();
-            let kept: Vec<(f64, f64)> = (0..n)
-                .map(|k| (coordinate(k), axis.scale.input_at(coordinate(k)).max(axis.floor)))
-                .filter(|(_, x)| truth.judges(input, *x))
+            let kept: Vec<(f64, f64)> = list
+                .into_iter()
+                .map(|u| (u, axis.scale.input_at(u).max(axis.floor)))
+                .filter(|(_, x)| truth.judges(lobe, input, *x))
                 .collect();
             coordinates.push(kept.iter().map(|k| k.0).collect());
             inputs.push(kept.iter().map(|k| k.1).collect::<Vec<f64>>());
@@ -61,54 +161,36 @@ impl Points {
             .map(|i| convention.axes.iter().position(|a| a.scale.input() == *i).unwrap_or(0))
             .collect();
         let at: Vec<&[f64]> = order.iter().map(|axis| inputs[*axis].as_slice()).collect();
-        let values = truth.exact(lobe, &at)?;
         let lengths: Vec<usize> = at.iter().map(|a| a.len()).collect();
+        if lengths.contains(&0) {
+            return Ok(Grid { coordinates, inputs, base: Vec::new() });
+        }
+        let values = truth.ranked(lobe, &at)?;
         let steps = super::sample::steps(&lengths, &order);
         let dims: Vec<usize> = inputs.iter().map(Vec::len).collect();
         let base = super::sample::View { values: &values, steps, start: 0 }.gather(&dims);
-        Ok(Points { coordinates, inputs, base })
+        Ok(Grid { coordinates, inputs, base })
     }
 
-    /// Errors of a channel's lookup; `registration` is what the reader takes the texels to be at,
-    /// its own for none.
-    pub(super) fn errors(
-        &self,
-        audited: &AuditedTable,
-        channel: usize,
-        column: Column,
-        convention: &Convention,
-        registration: Option<Registration>,
-    ) -> Option<LookupErrors> {
+    /// Signed errors at all places, and whether each lies between the outermost texels.
+    fn errors(&self, convention: &Convention, look: &Look) -> Vec<(f64, bool)> {
         let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
-        let positions: Vec<Vec<f64>> = convention
-            .axes
-            .iter()
-            .enumerate()
-            .map(|(k, axis)| {
-                let n = audited.size[k];
-                self.coordinates[k]
-                    .iter()
-                    .map(|x| axis.position(*x, n, registration.unwrap_or(axis.registration)))
-                    .collect()
-            })
-            .collect();
-        let values = &audited.channels[channel].values;
+        let position = |(k, axis): (usize, &AxisReading)| -> Vec<f64> {
+            let registration = look.registration.unwrap_or(axis.registration);
+            self.coordinates[k].iter().map(|x| axis.position(*x, look.size[k], registration)).collect()
+        };
+        let positions: Vec<Vec<f64>> = convention.axes.iter().enumerate().map(position).collect();
         let one = |i: usize| {
             let at: Vec<f64> = place(i, &dims).iter().zip(&positions).map(|(k, p)| p[*k]).collect();
-            let inner = at.iter().zip(&audited.size).all(|(p, n)| *p > 0.0 && *p < (n - 1) as f64);
-            (fetch(values, &audited.size, &at) - column.value(self.base[i]), inner)
+            let inner = at.iter().zip(look.size).all(|(p, n)| *p > 0.0 && *p < (n - 1) as f64);
+            (fetch(look.values, look.size, &at) - look.column.value(self.base[i]), inner)
         };
-        let errors: Vec<(f64, bool)> = (0..self.base.len()).into_par_iter().map(one).collect();
-        let worst =
-            (0..errors.len()).reduce(|a, b| if errors[b].0.abs() > errors[a].0.abs() { b } else { a })?;
-        let n = errors.len() as f64;
-        Some(LookupErrors {
-            max: errors[worst].0.abs(),
-            at: self.place(worst, convention),
-            rms: (errors.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt(),
-            mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
-            inner: errors.iter().filter(|e| e.1).map(|e| e.0.abs()).fold(0.0, f64::max),
-        })
+        (0..self.base.len()).into_par_iter().map(one).collect()
+    }
+
+    fn coordinates_of(&self, i: usize) -> Vec<f64> {
+        let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
+        place(i, &dims).iter().zip(&self.coordinates).map(|(k, list)| list[*k]).collect()
     }
 
     fn place(&self, i: usize, convention: &Convention) -> Place {
@@ -117,6 +199,22 @@ impl Points {
         let named = convention.axes.iter().enumerate();
         named.map(|(k, a)| (a.scale.input().name().to_string(), self.inputs[k][places[k]])).collect()
     }
+}
+
+/// The lookup of f0 A + B at the worst f0 in [0, 1], of a table of A and B: it is linear in f0, so that
+/// the worst is that of B or that of their sum.
+pub(super) fn blended(
+    points: &Points,
+    table: &AuditedTable,
+    convention: &Convention,
+) -> Result<Option<LookupErrors>, AuditError> {
+    let channel = |wanted: Column| convention.columns.iter().position(|c| *c == Some(wanted));
+    let (Some(a), Some(b)) = (channel(Column::A), channel(Column::B)) else { return Ok(None) };
+    let [a, b] = [a, b].map(|k| &table.channels[k].values);
+    let sum: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + b).collect();
+    let look = |values, column| Look { size: &table.size, values, column, registration: None };
+    let [bias, all] = [look(b, Column::B), look(&sum, Column::E)].map(|look| points.errors(&look));
+    Ok(bias?.into_iter().chain(all?).reduce(|x, y| if y.max > x.max { y } else { x }))
 }
 
 /// Linear interpolation at a position in texels.

@@ -8,6 +8,7 @@
 //! beside the spread of the truth ([`FITS`]); it is *in no doubt* if the next convention ranks
 //! [`CLEAR`] times worse.
 
+mod apart;
 mod arguments;
 mod axis;
 mod column;
@@ -20,10 +21,13 @@ mod errors;
 mod found;
 mod function;
 mod judge;
+mod lobe;
 mod lookup;
 mod page;
 mod plain;
+mod preferred;
 mod sample;
+mod scan;
 mod screen;
 mod table;
 mod truth;
@@ -32,30 +36,30 @@ mod verdict;
 
 pub use crate::foreign::Channel;
 pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale};
-pub use column::Column;
-pub use convention::{Convention, Fixed, Misfit};
+pub use column::{Base, Column};
+pub use convention::{Convention, Fixed, LEFT_OUT, Misfit};
 pub use declared::{Declared, Held, declared, declared_findings};
 pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;
-pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
+pub use found::{Audit, ChannelAudit, Fit, Furnace, Other, Tried};
 pub use function::{sampled, sampled_inverse};
+pub use lobe::{FORMS, Form, Lobe};
 pub use lookup::LookupErrors;
 pub use page::findings;
 pub use plain::Plain;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
-pub use truth::Lobe;
 pub use two_lobes::TwoLobes;
-pub use verdict::limit_judged;
 pub(crate) use verdict::place;
+pub use verdict::{Grade, Verdict};
 
 use defects::grain;
 use errors::Residuals;
 use judge::judge;
-use lobefit::data::{Place, Smith};
+use lobefit::data::Place;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
-use lookup::Points;
+use lookup::{Look, Points};
 use sample::{Candidate, Sample};
 use truth::Truth;
 
@@ -80,12 +84,21 @@ const TOLD: usize = 10;
 const SIEVE: [usize; 2] = [10, 6];
 const QUICK_ROUND: [usize; 2] = [24, 12];
 const ROUND: [usize; 2] = [24, 9];
-const LAST: [usize; 2] = [4096, 16];
+const LAST: [usize; 2] = [128, 16];
 const WHOLE: [usize; 2] = [4096, 64];
 
 /// Most texels of a table of three axes that are all judged: every one is an integral of its own. A
 /// larger one is judged at 64 places along each axis, and passes no limit.
 pub const JUDGED_TEXELS: usize = 1 << 19;
+
+/// Most texels of a table of two axes of which all errors are held at once. Of a larger one a lattice
+/// is held, and the rest is looked through for the largest error.
+const HELD_TEXELS: usize = 1 << 20;
+const HELD_SIDE: usize = 256;
+
+/// Most texels that a page shows of a table of two axes; of more a lattice.
+const SHOWN_TEXELS: usize = 1 << 18;
+const SHOWN_SIDE: usize = 256;
 
 /// Conventions after the quick round.
 const QUICK_KEPT: [usize; 2] = [80, 12];
@@ -121,32 +134,114 @@ pub fn audit(
     fixed: &Fixed,
     progress: &dyn Fn(&str),
 ) -> Result<Audit, AuditError> {
-    let table = audited.checked()?;
+    let table = apart::with_sum(audited.checked()?, quantity, fixed);
     let live = table.live(fixed.meanings.as_ref().map(Vec::len))?;
-    progress("truth");
-    let truth = &truth_of(&table, quantity, fixed)?;
-    check_axes(&table, truth)?;
-    fixed.check(truth, table.size.len(), live.len())?;
-    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
-    let roles = table.axes.iter().map(role).collect();
-    let sampled =
-        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
-    let tried = if table.source == Source::Function { &sampled } else { fixed };
-    let (found, sieved) = candidates(truth, &table, &live, tried, progress)?;
-    progress("errors under the best convention");
-    let mut done = finish(truth, &table, &live, fixed, &found, None)?;
+    let case = Case { table: &table, live: &live, fixed, progress };
+    let Best { truth, audit: mut done, found, sieved, tried } = best(&case, quantity)?;
     let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
     let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
-        if let Some((found, parts)) = of_two_lobes(truth, &table, &live, fixed, [found, sieved])? {
-            done = finish(truth, &table, &live, fixed, &found, Some(parts))?;
+        if let Some((found, parts)) = of_two_lobes(&truth, &table, &live, fixed, [found, sieved])? {
+            done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
-    if let Some(told) = encoded::srgb(truth, &table, &live, tried, &done)? {
-        done.verdict = format!("{} {told}", done.verdict);
+    let done = apart::with_others(done, &case, quantity)?;
+    let told = encoded::told(&truth, &table, &live, &tried, &done)?;
+    let remarks = done.remarks.iter().cloned().chain(told).collect();
+    Ok(Audit { remarks, ..done })
+}
+
+/// A table with what is known of it.
+struct Case<'a> {
+    table: &'a AuditedTable,
+    /// The channels that vary, by their place.
+    live: &'a [usize],
+    fixed: &'a Fixed,
+    progress: &'a dyn Fn(&str),
+}
+
+/// The best convention.
+struct Best<'a> {
+    truth: Truth<'a>,
+    audit: Audit,
+    found: Vec<Candidate>,
+    sieved: Vec<Candidate>,
+    /// What was left open.
+    tried: Fixed,
+}
+
+/// The best convention of the quantity's own lobes, and where those leave something to be explained,
+/// of the shadowings of others.
+fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'a>, AuditError> {
+    let Case { table, live, fixed, progress } = *case;
+    progress("truth");
+    let forms = forms(quantity, fixed)?;
+    let (own, others): (Vec<_>, Vec<_>) = forms.iter().partition(|form| form.integrand.is_none());
+    let truth = truth_of(table, quantity, fixed, if fixed.form.is_some() { &forms } else { &own })?;
+    check_axes(table, &truth)?;
+    fixed.check(&truth, table.size.len(), live.len())?;
+    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+    let roles = table.axes.iter().map(role).collect();
+    let sampled =
+        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
+    let tried = if table.source == Source::Function { sampled } else { fixed.clone() };
+    let case = &Case { fixed: &tried, ..*case };
+    progress("conventions on a few texels");
+    let class = usize::from(table.size.len() == 3);
+    let few = Sample::new(table, live, SIEVE[class], true);
+    let sieved = screen::screen(&truth, &few, &tried, &tried.lobes(&truth))?;
+    let found = candidates(&truth, case, sieved.clone())?;
+    progress("errors under the best convention");
+    let audit = finish(&truth, table, live, fixed, &found, None)?;
+    if fixed.form.is_some() || others.is_empty() || is_close(&audit) {
+        return Ok(Best { truth, audit, found, sieved, tried });
     }
-    Ok(done)
+    progress("other shadowings");
+    let all = truth_of(table, quantity, fixed, &forms)?;
+    let foreign = |lobe: &usize| all.lobes()[*lobe].form.integrand.is_some();
+    let lobes: Vec<usize> = (0..all.lobes().len()).filter(foreign).collect();
+    let mut others = candidates(&all, case, screen::screen(&all, &few, &tried, &lobes)?)?;
+    if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
+        return Ok(Best { truth, audit, found, sieved, tried });
+    }
+    let first = others.remove(0);
+    others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
+    let audit = finish(&all, table, live, fixed, &others, None)?;
+    Ok(Best { truth: all, audit, found: others, sieved, tried })
+}
+
+/// How many times better the shadowing of another than the quantity's variants must rank to be
+/// told.
+const BEYOND: f64 = 1.5;
+
+/// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
+/// by another shadowing: sampling noise and rounding leave less.
+const CLOSE: f64 = 4e-3;
+
+/// Whether every judged channel is so near to the truth that no other shadowing is looked for.
+fn is_close(done: &Audit) -> bool {
+    let spread = |c: &ChannelAudit| {
+        let ends = c
+            .truth
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(*t), high.max(*t)]);
+        ends[1] - ends[0]
+    };
+    let near = |c: &ChannelAudit| c.errors.as_ref().is_none_or(|e| e.rms <= CLOSE * spread(c));
+    done.fit == Fit::Whole && done.channels.iter().all(near)
+}
+
+/// The shadowing forms that may be meant, of a form that is given and that the quantity's variants
+/// do not have with the one that its name stands for, against which it is held.
+fn forms(quantity: &dyn Quantity, fixed: &Fixed) -> Result<Vec<&'static Form>, AuditError> {
+    let forms = Form::of(quantity);
+    match fixed.form {
+        Some(form) if forms.contains(&form) && form.integrand.is_some() => Ok(vec![form, forms[0]]),
+        Some(form) if forms.contains(&form) => Ok(vec![form]),
+        Some(form) => Err(no_form(quantity, form, &forms)),
+        None => Ok(forms),
+    }
 }
 
 /// The truth that the user asks for; only the lobes that may be meant are integrated.
@@ -154,15 +249,27 @@ fn truth_of<'a>(
     table: &AuditedTable,
     quantity: &'a dyn Quantity,
     fixed: &Fixed,
+    forms: &[&'static Form],
 ) -> Result<Truth<'a>, AuditError> {
-    let smiths: Vec<Smith> = fixed.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
     let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
-    let spec = truth::spec(quantity).ok_or_else(|| AuditError::Option {
+    // A table without an axis for the cosine may be of averages over it.
+    let own = truth::spec(quantity);
+    let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
+    let spec = mean.or(own).ok_or_else(|| AuditError::Option {
         option: "--as",
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
     })?;
-    Truth::new(spec, &smiths, &sides)
+    Ok(Truth::new(spec, forms, &sides)?.within(&fixed.domain))
+}
+
+fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {
+    let known = forms.iter().map(|f| f.word).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", ");
+    let reason = match known.as_str() {
+        "" => format!("{} has one shadowing form", quantity.name()),
+        known => format!("{} has {known}", quantity.name()),
+    };
+    AuditError::Option { option: "--smith", value: form.word.into(), reason }
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
@@ -194,13 +301,13 @@ fn of_two_lobes(
 ) -> Result<Option<(Vec<Candidate>, TwoLobes)>, AuditError> {
     let class = usize::from(table.size.len() == 3);
     let some = Sample::new(table, live, QUICK_ROUND[class], false);
-    let all = Sample::new(table, live, whole(&table.size), false);
+    let places = whole(truth, found[0].lobe, &table.size);
+    let all = Sample::new(table, live, places, false);
     let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
     let Some((candidate, parts)) = two_lobes::found(truth, [&some, &all], fixed, &sieved, best)? else {
         return Ok(None);
     };
-    let columns: Option<Vec<Column>> = candidate.fitted.columns.iter().copied().collect();
-    let fixed = Fixed { meanings: columns.or(fixed.meanings.clone()), ..fixed.clone() };
+    let fixed = Fixed { meanings: Some(candidate.fitted.columns.clone()), ..fixed.clone() };
     let last = Sample::new(table, live, LAST[class], false);
     let again = judge::rejudge(truth, &last, &fixed, vec![candidate], 1)?;
     if again.is_empty() {
@@ -210,21 +317,13 @@ fn of_two_lobes(
     Ok(Some(([again, found].concat(), parts)))
 }
 
-/// The conventions that fit best, no two of them alike but for clamps, and what the sieve let
-/// through.
-fn candidates(
-    truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
-    fixed: &Fixed,
-    progress: &dyn Fn(&str),
-) -> Result<(Vec<Candidate>, Vec<Candidate>), AuditError> {
+/// Of conventions that a sieve let through those that fit best, no two of them alike but for clamps.
+fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<Candidate>, AuditError> {
+    let Case { table, live, fixed, progress } = *case;
     let class = usize::from(table.size.len() == 3);
-    progress("conventions on a few texels");
-    let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), fixed)?;
     progress("the best conventions on more texels");
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
-    let found = judge::requick(truth, &more, fixed, sieved.clone(), QUICK_KEPT[class])?;
+    let found = judge::requick(truth, &more, fixed, sieved, QUICK_KEPT[class])?;
     let more = Sample::new(table, live, ROUND[class], false);
     let found = judge::rejudge(truth, &more, fixed, found, ROUND_KEPT[class])?;
     let mut clamped = Vec::new();
@@ -249,14 +348,18 @@ fn candidates(
             format!("no texel lies in the domain of {} under any convention tried", truth.quantity());
         return Err(AuditError::refused(&table.what, reason));
     }
-    Ok((distinct, sieved))
+    preferred::plain_first(truth, table, live, fixed, distinct)
 }
 
-/// Places along every axis at which the best convention is judged: all, but of a table of three
-/// axes that is too large for that.
-fn whole(size: &[usize]) -> usize {
-    let large = size.len() == 3 && size.iter().product::<usize>() > JUDGED_TEXELS;
-    if large { WHOLE[1] } else { usize::MAX }
+/// Places along every axis at which the best convention is judged: all, but of a table that is too
+/// large for that.
+fn whole(truth: &Truth, lobe: usize, size: &[usize]) -> usize {
+    let (most, places) = match size.len() {
+        _ if truth.is_costly(lobe) => (WHOLE[1] * WHOLE[1], WHOLE[1]),
+        3 => (JUDGED_TEXELS, WHOLE[1]),
+        _ => (HELD_TEXELS, HELD_SIDE),
+    };
+    if size.iter().product::<usize>() > most { places } else { usize::MAX }
 }
 
 fn finish(
@@ -268,8 +371,10 @@ fn finish(
     two_lobes: Option<TwoLobes>,
 ) -> Result<Audit, AuditError> {
     let class = usize::from(table.size.len() == 3);
-    let sample = Sample::new(table, live, whole(&table.size), false);
-    let (places, shown) = sample.thinned(WHOLE[class]);
+    let sample = Sample::new(table, live, whole(truth, found[0].lobe, &table.size), false);
+    let shown =
+        if sample.dims().iter().product::<usize>() > SHOWN_TEXELS { SHOWN_SIDE } else { WHOLE[class] };
+    let (places, shown) = sample.thinned(shown);
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
     let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
@@ -282,7 +387,8 @@ fn finish(
         let place = live.iter().position(|l| *l == k);
         let column = convention.columns[k];
         let (Some(place), Some(column)) = (place, column) else {
-            let constant = place.is_none().then_some(channel.values[0]);
+            let constant = place.is_none() && channel.values.iter().all(|v| *v == channel.values[0]);
+            let constant = constant.then_some(channel.values[0]);
             channels.push(ChannelAudit { constant, ..unjudged(&channel.name) });
             continue;
         };
@@ -296,10 +402,15 @@ fn finish(
             (Source::Function, None) => defects::of_function(&residuals),
         };
         let errors = residuals.figures(at);
+        let looked = |registration| -> Result<Option<LookupErrors>, AuditError> {
+            let look = Look { size: &table.size, values: &channel.values, column, registration };
+            Ok(points.as_ref().map(|p| p.errors(&look)).transpose()?.flatten())
+        };
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
             constant: None,
+            other: None,
             fit: if two_lobes.is_some() {
                 Fit::Part
             } else {
@@ -309,17 +420,20 @@ fn finish(
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
             defects,
-            lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
-            plain_lookup: points
-                .as_ref()
-                .and_then(|p| p.errors(table, k, column, &convention, Some(Registration::Centre))),
+            lookup: looked(None)?,
+            plain_lookup: looked(Some(Registration::Centre))?,
         });
     }
+    let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
+    scan::through(truth, (table, live), best, &mut channels)?;
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
-    let mut audit = Audit {
+    let departure = plain::departure(truth, table, live, best)?;
+    Ok(Audit {
         plain,
+        blend,
+        departure,
         what: table.what.clone(),
         quantity: truth.quantity(),
         source: table.source,
@@ -334,11 +448,9 @@ fn finish(
         channels,
         furnace,
         two_lobes,
-        truth_error: truth.bound(),
-        verdict: String::new(),
-    };
-    audit.verdict = verdict::paragraph(&audit);
-    Ok(audit)
+        truth_error: truth.bound(best.lobe),
+        remarks: Vec::new(),
+    })
 }
 
 /// Rank of the first that differs over that of the best: E at normal incidence is the same for both
@@ -362,6 +474,7 @@ fn unjudged(name: &str) -> ChannelAudit {
         name: name.into(),
         column: None,
         constant: None,
+        other: None,
         errors: None,
         fit: Fit::None,
         map: Vec::new(),
@@ -382,15 +495,14 @@ fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried
 
 fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
     let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
-    if errors.rms <= allowed * residuals.spread() {
+    // A truth without a bound at grazing view does not excuse what is wrong elsewhere.
+    let albedo = source == Source::Function && residuals.column.albedo(0.5) == Some(0.5);
+    let spread = residuals.spread().min(if albedo { 1.0 } else { f64::INFINITY });
+    if errors.rms <= allowed * spread {
         return Fit::Whole;
     }
     let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
-    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() {
-        Fit::Part
-    } else {
-        Fit::None
-    }
+    if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 
 /// The inputs of a texel.

@@ -23,7 +23,8 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         file: file.into(),
         holds: holds.into(),
         quantity: audit.quantity.into(),
-        verdict: audit.verdict.clone(),
+        verdict: audit.verdict(limit),
+        otherwise: None,
         fits: word(audit.fit).into(),
         max_error: audit.worst(),
         plain: audit.plain.as_ref().map(|p| AuditPlain {

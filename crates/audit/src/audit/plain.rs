@@ -1,15 +1,16 @@
 //! The plain reading of a table, without a word about it: it takes texels for centres (or for end
 //! points, where they lie about those), axes for rising ones, a roughness for a roughness and an
-//! average for an average. A table that is right only under another reading is wrong as it will be
+//! average for an average, the cosine for what runs along x, and the lobe for the one that the quantity's name stands for. A table that is right only under another reading is wrong as it will be
 //! used, unless the user says that it is meant so.
 
 use super::AuditError;
 use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
 use super::column::Column;
-use super::convention::{Convention, Fixed};
+use super::convention::{Convention, Fixed, meanings};
 use super::errors::Residuals;
 use super::judge::judge;
+use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
@@ -60,13 +61,39 @@ pub(super) fn plain(
             said.push((own.registration.words().to_string(), name.clone()));
         }
     }
+    let transposed = fixed.axes.is_none() && is_transposed(table.source, &convention.axes);
+    if transposed {
+        said.insert(0, ("alpha".into(), table.axes[0].clone()));
+        said.insert(1, ("mu".into(), table.axes[1].clone()));
+        let [first, second] = [read.axes[1], read.axes[0]];
+        read.axes = vec![first, second];
+    }
     let mut untold = along(&said);
-    if read.axes.iter().zip(&convention.axes).any(|(a, b)| (a.scale, a.reversed) != (b.scale, b.reversed)) {
+    let lobe = usual_lobe(truth, best.lobe);
+    if lobe != best.lobe && fixed.form.is_none() {
+        read.lobe = truth.lobes()[lobe];
+        untold.push(convention.lobe.form.words.into());
+        options.push(format!("--smith {}", convention.lobe.form.word));
+    }
+    let differs = |a: &AxisReading, b: &AxisReading| (a.scale, a.reversed) != (b.scale, b.reversed);
+    if read.axes.iter().zip(&convention.axes).any(|(a, b)| differs(a, b)) {
         let word = |a: &AxisReading| format!("{}{}", if a.reversed { "1-" } else { "" }, a.scale.name());
         options.push(format!("--axes {}", list(&convention.axes, word)));
     }
-    if read.axes.iter().zip(&convention.axes).any(|(a, b)| a.registration != b.registration) {
+    let shifted =
+        |a: &&AxisReading| fixed.registrations.is_none() && a.registration != a.registration.plain();
+    if table.source == Source::Table && convention.axes.iter().any(|a| shifted(&a)) {
         options.push(format!("--registration {}", list(&convention.axes, |a| a.registration.name().into())));
+    }
+    let at = |wanted: Column| convention.columns.iter().position(|c| *c == Some(wanted));
+    if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings)
+        && b < a
+        && table.source == Source::Table
+    {
+        read.columns.swap(a, b);
+        untold.push("B before A".into());
+        let held: Vec<Option<Column>> = live.iter().map(|k| convention.columns[*k]).collect();
+        options.push(format!("--meaning {}", meanings(&held)));
     }
     for column in
         read.columns.iter_mut().flatten().filter(|_| fixed.meanings.is_none() && fixed.column.is_none())
@@ -83,7 +110,8 @@ pub(super) fn plain(
     if untold.is_empty() {
         return Ok(None);
     }
-    let (max, judged) = worst(truth, table, live, best.lobe, &read)?;
+    let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
+    let (max, judged) = worst(truth, table, live, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
     Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max }))
 }
@@ -104,6 +132,36 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
     axis.reversed = gloss && axis.scale.input() == Input::Alpha;
 }
 
+/// The lobe that a quantity's name stands for, where the form of another has its own integrand.
+fn usual_lobe(truth: &Truth, own: usize) -> usize {
+    let lobes = truth.lobes();
+    let usual = |l: &Lobe| l.form.integrand.is_none() && l.side == lobes[own].side;
+    if usual(&lobes[own]) { own } else { lobes.iter().position(usual).unwrap_or(own) }
+}
+
+/// How far a table of a form that the quantity's variants do not have is from the one that its
+/// name stands for, otherwise read as it is best read; none of any other table.
+pub(super) fn departure(
+    truth: &Truth,
+    table: &AuditedTable,
+    live: &[usize],
+    best: &Candidate,
+) -> Result<Option<(Lobe, f64)>, AuditError> {
+    let lobe = usual_lobe(truth, best.lobe);
+    if lobe == best.lobe {
+        return Ok(None);
+    }
+    let convention = best.convention(truth, live, table.channels.len());
+    let (max, _) = worst(truth, table, live, lobe, &convention)?;
+    Ok(Some((truth.lobes()[lobe], max)))
+}
+
+/// Whether a table of two axes has the cosine along y: a split sum is looked up at (mu, roughness).
+fn is_transposed(source: Source, axes: &[AxisReading]) -> bool {
+    let inputs: Vec<Input> = axes.iter().map(|a| a.scale.input()).collect();
+    source == Source::Table && inputs == [Input::Alpha, Input::Mu]
+}
+
 /// Largest error of any judged channel under a reading, and how many texels were judged.
 fn worst(
     truth: &Truth,
@@ -112,8 +170,9 @@ fn worst(
     lobe: usize,
     read: &Convention,
 ) -> Result<(f64, usize), AuditError> {
-    let whole = super::whole(&table.size);
-    let sample = Sample::new(table, live, if whole == usize::MAX { whole } else { PLACES }, false);
+    let whole = super::whole(truth, lobe, &table.size);
+    let solid = whole != usize::MAX && table.size.len() == 3;
+    let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe)?;
     let mut worst: Option<f64> = None;
     for (place, k) in live.iter().enumerate() {

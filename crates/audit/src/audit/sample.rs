@@ -31,6 +31,21 @@ impl Sample {
         Sample { size: audited.size.clone(), values: live.iter().map(of).collect(), at }
     }
 
+    /// Some of the rows of a table of two axes, and all of its columns.
+    pub(super) fn rows(audited: &AuditedTable, live: &[usize], rows: std::ops::Range<usize>) -> Sample {
+        let width = audited.size[0];
+        let of = |c: &usize| audited.channels[*c].values[rows.start * width..rows.end * width].to_vec();
+        let values = live.iter().map(of).collect();
+        Sample { size: audited.size.clone(), values, at: vec![(0..width).collect(), rows.collect()] }
+    }
+
+    /// One texel.
+    pub(super) fn one(audited: &AuditedTable, live: &[usize], texel: &[usize]) -> Sample {
+        let i = flat(texel, &audited.size);
+        let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
+        Sample { size: audited.size.clone(), values, at: texel.iter().map(|k| vec![*k]).collect() }
+    }
+
     /// Places along every axis.
     pub(super) fn dims(&self) -> Vec<usize> {
         self.at.iter().map(Vec::len).collect()
@@ -105,18 +120,58 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
 }
 
 /// Which texels of a sample lie where the truth can be had.
-pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading]) -> Vec<bool> {
+pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe: usize) -> Vec<bool> {
     let along: Vec<Vec<bool>> = axes
         .iter()
         .enumerate()
         .map(|(axis, reading)| {
             let input = reading.scale.input();
-            sample.nodes(axis, reading).iter().map(|x| truth.judges(input, *x)).collect()
+            sample.nodes(axis, reading).iter().map(|x| truth.judges(lobe, input, *x)).collect()
         })
         .collect();
     let dims = sample.dims();
     let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
     (0..dims.iter().product()).map(all).collect()
+}
+
+/// A reading of an argument of a function under which fewer than one place in this many is judged
+/// is no reading of it.
+const LEAST_OF_ARGUMENT: usize = 8;
+
+/// Which texels of a sample of a function are judged under every reading of its arguments, so that
+/// all are ranked on the same points; nothing where too few are, as in a narrow domain, which lies
+/// elsewhere under every reading, and nothing of a table, whose readings tell by what they leave out.
+pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed, lobe: usize) -> Option<Vec<bool>> {
+    fixed.roles.as_ref()?;
+    let along = |axis: usize| -> Vec<bool> {
+        let mut all = vec![true; sample.at[axis].len()];
+        for input in truth.inputs() {
+            for reading in fixed.readings(axis, *input) {
+                let nodes = sample.nodes(axis, &reading);
+                let own: Vec<bool> = nodes.iter().map(|x| truth.judges(lobe, *input, *x)).collect();
+                if own.iter().filter(|o| **o).count() * LEAST_OF_ARGUMENT >= own.len() {
+                    all.iter_mut().zip(own).for_each(|(all, own)| *all &= own);
+                }
+            }
+        }
+        all
+    };
+    let along: Vec<Vec<bool>> = (0..sample.at.len()).map(along).collect();
+    let dims = sample.dims();
+    let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
+    let mask: Vec<bool> = (0..dims.iter().product()).map(all).collect();
+    let few = mask.iter().filter(|m| **m).count() * LEAST_OF_ARGUMENT < mask.len();
+    (!few).then_some(mask)
+}
+
+/// What is judged under a reading as it is ranked: all that is shared, or nothing where the reading
+/// leaves out a part of it.
+pub(super) fn ranked(own: Vec<bool>, shared: Option<&Vec<bool>>) -> Vec<bool> {
+    match shared {
+        Some(shared) if shared.iter().zip(&own).all(|(shared, own)| !shared || *own) => shared.clone(),
+        Some(shared) => vec![false; shared.len()],
+        None => own,
+    }
 }
 
 /// What the channels hold, and how well that fits.
@@ -146,7 +201,8 @@ pub(super) fn fit_columns(
 ) -> Option<Fitted> {
     let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
     let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
-    if texels.is_empty() || fixed.axes.is_none() && texels.len() * LEAST_SHARE < base.len() {
+    let few = fixed.axes.is_none() && fixed.roles.is_none() && texels.len() * LEAST_SHARE < base.len();
+    if texels.is_empty() || few {
         return None;
     }
     let misfit = |channel: &[f64], column: Column| {
@@ -176,7 +232,7 @@ pub(super) fn fit_columns(
             best
         };
         match (&fixed.meanings, fixed.column) {
-            (Some(given), _) => least(&given[k..=k]),
+            (Some(given), _) => given[k].and_then(|column| least(&[column])),
             (None, Some(column)) => least(&[column]),
             (None, None) => {
                 let (fixed, plain): (Vec<Column>, Vec<Column>) = columns.iter().partition(|c| c.is_fixed());
@@ -200,6 +256,9 @@ pub(super) fn fit_columns(
     let product = ranks.iter().fold(1.0, |p: f64, r| p * r);
     // A reading that takes texels out of the domain must not gain by it.
     let share = texels.len() as f64 / base.len() as f64;
+    let open = fixed.meanings.is_none() && fixed.column.is_none();
+    let rare = fits.iter().flatten().filter(|(column, _)| open && column.is_rare()).count();
+    let share = share / (CLEAR * rare as f64).max(1.0);
     let rank = lobefit_math::ops::pow(product, 1.0 / ranks.len().max(1) as f64) / share;
     let (columns, misfits) = (fits.iter().map(|f| f.map(|f| f.0)), fits.iter().map(|f| f.map(|f| f.1)));
     Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank, texels: texels.len() })

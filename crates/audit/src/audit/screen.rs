@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input, Registration, Scale};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::sample::{Candidate, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::truth::Truth;
 
 /// Conventions that a sieve lets through.
@@ -20,9 +20,16 @@ const KEPT: usize = 300;
 const COORDINATES: usize = 6;
 const COORDINATES_OF_ALL: usize = 120;
 
-/// The most promising conventions, the best first.
-pub(super) fn screen(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Result<Vec<Candidate>, AuditError> {
+/// The most promising conventions of some lobes, the best first. Of three axes, and of the shadowings
+/// of others, first the coordinates are chosen and then the registrations.
+pub(super) fn screen(
+    truth: &Truth,
+    sample: &Sample,
+    fixed: &Fixed,
+    lobes: &[usize],
+) -> Result<Vec<Candidate>, AuditError> {
     let axes = sample.size.len();
+    let at_once = axes < 3 && lobes.iter().all(|lobe| truth.lobes()[*lobe].form.integrand.is_none());
     let (mut found, mut rough) = (Vec::new(), Vec::new());
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
@@ -30,16 +37,16 @@ pub(super) fn screen(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Result<Ve
         if readings.iter().any(Vec::is_empty) {
             continue;
         }
-        for lobe in fixed.lobes(truth) {
-            let task = Task { truth, sample, fixed, assigned: &assigned, lobe };
-            if axes < 3 {
+        for lobe in lobes {
+            let task = Task { truth, sample, fixed, assigned: &assigned, lobe: *lobe };
+            if at_once {
                 found = best([found, task.product(&readings)?].concat(), KEPT);
             } else {
                 rough.push(task.coordinates(&readings)?);
             }
         }
     }
-    if axes < 3 { Ok(found) } else { sited(truth, sample, fixed, rough) }
+    if at_once { Ok(found) } else { sited(truth, sample, fixed, rough) }
 }
 
 /// The best choices of coordinates with every registration: `rough` has those of each order of axes
@@ -111,6 +118,7 @@ impl Task<'_> {
         let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
         let steps = steps(&lengths, self.assigned);
         let combinations: usize = readings.iter().map(Vec::len).product();
+        let shared = shared(self.truth, self.sample, self.fixed, self.lobe);
         let one = |index: usize| {
             let (mut rest, mut start) = (index, 0);
             let mut axes = vec![readings[0][0]; self.assigned.len()];
@@ -120,7 +128,7 @@ impl Task<'_> {
                 start += steps[*axis] * guess * dims[*axis];
                 axes[*axis] = list[guess];
             }
-            let judged = judged(self.truth, self.sample, &axes);
+            let judged = ranked(judged(self.truth, self.sample, &axes, self.lobe), shared.as_ref());
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
             let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })

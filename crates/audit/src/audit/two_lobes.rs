@@ -7,8 +7,9 @@ use rayon::prelude::*;
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
 use super::judge::{Judgement, judge, quickly};
+use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
-use super::truth::{Lobe, Truth};
+use super::truth::Truth;
 use super::{AuditError, FITS};
 
 /// The root mean square must be this many times less with two lobes than that of the best with one
@@ -53,7 +54,7 @@ pub(super) fn found(
     let lobes = fixed.lobes(truth);
     let pairs = tried.iter().flat_map(|candidate| {
         let own = candidate.lobe;
-        let others = lobes.iter().copied().filter(move |l| *l != own && same_side(truth, *l, own));
+        let others = lobes.iter().copied().filter(move |l| *l != own && may_change(truth, *l, own));
         others.map(move |other| (candidate, [own, other]))
     });
     let pairs: Vec<(&Candidate, [usize; 2])> = pairs.collect();
@@ -89,8 +90,11 @@ pub(super) fn found(
     Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, two_lobes)))
 }
 
-fn same_side(truth: &Truth, a: usize, b: usize) -> bool {
-    truth.lobes()[a].side == truth.lobes()[b].side
+/// Whether two lobes are of one side and of the quantity's own forms: nobody changes Schlick's for
+/// another.
+fn may_change(truth: &Truth, a: usize, b: usize) -> bool {
+    let [a, b] = [a, b].map(|lobe| truth.lobes()[lobe]);
+    a.side == b.side && a.form.integrand.is_none() && b.form.integrand.is_none()
 }
 
 /// First and last index along every axis.

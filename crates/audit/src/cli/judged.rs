@@ -27,6 +27,6 @@ pub(super) fn judged(
 
 /// The one that could be made, with why the other could not.
 fn noted(mut made: Audit, given: &str, error: &AuditError) -> Audit {
-    made.verdict = format!("{} Given {given} for its index it cannot be judged: {error}.", made.verdict);
+    made.remarks.push(format!("Given {given} for its index it cannot be judged: {error}."));
     made
 }

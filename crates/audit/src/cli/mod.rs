@@ -1,5 +1,6 @@
 //! `lobefit audit`: somebody else's table or shader function against the truth.
 
+mod furnace;
 mod judged;
 mod origin;
 mod refusal;
@@ -13,19 +14,18 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Registration, Scale};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
 use crate::cost;
 use crate::foreign::{self, Hints, RawFormat};
-use crate::report::{self, AuditFindings};
+use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
-use lobefit::cli::options::{ThreadsOption, not_negative, smith};
+use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
-use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, raw_format, registration, setting, side, size, wanted};
+use words::{Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -39,9 +39,11 @@ Examples:
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
+--smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
+of sheen neubelt, estevez-kulla.
 
 Exit codes:
-  0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, \"Do not ship it\" too,
+  0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, FAIL and UNKNOWN too,
      but for the two cases of 1
   1  with --limit: over it, not all judged, or no convention fits; without --limit: no convention fits that options (--axes,
      --registration, --smith, --side, --meaning) leave open, or
@@ -51,14 +53,15 @@ Exit codes:
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them, where it claims something: the verdict says what its axes cover
-beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
-roughness and E at normal incidence for an average are over it unless options say that they are meant.";
+beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall or are
+transposed (the cosine along y), powers of roughness, B before A, E at normal incidence for an average, and another shadowing than the
+quantity's own are over it unless options say that they are meant.";
 
 /// Measure a table or shader function that somebody ships against the truth
 #[derive(Parser)]
 #[command(name = "lobefit audit", bin_name = "lobefit audit", version, after_help = EXAMPLES)]
 struct Options {
-    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL)
+    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL, HLSL)
     pub file: PathBuf,
     /// Quantity that it is measured as, and the column that is asked for
     #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
@@ -69,15 +72,18 @@ struct Options {
     /// Where texels lie, of all axes or of each
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
     pub registration: Vec<Registration>,
-    /// Shadowing form: `correlated` or `separable`
-    #[arg(long, value_name = "S", value_parser = smith)]
-    pub smith: Option<Smith>,
+    /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
+    #[arg(long, value_name = "S", value_parser = form)]
+    pub smith: Option<&'static Form>,
     /// Where the ray comes from, of glass: `outside` or `inside`
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
-    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
     #[arg(long, value_name = "M,..", value_delimiter = ',')]
     pub meaning: Vec<String>,
+    /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
+    #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
+    pub clamp: Vec<(Input, f64)>,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -90,15 +96,24 @@ struct Options {
     /// Name of the array in a text
     #[arg(long, value_name = "NAME")]
     pub symbol: Option<String>,
-    /// Name of the layer of an EXR file
+    /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
-    /// Function of a shader
+    /// Function of a shader; `name(float, vec3)` where several have that name
     #[arg(long, value_name = "NAME")]
     pub function: Option<String>,
-    /// Value of an argument that is no input
+    /// Macro of a shader's preprocessor
+    #[arg(long, value_name = "NAME[=VALUE]")]
+    pub define: Vec<String>,
+    /// Folder that a shader may include files from, or a file that stands before it
+    #[arg(long, value_name = "DIR")]
+    pub include: Vec<PathBuf>,
+    /// Value of an argument that is no input; a vector or a structure may be set by its name
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
+    /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`
+    #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
+    pub domain: Vec<(Input, [f64; 2])>,
     /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use
     #[arg(long)]
     pub isa: bool,
@@ -133,8 +148,14 @@ struct Read {
     note: String,
 }
 
-/// Runs the verb on its arguments (the first is the program's name).
+/// Runs the verb on its arguments (the first is the program's name), or the verb `furnace` if it
+/// follows.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let mut arguments: Vec<OsString> = arguments.into_iter().collect();
+    if arguments.get(1).is_some_and(|word| word == "furnace") {
+        arguments.remove(1);
+        return furnace::run(arguments);
+    }
     match Options::try_parse_from(arguments) {
         Ok(options) => output::finish(verb(&options)),
         Err(usage) => output::usage(&usage),
@@ -164,7 +185,6 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
             &holds,
             options.limit,
         );
-        let found = AuditFindings { verdict: stated::with_limit(found.verdict, options.limit), ..found };
         return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
     }
     let (own, quantity) = (fixed(options)?, options.wanted.0);
@@ -173,25 +193,27 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
             .threads
             .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
     };
-    let mut done = judge(&own)?;
-    if let Some(said) = &said {
-        done.verdict = format!("{} Without its statement: {}", said.verdict, done.verdict);
-    }
+    let done = judge(&own)?;
+    let otherwise = |without: &str, audit: &Audit| AuditOtherwise {
+        without: without.into(),
+        verdict: audit.verdict(options.limit),
+    };
+    let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
-        let free = judge(&Fixed { column: options.wanted.1, ..Fixed::default() })?;
-        done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
+        let domain = own.domain.clone();
+        let free = judge(&Fixed { column: options.wanted.1, domain, ..Fixed::default() })?;
+        beside = Some(otherwise("those options", &free));
     }
     let priced = function.filter(|_| options.isa);
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
     let cost = priced.map(price).transpose()?;
     drop(progress);
-    if let Some(limit) = options.limit {
-        done.verdict = format!("{} {}", done.verdict, audit::limit_judged(&done, limit));
-    }
     let origin = origin::origin(options, &bytes);
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let found = AuditFindings { passed: found.passed && said.is_none(), cost, ..found };
+    let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
+    let passed = found.passed && said.is_none();
+    let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
     let refused = match &said {
         Some(said) => refusal::of_stated(said, options.limit),
         None => refusal::refusal(&done, options.limit),
@@ -229,7 +251,8 @@ fn publish(
         print(&figures)?;
     } else if !options.quiet {
         let cost = found.cost.as_ref().map_or_else(String::new, |cost| format!("\n{}", cost.text()));
-        print(format!("{}\n{cost}", found.verdict).as_bytes())?;
+        let beside = found.otherwise.as_ref().map_or_else(String::new, AuditOtherwise::text);
+        print(format!("{}\n{beside}{cost}", found.verdict).as_bytes())?;
     }
     if found.passed {
         return Ok(Outcome::Done);
@@ -245,7 +268,10 @@ fn options_fit_nothing(done: &Audit) -> bool {
 }
 
 /// Extensions of shaders.
-const SHADERS: [&str; 8] = ["wgsl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh"];
+const SHADERS: [&str; 14] = [
+    "wgsl", "wesl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh", "hlsl", "hlsli", "usf", "ush",
+    "slang",
+];
 
 fn is_shader(options: &Options) -> bool {
     let extension = options.file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
@@ -266,7 +292,13 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
         ];
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
-        let given = [("--set", !options.set.is_empty()), ("--isa", options.isa)];
+        let given = [
+            ("--set", !options.set.is_empty()),
+            ("--isa", options.isa),
+            ("--domain", !options.domain.is_empty()),
+            ("--define", !options.define.is_empty()),
+            ("--include", !options.include.is_empty()),
+        ];
         ("a table", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     };
     let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
@@ -282,13 +314,13 @@ const NAMED: usize = 4;
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
-    let functions = foreign::read_functions(bytes, &file, options.function.as_deref())?;
+    let functions = foreign::read_functions(bytes, &file, options.function.as_deref(), &around(options))?;
     if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
         let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
         let others = function.left_out.len() - names.len();
         let others = if others > 0 { format!(" and {others} others") } else { String::new() };
         let names = names.join(", ");
-        say(&format!("{file}: left out, since they read textures or cannot be parsed: {names}{others}"));
+        say(&format!("{file}: left out, since they read textures or cannot be read: {names}{others}"));
     }
     let inputs = inputs(options);
     let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
@@ -300,7 +332,7 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
             Err(error) => refused = refused.or(Some(error)),
         }
     }
-    let names: Vec<&str> = found.iter().map(|f| f.0.what.as_str()).collect();
+    let names: Vec<&str> = found.iter().map(|f| f.1.signature.as_str()).collect();
     let names = names.join("`, `");
     match (found.len(), refused) {
         (0, Some(error)) => Err(error.into()),
@@ -329,6 +361,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
     let mut table = chosen(options, &tables)?.clone();
+    grouped(options, &table);
     let mut what = named(options, &table.name);
     if let Some(beside) = &beside {
         match beside.named(&table) {
@@ -338,6 +371,19 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     }
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
     Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
+}
+
+/// Says how many channels a stated size makes of a list that states none.
+fn grouped(options: &Options, table: &foreign::ForeignTable) {
+    let listed = ["array", "raw"].iter().any(|kind| table.what.starts_with(kind));
+    let count = table.channels.len();
+    if listed && count > 1 && options.size.is_some() && options.channels.is_none() && !options.quiet {
+        let (file, values) = (file_name(options), count * table.texels());
+        say(&format!(
+            "{file}: its {values} values are {} texels of {count} channels in the size that is given; --channels states another number",
+            table.texels()
+        ));
+    }
 }
 
 /// Inputs of the quantity.
@@ -379,18 +425,23 @@ fn hints(options: &Options) -> Hints {
 }
 
 fn fixed(options: &Options) -> Result<Fixed, CliError> {
-    let given =
-        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
-    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    let meaning = |word: &String| match word.as_str() {
+        LEFT_OUT => Ok(None),
+        word => column(options.wanted.0, word).map(Some),
+    };
+    let meanings: Vec<Option<Column>> =
+        options.meaning.iter().map(meaning).collect::<Result<_, String>>().map_err(CliError::Usage)?;
     Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
         registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
-        smith: options.smith,
+        form: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
+        floors: options.clamp.clone(),
         roles: None,
         inverse: false,
+        domain: options.domain.clone(),
     })
 }
 
@@ -401,4 +452,9 @@ fn file_name(options: &Options) -> String {
 /// The file's name with the array's: verdicts depend on no folder.
 fn named(options: &Options, array: &str) -> String {
     if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
+}
+
+/// What stands around a shader file.
+fn around(options: &Options) -> foreign::Surroundings {
+    foreign::Surroundings { defines: options.define.clone(), includes: options.include.clone() }
 }

@@ -26,9 +26,10 @@ fn command(options: &Options) -> String {
         ("--as", Some(format!("{}{column}", quantity.name()))),
         ("--axes", list(options.axes.iter().map(axis).collect())),
         ("--registration", list(options.registration.iter().map(|s| s.name().into()).collect())),
-        ("--smith", options.smith.map(|s| s.name().into())),
+        ("--smith", options.smith.map(|form| form.word.into())),
         ("--side", options.side.map(|s| s.name().into())),
         ("--meaning", list(options.meaning.clone())),
+        ("--clamp", list(options.clamp.iter().map(|(input, x)| format!("{}={x}", input.name())).collect())),
         ("--size", options.size.as_ref().map(size)),
         ("--channels", options.channels.map(|n| n.to_string())),
         ("--raw-format", options.raw_format.map(|f| f.name().into())),
@@ -43,6 +44,12 @@ fn command(options: &Options) -> String {
     words.extend(
         options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
     );
+    let named = |option: &str, value: &str| format!("{option} {}", quoted(value));
+    let range =
+        |(input, [low, high]): &(crate::audit::Input, [f64; 2])| format!("{}={low}..{high}", input.name());
+    words.extend(options.domain.iter().map(|d| named("--domain", &range(d))));
+    words.extend(options.define.iter().map(|d| named("--define", d)));
+    words.extend(options.include.iter().map(|i| named("--include", &i.display().to_string())));
     words.extend(options.isa.then(|| "--isa".to_owned()));
     words.extend(options.limit.map(|l| format!("--limit {l}")));
     words.join(" ")
@@ -50,7 +57,7 @@ fn command(options: &Options) -> String {
 
 /// A word as a shell takes it: in single quotes where it holds anything but letters, digits and
 /// harmless signs.
-fn quoted(word: &str) -> String {
+pub(super) fn quoted(word: &str) -> String {
     let harmless = |c: char| c.is_alphanumeric() || "-_./:,=+%@".contains(c);
     if !word.is_empty() && word.chars().all(harmless) {
         word.into()

@@ -18,7 +18,8 @@ pub(super) fn stated(
         || !options.registration.is_empty()
         || options.smith.is_some()
         || options.side.is_some()
-        || !options.meaning.is_empty();
+        || !options.meaning.is_empty()
+        || !options.clamp.is_empty();
     if note.is_empty() || asked {
         return Ok(None);
     }
@@ -37,15 +38,5 @@ pub(super) fn stated(
             Ok(None)
         }
         Err(error) => Err(error.into()),
-    }
-}
-
-/// The verdict with where the limit was judged, if one was given.
-pub(super) fn with_limit(verdict: String, limit: Option<f64>) -> String {
-    match limit {
-        Some(limit) => {
-            format!("{verdict} The limit {limit} is judged at those lookups, at texels and between them.")
-        }
-        None => verdict,
     }
 }

@@ -1,6 +1,6 @@
 //! The words of the options.
 
-use crate::audit::{Column, REGISTRATIONS, Registration, SCALES, Scale};
+use crate::audit::{Column, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -16,6 +16,30 @@ pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
         Ok(x) if x.is_finite() && !name.is_empty() => Ok((name.into(), x)),
         _ => Err("a name and a finite number are called for".into()),
     }
+}
+
+/// The range of an input.
+pub(super) fn range(text: &str) -> Result<(Input, [f64; 2]), String> {
+    let called_for = || "INPUT=LOW..HIGH is called for, as mu=0.01..1";
+    let (name, range) = text.split_once('=').ok_or_else(called_for)?;
+    let (low, high) = range.split_once("..").ok_or_else(called_for)?;
+    let inputs = [Input::Alpha, Input::Mu, Input::Ior, Input::Anisotropy];
+    let input = inputs
+        .into_iter()
+        .find(|input| input.name() == name)
+        .ok_or_else(|| format!("no such input; they are {}", inputs.map(Input::name).join(", ")))?;
+    match (low.parse::<f64>(), high.parse::<f64>()) {
+        (Ok(low), Ok(high)) if low < high && high.is_finite() => Ok((input, [low, high])),
+        _ => Err(called_for().into()),
+    }
+}
+
+/// The clamp of an input.
+pub(super) fn floor(text: &str) -> Result<(Input, f64), String> {
+    let (name, value) = setting(text)?;
+    let input = [Input::Alpha, Input::Mu, Input::Ior].into_iter().find(|input| input.name() == name);
+    let input = input.ok_or("alpha, mu or ior is called for")?;
+    if value >= 0.0 { Ok((input, value)) } else { Err("a clamp is no negative number".into()) }
 }
 
 pub(super) fn wanted(text: &str) -> Result<(&'static dyn Quantity, Option<Column>), String> {
@@ -61,6 +85,13 @@ pub(super) fn registration(text: &str) -> Result<Registration, String> {
     REGISTRATIONS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
         let names: Vec<&str> = REGISTRATIONS.iter().map(|s| s.name()).collect();
         format!("no such registration; they are {}", names.join(", "))
+    })
+}
+
+pub(super) fn form(text: &str) -> Result<&'static Form, String> {
+    Form::find(text).ok_or_else(|| {
+        let words: Vec<&str> = FORMS.iter().map(|form| form.word).collect();
+        format!("no such shadowing form; they are {}", words.join(", "))
     })
 }
 

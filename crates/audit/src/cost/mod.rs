@@ -35,7 +35,7 @@ pub fn cost(
 ) -> Result<AuditCost, CliError> {
     let served = served::served(audit);
     let ours = match served {
-        Some(served) => ours::formulas(served, audit.best().lobe.smith, progress)?,
+        Some(served) => ours::formulas(served, audit.best().lobe.form.smith, progress)?,
         None => Vec::new(),
     };
     let axes = || audit.best().axes.iter().map(|axis| axis.scale.input().name());

@@ -20,6 +20,16 @@ pub const LINE_MAX: usize = 128;
 pub const SIDE_MIN: usize = 8;
 /// Largest shader source, bytes.
 pub const SHADER: usize = 1 << 20;
+/// Most bytes of a shader source with the files that it includes.
+pub const INCLUDED: usize = 8 << 20;
+/// Most functions of a shader source that are read where none is named.
+pub const FUNCTIONS: usize = 1024;
+/// Deepest include file inside another.
+pub const INCLUDE_DEPTH: usize = 32;
+/// Most files that imports are looked for in.
+pub const MODULES: usize = 4096;
+/// Most tokens that macros make.
+pub const MACRO_TOKENS: usize = 1 << 18;
 /// Deepest expression of a shader source: operators and brackets on the way to a term.
 pub const NESTING: usize = 1024;
 /// Most scalars of a variable of a shader.

@@ -7,9 +7,12 @@ use super::{ForeignError, ForeignTable, Hints, RawFormat, Spot, limits, text};
 /// What is said of a file without bytes.
 pub(super) const EMPTY: &str = "the file is empty";
 
+/// First bytes of an EXR file.
+const EXR_MAGIC: &[u8] = b"\x76\x2f\x31\x01";
+
 /// First bytes of known formats.
 const MAGIC: [(&[u8], Kind); 12] = [
-    (b"\x76\x2f\x31\x01", Kind::Exr),
+    (EXR_MAGIC, Kind::Exr),
     (b"DDS ", Kind::Dds),
     (b"\xabKTX 20\xbb\r\n\x1a\n", Kind::Ktx2),
     (b"\x89PNG\r\n\x1a\n", Kind::Png),
@@ -37,13 +40,32 @@ enum Kind {
 
 /// Tables of a file: one, or one per array of a text and per layer of an EXR file. By its first
 /// bytes, else by its extension (`raw`, `bin`, `dat`: raw numbers), else by being a text; `file` is
-/// used for the extension and in messages.
+/// used for the extension and in messages. A layer that is a number, and no name of one, is a slice
+/// across the third axis.
 ///
 /// # Errors
 /// Each names the file, the place and what to do: bytes beyond [`limits::BYTES`] or values beyond
 /// [`limits::VALUES`]; what is not recognised, not supported, cut short or malformed; sizes that
 /// contradict each other or cannot be told; values that are NaN or infinite.
 pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    let Some(layer) = &hints.layer else { return whole(bytes, file, hints) };
+    let index = layer.parse::<usize>();
+    if bytes.starts_with(EXR_MAGIC) {
+        // A layer of an image may have a number for its name.
+        let named = whole(bytes, file, hints);
+        if named.is_ok() || index.is_err() {
+            return named;
+        }
+    }
+    let index = index.map_err(|_| {
+        let message = format!("its layers have no names: give the number of a slice, from 0, not {layer}");
+        ForeignError::new(file, message)
+    })?;
+    shape::slices(file, whole(bytes, file, &Hints { layer: None, ..hints.clone() })?, index)
+}
+
+/// The tables with all of their slices.
+fn whole(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     if bytes.is_empty() {
         return Err(ForeignError::new(file, EMPTY));
     }

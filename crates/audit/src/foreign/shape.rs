@@ -54,6 +54,44 @@ pub(super) fn table(file: &str, list: Values, hints: &Hints) -> Result<ForeignTa
     finish(file, list.name, &list.kind, size, channels, list.step)
 }
 
+/// The slices of a number of those tables that have three axes.
+pub(super) fn slices(
+    file: &str,
+    tables: Vec<ForeignTable>,
+    index: usize,
+) -> Result<Vec<ForeignTable>, ForeignError> {
+    let depth = |t: &ForeignTable| match t.size[..] {
+        [_, _, depth] if depth > 1 => Some(depth),
+        _ => None,
+    };
+    let deepest = tables.iter().filter_map(depth).max();
+    let sliced: Vec<ForeignTable> =
+        tables.into_iter().filter(|t| depth(t) > Some(index)).map(|t| slice(t, index)).collect();
+    match deepest {
+        _ if !sliced.is_empty() => Ok(sliced),
+        Some(deepest) => {
+            Err(ForeignError::new(file, format!("slice {index} is not there: they are 0 to {}", deepest - 1)))
+        }
+        None => Err(ForeignError::new(
+            file,
+            format!("no table in it has a third axis, of which {index} could be a slice"),
+        )),
+    }
+}
+
+fn slice(table: ForeignTable, index: usize) -> ForeignTable {
+    let texels = table.size[0] * table.size[1];
+    let of = |c: Channel| Channel { values: c.values[index * texels..(index + 1) * texels].to_vec(), ..c };
+    ForeignTable {
+        name: format!("{}{}slice {index}", table.name, if table.name.is_empty() { "" } else { ", " }),
+        what: format!("{}, slice {index} of {}", table.what, table.size[2]),
+        size: table.size[..2].to_vec(),
+        channels: table.channels.into_iter().map(of).collect(),
+        note: String::new(),
+        ..table
+    }
+}
+
 /// A table of channels that have the size's length: refuses values that are not finite.
 pub(super) fn finish(
     file: &str,
@@ -137,7 +175,7 @@ fn size(file: &str, list: &Values, hints: &Hints) -> Result<(Vec<usize>, usize),
         if channels == 0 || channels > limits::CHANNELS || texels.checked_mul(channels) != Some(found) {
             let channels = hints.channels.map_or(String::new(), |n| format!(" of {n} channels"));
             return Err(wrong(format!(
-                "are not {} texels{channels}: state another size (x first)",
+                "are not {} texels{channels}: state another size (x first), or name another array by --symbol",
                 words(size)
             )));
         }

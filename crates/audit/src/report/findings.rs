@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::AuditCost;
-use crate::audit::{LookupErrors, TexelErrors};
+use crate::audit::{LookupErrors, TexelErrors, Verdict};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
 
@@ -18,8 +18,11 @@ pub struct AuditFindings {
     pub holds: String,
     /// Quantity that it is measured as.
     pub quantity: String,
-    /// The verdict in one paragraph.
-    pub verdict: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The verdict without the options, or without the file's own statement, where they fit nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub otherwise: Option<AuditOtherwise>,
     /// `whole`, `part` or `none`.
     pub fits: String,
     /// Largest error at a texel or point of any channel that is judged.
@@ -51,6 +54,22 @@ pub struct AuditFindings {
     /// What the function costs in compiled instructions, where that is called for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<AuditCost>,
+}
+
+/// The verdict without what the user or the file said.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditOtherwise {
+    /// Without what: `its statement`, `those options`.
+    pub without: String,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+impl AuditOtherwise {
+    /// As it is printed below the verdict.
+    pub fn text(&self) -> String {
+        format!("Without {}: {}\n", self.without, self.verdict)
+    }
 }
 
 /// A table by the plain reading.

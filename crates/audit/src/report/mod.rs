@@ -7,7 +7,7 @@ mod page;
 pub use cost::{AuditCompiled, AuditCost, AuditFamily};
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
-    AuditHeld, AuditPlain,
+    AuditHeld, AuditOtherwise, AuditPlain,
 };
 
 use lobefit::report::{ReportError, document, html};

@@ -8,16 +8,16 @@ use lobefit::report::{
 };
 
 pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
-    let mut sections = vec![verdict(audit)];
+    let mut sections = vec![verdict(audit)?];
     sections.extend(audit.cost.as_ref().map(AuditCost::section));
-    sections.push(conventions(audit));
-    for channel in &audit.channels {
-        sections.push(channel_section(channel, is_function(audit), audit.stated)?);
+    for (k, channel) in audit.channels.iter().enumerate() {
+        sections.push(channel_section(audit, channel, worst_channel(audit) == Some(k))?);
     }
+    sections.push(conventions(audit));
     Ok(Page {
         title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
         origin: audit.origin.clone(),
-        lead: format!("{}\n{LEAD}", conclusion(audit)),
+        lead: format!("{} {}.\n{LEAD}", audit.verdict.grade.word(), audit.verdict.headline),
         sections,
     })
 }
@@ -25,23 +25,10 @@ pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
 const LEAD: &str = "A table or function that somebody ships beside the truth: how it is best read, how far off it is, and what is wrong \
      with it. Figures in full digits: the JSON file beside this page.";
 
-/// What came of it, in one sentence.
-fn conclusion(audit: &AuditFindings) -> String {
-    let file = &audit.file;
-    let held = audit.channels.iter().map(|channel| channel.holds.as_str()).collect::<Vec<_>>();
-    let quantity = format!("{}, {}", audit.quantity, held.join(" and "));
-    let told = match (audit.stated, audit.fits.as_str()) {
-        (true, "whole") => format!("{file} is what it says: {quantity}"),
-        (true, _) => format!("{file} says that it is {quantity}, and is not"),
-        (false, "whole") => format!("{file} is {quantity}"),
-        (false, "part") => format!("{file} is in part {quantity}"),
-        (false, _) => format!("{file} fits no convention, the nearest is {quantity}"),
-    };
-    let limit = audit.limit.map_or(String::new(), |limit| {
-        let kept = if audit.passed { "kept" } else { "not kept" };
-        format!("; the limit {} is {kept}", brief(limit, 3))
-    });
-    format!("{told}; the largest error is {}{limit}.", words::max(audit.max_error))
+/// The channel with the largest error.
+fn worst_channel(audit: &AuditFindings) -> Option<usize> {
+    let max = |k: &usize| audit.channels[*k].texels.max;
+    (0..audit.channels.len()).max_by(|a, b| max(a).total_cmp(&max(b)).then(b.cmp(a)))
 }
 
 /// Whether the axes are arguments, which lie nowhere.
@@ -49,36 +36,28 @@ fn is_function(audit: &AuditFindings) -> bool {
     audit.conventions.iter().flat_map(|c| &c.axes).all(|a| a.registration.is_empty())
 }
 
-fn verdict(audit: &AuditFindings) -> Section {
-    let fits = match audit.fits.as_str() {
-        "whole" => "the convention below, as a whole",
-        "part" => "the convention below in part",
-        _ => "no convention",
-    };
-    let mut facts = vec![
-        ("File".to_string(), audit.file.clone()),
-        ("Holds".into(), audit.holds.clone()),
-        ("Fits".into(), fits.into()),
-        ("Largest error".into(), words::max(audit.max_error)),
-    ];
-    if let Some(max) = audit.plain.as_ref().and_then(|p| p.max) {
-        facts.push(("Largest error, read plainly".into(), words::max(max)));
+/// The picture of the worst channel, and the verdict's points.
+fn verdict(audit: &AuditFindings) -> Result<Section, ReportError> {
+    let mut blocks = Vec::new();
+    if let Some(k) = worst_channel(audit) {
+        blocks.extend(maps(audit, &audit.channels[k])?);
     }
-    if let Some(limit) = audit.limit {
-        let kept = if audit.passed { "kept" } else { "not kept" };
-        facts.push(("Limit".into(), format!("{}, {kept}", brief(limit, 3))));
-    }
-    if let Some(furnace) = &audit.furnace {
-        let range = format!("{} to {}", significant(furnace.least, 3), significant(furnace.most, 3));
-        facts.push(("Furnace E/E' \u{2212} 1".into(), format!("{range}, worst at {}", place(&furnace.at))));
-    }
+    let owned = |(name, text): (&str, String)| (name.to_string(), text);
+    let mut facts: Vec<(String, String)> = audit.verdict.points().into_iter().map(owned).collect();
+    facts.push(("File".into(), format!("{}: {}", audit.file, audit.holds)));
     facts.push(("Error of the truth".into(), words::max(audit.truth_error)));
-    Section {
-        id: "verdict".into(),
-        title: "Verdict".into(),
-        lead: String::new(),
-        blocks: vec![Block::Facts { rows: facts }, Block::Text { text: audit.verdict.clone() }],
+    blocks.push(Block::Facts { rows: facts });
+    if let Some(otherwise) = &audit.otherwise {
+        let without = format!(
+            "Without {}: {} {}.",
+            otherwise.without,
+            otherwise.verdict.grade.word(),
+            otherwise.verdict.headline
+        );
+        blocks.push(Block::Text { text: without });
+        blocks.push(Block::Facts { rows: otherwise.verdict.points().into_iter().map(owned).collect() });
     }
+    Ok(Section { id: "verdict".into(), title: "Verdict".into(), lead: String::new(), blocks })
 }
 
 fn conventions(audit: &AuditFindings) -> Section {
@@ -137,40 +116,19 @@ fn axis(a: &AuditAxis) -> String {
     format!("{coordinate}{registration}{clamp}")
 }
 
-fn channel_section(channel: &AuditChannel, function: bool, stated: bool) -> Result<Section, ReportError> {
+/// Errors of a channel; its maps are here unless they are `above`, beside the verdict.
+fn channel_section(
+    audit: &AuditFindings,
+    channel: &AuditChannel,
+    above: bool,
+) -> Result<Section, ReportError> {
     let section = format!("channel {}", channel.name);
-    let mut blocks = vec![Block::Table(errors(channel, stated))];
+    let mut blocks = vec![Block::Table(errors(channel, audit.stated))];
     for defect in &channel.defects {
         blocks.push(Block::Text { text: defect.text.clone() });
     }
-    if !channel.maps.is_empty() {
-        let peak = channel.maps.iter().map(lobefit::report::Field::peak).fold(0.0, f64::max);
-        let worst = |f: &lobefit::report::Field| f.peak() == peak;
-        let maps: Vec<HeatMap> = channel
-            .maps
-            .iter()
-            .map(|f| {
-                let map = HeatMap::of(&f.name, f);
-                HeatMap {
-                    top_down: !function,
-                    shade: signed(peak),
-                    worst: map.worst.clone().filter(|_| worst(f)),
-                    ..map
-                }
-            })
-            .collect();
-        let place = if stated {
-            "of lookups over the inputs"
-        } else if function {
-            "over its arguments"
-        } else {
-            "of every texel in its place in the file, first row at the top"
-        };
-        let caption = format!(
-            "Signed error {place}: blue too low, red too high, white exact. Colours follow the square root of the magnitude; the ring \
-             marks the worst place."
-        );
-        blocks.push(figures(&maps, &caption)?);
+    if !above {
+        blocks.extend(maps(audit, channel)?);
     }
     if !channel.curves.is_empty() {
         let charts: Vec<Curves> =
@@ -180,7 +138,7 @@ fn channel_section(channel: &AuditChannel, function: bool, stated: bool) -> Resu
     Ok(Section {
         id: format!("channel-{}", anchor(&channel.name)),
         title: format!("Channel {}: {}", channel.name, channel.holds),
-        lead: if stated {
+        lead: if audit.stated {
             "Errors of looking it up as the file says, and where they are."
         } else {
             "Errors under the best convention, and where they are."
@@ -188,6 +146,34 @@ fn channel_section(channel: &AuditChannel, function: bool, stated: bool) -> Resu
         .into(),
         blocks,
     })
+}
+
+/// Maps of a channel's errors; none of a table of one axis.
+fn maps(audit: &AuditFindings, channel: &AuditChannel) -> Result<Option<Block>, ReportError> {
+    if channel.maps.is_empty() {
+        return Ok(None);
+    }
+    let function = is_function(audit);
+    let peak = channel.maps.iter().map(lobefit::report::Field::peak).fold(0.0, f64::max);
+    let mut maps: Vec<HeatMap> = channel.maps.iter().map(|f| HeatMap::of(&f.name, f)).collect();
+    for (map, field) in maps.iter_mut().zip(&channel.maps) {
+        map.top_down = !function;
+        map.shade = signed(peak);
+        map.worst = map.worst.take().filter(|_| field.peak() == peak);
+    }
+    let place = if audit.stated {
+        "of lookups over the inputs"
+    } else if function {
+        "over its arguments"
+    } else {
+        "of every texel in its place in the file, first row at the top"
+    };
+    let caption = format!(
+        "Signed error of {} {place}: blue too low, red too high, white exact. Colours follow the square root of the magnitude; the ring \
+         marks the worst place.",
+        channel.holds
+    );
+    Ok(Some(figures(&maps, &caption)?))
 }
 
 /// Lower-case letters and hyphens of a name.

@@ -3,8 +3,12 @@
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
+mod channels;
 mod declared;
 mod functions;
+mod furnace;
+mod lobes;
+mod shipped;
 mod sidecars;
 mod solids;
 mod tables;

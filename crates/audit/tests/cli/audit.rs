@@ -49,7 +49,8 @@ fn a_table_is_read_judged_and_reported() {
         assert_eq!(lobefit(folder.path(), &again, b"").stdout, figures);
     }
     let found: Value = serde_json::from_slice(&figures).unwrap();
-    assert_eq!(found["fits"], "whole");
+    assert_eq!((&found["fits"], &found["verdict"]["grade"]), (&"whole".into(), &"PASS".into()));
+    assert!(found["verdict"]["convention"].as_str().unwrap().contains("mu along y at end points"));
     let command = "lobefit audit tables.h --as ggx-reflection --size 16x16";
     assert_eq!(found["origin"]["command"], command, "the command makes it again");
     assert_eq!(found["conventions"][0]["axes"][0]["coordinate"], "roughness");
@@ -65,15 +66,28 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
         let all = [&["audit", "tables.h", "--as", "ggx-reflection:E", "--size", "16x16"], more].concat();
         lobefit(folder.path(), &all, b"")
     };
-    assert_eq!(with(&["--limit", "1e-5"]).status.code(), Some(0));
-    let over = with(&["--limit", "1e-7"]);
+    let meant = ["--axes", "roughness,mu"];
+    assert_eq!(with(&[&meant[..], &["--limit", "1e-5"]].concat()).status.code(), Some(0));
+    let transposed = with(&["--limit", "1e-5"]);
+    assert_eq!(transposed.status.code(), Some(1));
+    assert!(stderr(&transposed).contains("give --axes roughness,mu"), "{}", stderr(&transposed));
+    let over = with(&[&meant[..], &["--limit", "1e-7"]].concat());
     assert_eq!(over.status.code(), Some(1));
     assert!(stderr(&over).contains("the limit 1e-7"), "{}", stderr(&over));
+    let first = |output: &std::process::Output| {
+        String::from_utf8_lossy(&output.stdout).lines().next().unwrap_or_default().to_string()
+    };
+    let line = first(&over);
+    assert!(line.starts_with("FAIL ggx-reflection E: tables.h (table_E) is off by at most"), "{line}");
+    assert!(line.ends_with("the limit is 1e-7"), "{line}");
+    let points = String::from_utf8_lossy(&over.stdout).lines().skip(1).count();
+    assert!((1..=5).contains(&points), "{points} points");
     let wrong = with(&["--axes", "mu,gloss", "--quiet"]);
     assert_eq!(wrong.status.code(), Some(1));
     assert!(wrong.stdout.is_empty());
+    assert!(first(&with(&["--axes", "mu,gloss"])).starts_with("UNKNOWN ggx-reflection"));
     let told = String::from_utf8(with(&["--axes", "mu,gloss"]).stdout).unwrap();
-    assert!(told.contains("Without those options: tables.h"), "{told}");
+    assert!(told.contains("Without those options: PASS ggx-reflection E: tables.h"), "{told}");
     assert_eq!(names(folder.path()), ["tables.h"]);
 }
 
@@ -95,14 +109,14 @@ fn a_limit_is_for_the_plain_reading_and_says_how_to_declare_another() {
     };
     let plain = with(&["--json"]);
     assert_eq!(plain.status.code(), Some(1), "{}", stderr(&plain));
-    assert!(stderr(&plain).contains("read plainly") && stderr(&plain).contains("--registration left,left"));
+    let told = "--axes roughness,mu --registration left,left";
+    assert!(stderr(&plain).contains("read plainly") && stderr(&plain).contains(told), "{}", stderr(&plain));
     let found: Value = serde_json::from_slice(&plain.stdout).unwrap();
     assert!(found["max_error"].as_f64().unwrap() < 1e-5 && found["plain"]["max"].as_f64().unwrap() > 0.02);
-    let meant = with(&["--registration", "left,left", "--json"]);
+    let meant = with(&["--axes", "roughness,mu", "--registration", "left,left", "--json"]);
     assert_eq!(meant.status.code(), Some(0), "{}", stderr(&meant));
     let found: Value = serde_json::from_slice(&meant.stdout).unwrap();
-    let command =
-        "lobefit audit t.js --as ggx-reflection:E --registration left,left --size 16x16 --limit 0.0001";
+    let command = "lobefit audit t.js --as ggx-reflection:E --axes roughness,mu --registration left,left --size 16x16 --limit 0.0001";
     assert_eq!(found["origin"]["command"], command);
 }
 
@@ -144,12 +158,13 @@ fn where_a_limit_is_judged_is_said() {
         let output = lobefit(folder.path(), &all, b"");
         (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
     };
-    let (code, out, _) = with("tables.h", &["--size", "16x16", "--limit", "1e-5"]);
+    let (code, out, _) = with("tables.h", &["--axes", "roughness,mu", "--size", "16x16", "--limit", "1e-5"]);
     assert!(
         code == Some(0) && out.contains("is judged at the texels, which keep it; lookups between"),
         "{out}"
     );
-    let (code, out, err) = with("tables.h", &["--size", "16x16", "--limit", "1e-7"]);
+    let (code, out, err) =
+        with("tables.h", &["--axes", "roughness,mu", "--size", "16x16", "--limit", "1e-7"]);
     assert!(code == Some(1) && out.contains("at the texels, not at lookups between them"), "{out}");
     assert!(err.contains("the largest error at a texel is"), "{err}");
     // A function is reported as a function; options that were not given are not mentioned.
@@ -232,4 +247,35 @@ fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
         help.contains("the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says"),
         "{help}"
     );
+}
+
+#[test]
+fn a_slice_is_chosen_in_every_container_and_a_stated_size_says_its_channels() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    let value = |i: usize| {
+        let (x, y, z) = (at(i % 16), at(i / 16 % 16), i / 256);
+        if z == 2 { split(Smith::Correlated, y * y, x, &Effort::ladder()[1]).0 } else { 0.1 * (x + y) }
+    };
+    let values: Vec<f64> = (0..1024).map(value).collect();
+    let rows: Vec<String> = values.iter().map(|v| format!("{v:.6}")).collect();
+    std::fs::write(folder.path().join("t.h"), format!("float t[4][16][16] = {{{}}};", rows.join(",")))
+        .unwrap();
+    let raw: Vec<u8> = values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect();
+    std::fs::write(folder.path().join("t.bin"), raw).unwrap();
+    let with = |file: &str, more: &[&str]| {
+        let all = [&["audit", file, "--as", "ggx-reflection:E", "--limit", "1e-5"], more].concat();
+        lobefit(folder.path(), &all, b"")
+    };
+    let text = with("t.h", &["--layer", "2"]);
+    assert_eq!(text.status.code(), Some(0), "{}", stderr(&text));
+    let raw = with("t.bin", &["--layer", "2", "--size", "16x16x4"]);
+    assert_eq!(raw.status.code(), Some(0), "{}", stderr(&raw));
+    let beyond = with("t.h", &["--layer", "4"]);
+    assert_eq!(beyond.status.code(), Some(2), "{}", stderr(&beyond));
+    assert!(stderr(&beyond).contains("they are 0 to 3"), "{}", stderr(&beyond));
+    let named = with("t.h", &["--layer", "albedo"]);
+    assert!(stderr(&named).contains("number of a slice"), "{}", stderr(&named));
+    let grouped = with("t.bin", &["--size", "16x16"]);
+    assert!(stderr(&grouped).contains("256 texels of 4 channels"), "{}", stderr(&grouped));
 }

@@ -5,3 +5,5 @@ mod common;
 
 mod audit;
 mod cost;
+mod furnace;
+mod shaders;

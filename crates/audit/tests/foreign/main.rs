@@ -6,4 +6,6 @@ mod foreign_support;
 mod images;
 mod mutations;
 mod shaders;
+mod shaders_hlsl;
+mod shaders_shipped;
 mod text;

@@ -11,7 +11,7 @@ use lobefit_occlusion::world::{Random, world};
 use rayon::prelude::*;
 
 const SIZE: [usize; 2] = [80, 48];
-const PASSES: Passes = Passes { half: None, median: 0, voxels: None, dilation: 0, conservative: true };
+const PASSES: Passes = Passes { half: None, ..Passes::CONSERVATIVE };
 
 /// Cases of a pair of cameras: of seen boxes culled, of hidden ones culled, and all that are in the
 /// frame.

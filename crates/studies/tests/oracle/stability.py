@@ -153,8 +153,18 @@ def at_critical(t):
     return [mpf(3) / 2, sqrt(mpf(5)) / 3 + t]
 
 
+def below_critical(t):
+    return [mpf(3) / 2, sqrt(mpf(5)) / 3 - t]
+
+
 def beyond(x):
     return x[0] ** 2 * (1 - x[1] ** 2) < 1
+
+
+def total(ior, c):
+    """All light is reflected, whatever the polarisation: no root has a value."""
+    assert ior**2 * (1 - c**2) > 1
+    return mpf(1)
 
 
 def slanted(ratio):
@@ -172,6 +182,7 @@ def main():
         case("grazing", ["alpha", "mu_v", "mu_l"], decades(0, 12, 2), lambda m: [mpf("0.3"), m, mpf("0.5")], visibility),
         case("ior", ["ior", "c"], decades(0, 14, 2), lambda t: [1 + t, mpf("0.7")], fresnel, keep=lambda x: x[0] > 1),
         case("critical", ["ior", "c"], decades(-1, 7, 5), at_critical, leaves, keep=beyond),
+        case("total", ["ior", "c"], decades(-1, 7, 5), below_critical, total, keep=lambda x: x[0] ** 2 * (1 - x[1] ** 2) > 1),
         case("anisotropy", ["ax", "ay", "x", "y", "z"], decades(0, 8, 3), slanted, stretched),
         sums(),
         case("half", ["roughness", "alpha", "mu"], half, lambda t: [sqrt(t), t, t], lambda r, a, m: 1 / albedo(a, m), precisions=("f32",)),

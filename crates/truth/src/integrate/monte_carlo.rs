@@ -188,8 +188,8 @@ pub(crate) fn column(means: &[Weights], samples: u64, f: impl Fn(&Weights) -> f6
 fn sample<D: Distribution>(smith: Smith, lobe: D, mu: f64, draw: Draw, x: [f64; DIMENSIONS]) -> Weights {
     let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
     match draw {
-        Draw::VisibleNormal => by_visible_normal(smith, lobe, view, x),
-        Draw::UniformLight => by_uniform_light(smith, lobe, view, x),
+        Draw::VisibleNormal if D::MATCHED => by_visible_normal(smith, lobe, view, x),
+        _ => by_uniform_light(smith, lobe, view, x),
     }
 }
 

@@ -35,6 +35,10 @@ pub trait Distribution: Copy + Sync {
     /// tail is a power.
     const REACH: f64;
 
+    /// Whether the shadowing follows from D by Smith's theory, so that the weak white furnace holds
+    /// and visible normals are drawn by the same masking.
+    const MATCHED: bool = true;
+
     /// pi D/alpha^2 of the half vector at t (see [`Polar`]), without cancellation at the peak.
     fn density_of_half(self, polar: &Polar, t: f64) -> f64;
 

@@ -8,6 +8,7 @@ pub mod fresnel;
 pub mod ggx;
 pub mod kernel;
 pub mod multiscatter;
+pub mod schlick_smith;
 mod smith;
 
 pub use smith::Smith;

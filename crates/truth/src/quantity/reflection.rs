@@ -9,6 +9,7 @@ use crate::integrate::{Estimate, IntegrateError, reflection};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
+use crate::optics::schlick_smith::SchlickSmith;
 
 /// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts
 /// for f0 A + B, and 1 - E.
@@ -28,6 +29,15 @@ pub static GGX_REFLECTION: Reflection<Ggx> = Reflection::new(reflection::QUANTIT
 
 /// `beckmann-reflection`.
 pub static BECKMANN_REFLECTION: Reflection<Beckmann> = Reflection::new("beckmann-reflection", Beckmann);
+
+/// `ggx-reflection` as renderers compute it that follow Karis (2013): with Schlick's shadowing, by k
+/// = alpha/2, k = (roughness + 1)^2/8 and k = alpha. Of their variants only the separable has a
+/// source.
+pub static SCHLICK_SMITH: [Reflection<SchlickSmith>; 3] = [
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_images),
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_lights),
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_alpha),
+];
 
 /// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8
 /// over alpha and mu in [1e-4, 1], held by `tests/effects/reflection_field.rs`. The texels of

@@ -31,12 +31,12 @@ pub(super) struct Domain {
 impl Domain {
     /// Errors: an input of which the statement gives no range, or one that is empty or a single
     /// value where the truth is had.
-    pub fn new(truth: &Truth, said: &Statement) -> Result<Domain, String> {
+    pub fn new(truth: &Truth, own: usize, said: &Statement) -> Result<Domain, String> {
         let count = PLACES[truth.inputs().len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
         for input in truth.inputs() {
             let name = input.name();
-            let [low, high] = truth.range(*input);
+            let [low, high] = truth.range(own, *input);
             // A table of the azimuth is of all of them.
             let all = (*input == Input::Azimuth).then_some([low, high]);
             let claimed = said.range(name).or(all);

@@ -12,19 +12,23 @@ pub use findings::findings as declared_findings;
 
 use super::column::Column;
 use super::errors::{TexelErrors, median};
+use super::lobe::Form;
 use super::lookup::fetch;
 use super::table::AuditedTable;
 use super::truth::{Truth, Values, with_azimuth};
+use super::verdict::Verdict;
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
-use lobefit::data::Smith;
 use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's
 /// maker did.
 const SLACK: f64 = 1.2;
+
+/// Place of the one lobe of its truth.
+const OWN: usize = 0;
 
 /// Error of a column as the statement says that it is looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,14 +88,17 @@ pub struct Declared {
     pub claimed: f64,
     /// Bound of the truth's own error.
     pub truth_error: f64,
-    /// All of it in a paragraph.
-    pub verdict: String,
 }
 
 impl Declared {
     /// Largest error of any column.
     pub fn worst(&self) -> f64 {
         self.held.iter().map(|h| h.figures.max).fold(0.0, f64::max)
+    }
+
+    /// The verdict; `limit` is the largest error that the user allows.
+    pub fn verdict(&self, limit: Option<f64>) -> Verdict {
+        words::verdict(self, limit)
     }
 
     /// Whether it is what it says: it keeps its claim, and is no further off than any table of the
@@ -128,37 +135,36 @@ pub fn declared(
     let odd = |reason: String| AuditError::Statement { what: table.what.clone(), reason };
     let said = Statement::parse(statement).map_err(odd)?;
     let audited = agreed(table, quantity, &said)?;
-    let fixed = super::Fixed { side: said.side, ..super::Fixed::default() };
+    let own = |form: &&'static Form| {
+        form.integrand.is_none() && form.smith.is_none_or(|smith| said.smith == Some(smith))
+    };
+    let form = Form::of(quantity).into_iter().find(own);
+    let form = form.ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
+    let fixed = super::Fixed { side: said.side, form: Some(form), ..super::Fixed::default() };
     let no_azimuth = || odd(format!("{} does not depend on the azimuth of the view", quantity.name()));
     let truth = &if said.azimuth {
-        Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &Smith::ALL, &[])?
+        Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &[form], &[])?
     } else {
-        super::truth_of(&audited, quantity, &fixed)?
+        super::truth_of(&audited, quantity, &fixed, &[form])?
     };
-    let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
-    let lobe =
-        |smith: Option<Smith>| truth.lobes().iter().position(|l| l.smith.is_none() || l.smith == smith);
-    let own = lobe(said.smith).ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
+    let Domain { places, beyond, cut } = Domain::new(truth, OWN, &said).map_err(odd)?;
     let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
-    let base = truth.exact(own, &at)?;
+    let base = truth.exact(OWN, &at)?;
     let look = Look { table: &audited, said: &said, places: &places, wanted };
     let held = look.errors(truth, &base).map_err(odd)?;
-    let mut found = Declared {
+    Ok(Declared {
         what: audited.what.clone(),
         quantity: truth.quantity(),
-        lobe: truth.lobes()[own].words(),
+        lobe: truth.lobes()[OWN].words(),
         axes: said.axes.iter().zip(&audited.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
         size: audited.size.clone(),
         held,
         claimed: said.claimed,
-        truth_error: truth.bound(),
-        verdict: String::new(),
+        truth_error: truth.bound(OWN),
         places: places.clone(),
         beyond,
         cut,
-    };
-    found.verdict = words::paragraph(&found);
-    Ok(found)
+    })
 }
 
 /// The table in the size that the statement gives it, if the file and the question allow it.

@@ -3,40 +3,48 @@
 use super::statement::Axis;
 use super::{Declared, SLACK};
 use crate::audit::column::Column;
-use crate::audit::verdict::{long, number, place};
+use crate::audit::verdict::{Grade, Verdict, listed, long, number, place, said_limit};
 
 /// Letter, input, registration, formula.
 pub(super) fn axis(axis: &Axis, letter: &str) -> [String; 4] {
     [letter.to_string(), axis.name.clone(), axis.registration.words().to_string(), axis.text.clone()]
 }
 
-/// All of it.
-pub(super) fn paragraph(found: &Declared) -> String {
+/// The verdict.
+pub(super) fn verdict(found: &Declared, limit: Option<f64>) -> Verdict {
+    Verdict {
+        grade: if found.passes(limit) { Grade::Pass } else { Grade::Fail },
+        headline: headline(found, limit),
+        convention: convention(found),
+        errors: errors(found, limit),
+        furnace: None,
+        remedy: Vec::new(),
+        certainty: "the file says so; nothing else was tried.".into(),
+    }
+}
+
+fn headline(found: &Declared, limit: Option<f64>) -> String {
+    let held: Vec<&str> = found.held.iter().map(|held| held.column.name()).collect();
+    let so = if found.holds() { "is what it says" } else { "is not what it says" };
+    let worst = found.held.iter().map(|held| &held.figures);
+    let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
+    let off = worst.map_or(String::new(), |worst| {
+        format!(", off by at most {} in lookups ({})", number(worst.max), place(&worst.at))
+    });
+    format!("{} {}: {} {so}{off}{}", found.quantity, listed(&held), found.what, said_limit(limit))
+}
+
+/// How the file says that it is read.
+fn convention(found: &Declared) -> String {
     let axes = found.axes.iter().map(|[letter, name, registration, formula]| {
         format!("{name} along {letter} at {registration}, by {formula}")
     });
-    let axes: Vec<String> = axes.collect();
-    let lobe = if found.lobe.is_empty() { String::new() } else { format!(", of {}", found.lobe) };
-    let mut out = vec![format!(
-        "{} says what it is: {}{lobe}, with {}.",
-        found.what,
-        found.quantity,
-        axes.join("; and ")
-    )];
-    out.push(if found.holds() {
-        "That was read, held against the truth, and is so.".into()
-    } else if found.keeps() {
-        format!(
-            "That was read and held against the truth, and it is not so, for all that it claims an error of {} at most: no table of this is so \
-             far off.",
-            number(found.claimed)
-        )
-    } else {
-        format!(
-            "That was read and held against the truth, and it is not so: it claims an error of {} at most.",
-            number(found.claimed)
-        )
-    });
+    let lobe = if found.lobe.is_empty() { String::new() } else { format!("of {}, ", found.lobe) };
+    format!("{lobe}with {}.", axes.collect::<Vec<_>>().join("; and "))
+}
+
+/// The claim, and what was found.
+fn errors(found: &Declared, limit: Option<f64>) -> Vec<String> {
     let held = found.held.iter().map(|held| {
         format!(
             "{} is off by at most {} (RMS {}), worst at {}, where it is {} and {} is true",
@@ -49,30 +57,15 @@ pub(super) fn paragraph(found: &Declared) -> String {
         )
     });
     let points = found.held.first().map_or(0, |held| held.errors.len());
+    let mut out = vec![claim(found)];
     out.push(format!(
         "Looked up as it says, over {points} points of {}: {}.",
         domain(found),
         held.collect::<Vec<_>>().join("; ")
     ));
-    if found.holds() {
-        let above = found.held.iter().any(|held| held.figures.max > held.share() * found.claimed);
-        let more = format!(
-            ", where it was measured; here it is off by more, within the factor {SLACK} that other places may make"
-        );
-        let places = if above { more } else { String::new() };
-        let difference = found.held.iter().any(|held| held.column == Column::A);
-        let of = if difference {
-            " of f0 A + B for every f0 in [0, 1], which leaves A alone twice that"
-        } else {
-            ""
-        };
-        out.push(format!("It claims {}{of}{places}.", number(found.claimed)));
-    }
     if !found.cut.is_empty() {
-        out.push(format!(
-            "It claims that of {} as well, where the truth is not had.",
-            found.cut.join(" and ")
-        ));
+        let cut = found.cut.join(" and ");
+        out.push(format!("The claim covers {cut} as well, where the truth is not had."));
     }
     if !found.beyond.is_empty() {
         out.push(format!(
@@ -80,7 +73,30 @@ pub(super) fn paragraph(found: &Declared) -> String {
             found.beyond.join(" and ")
         ));
     }
-    out.join(" ")
+    out.extend(
+        limit.map(|limit| {
+            format!("The limit {limit} is judged at those lookups, at texels and between them.")
+        }),
+    );
+    out
+}
+
+/// What it claims, and whether that is so.
+fn claim(found: &Declared) -> String {
+    let claimed = number(found.claimed);
+    if !found.holds() {
+        let far = if found.keeps() { ": no table of this quantity is so far off" } else { "" };
+        return format!("It claims an error of {claimed} at most, and it is not so{far}.");
+    }
+    let above = found.held.iter().any(|held| held.figures.max > held.share() * found.claimed);
+    let more = format!(
+        ", where it was measured; here it is off by more, within the factor {SLACK} that other places may make"
+    );
+    let places = if above { more } else { String::new() };
+    let difference = found.held.iter().any(|held| held.column == Column::A);
+    let of =
+        if difference { " of f0 A + B for every f0 in [0, 1], which leaves A alone twice that" } else { "" };
+    format!("It claims {claimed}{of}{places}.")
 }
 
 /// The ranges that were judged.

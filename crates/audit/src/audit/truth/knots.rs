@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::Values;
+use crate::audit::column::Base;
 use lobefit_math::chebyshev;
 
 /// Least values that one task makes.
@@ -61,18 +62,19 @@ impl Knots {
 }
 
 /// Values with one axis, of knots `step` apart, taken at inputs instead of knots.
-pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[[f64; 2]]) -> Values {
+pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[Base]) -> Values {
     let coordinates = knots.coordinates();
     let places: Vec<(usize, Vec<f64>)> = at.iter().map(|x| knots.place(&coordinates, *x)).collect();
     let block = knots.count * step;
-    let mut out = vec![[0.0; 2]; values.len() / block * at.len() * step];
-    let fill = |(i, out): (usize, &mut [[f64; 2]])| {
+    let mut out = vec![[0.0; 3]; values.len() / block * at.len() * step];
+    let fill = |(i, out): (usize, &mut [Base])| {
         let (first, weights) = &places[i % places.len()];
         let from = &values[i / places.len() * block + first * step..];
         for (line, weight) in from.chunks(step).zip(weights) {
             for (sum, value) in out.iter_mut().zip(line) {
-                sum[0] += weight * value[0];
-                sum[1] += weight * value[1];
+                for (sum, value) in sum.iter_mut().zip(value) {
+                    *sum += weight * value;
+                }
             }
         }
     };
@@ -89,7 +91,7 @@ mod tests {
         let knots =
             |count, cubic| Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count, cubic };
         let knots = [knots(3, true), knots(4, false), knots(5, true)];
-        let f = |x: f64, y: f64, z: f64| [1.0 + x * y.sqrt() * y, z * z.sqrt() - x.sqrt()];
+        let f = |x: f64, y: f64, z: f64| [1.0 + x * y.sqrt() * y, z * z.sqrt() - x.sqrt(), x];
         let mut values = Vec::new();
         for z in knots[2].inputs() {
             for y in knots[1].inputs() {
@@ -101,7 +103,7 @@ mod tests {
         let got = along(&knots[0], &x, 1, &along(&knots[1], &y, 3, &slow));
         for (i, value) in got.iter().enumerate() {
             let wanted = f(x[i % 3], y[i / 3], z[0]);
-            assert!((value[0] - wanted[0]).abs() + (value[1] - wanted[1]).abs() < 1e-14, "{i}");
+            assert!((0..3).all(|k| (value[k] - wanted[k]).abs() < 1e-14), "{i}");
         }
     }
 }

@@ -4,8 +4,9 @@
 use super::knots::Knots;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
+use crate::audit::lobe::Form;
 use lobefit_math::ops;
-use lobefit_truth::quantity::Quantity;
+use lobefit_truth::quantity::{Choice, Quantity};
 
 /// How an audit computes the truth of a quantity.
 #[derive(Clone, Copy)]
@@ -22,6 +23,8 @@ pub(in crate::audit) struct Spec<'a> {
     pub outputs: &'static [&'static str],
     /// Whether E at normal incidence is the second base value.
     pub normal: bool,
+    /// Whether values are averages over the cosine, which is no input then.
+    pub averaged: bool,
     /// Ranges of the inputs that are judged, where they are not [0, 1].
     pub ranges: &'static [(Input, [f64; 2])],
     /// An alpha below it counts as 0; alpha_x and alpha_y are raised to it.
@@ -34,9 +37,37 @@ pub(in crate::audit) struct Spec<'a> {
     pub interpolated: bool,
     /// Largest error of an exact value.
     pub bound: f64,
+    /// Whether an exact value costs so much that conventions are ranked, and lookups judged, by the
+    /// values between the knots.
+    pub costly: bool,
 }
 
-impl Spec<'_> {
+impl<'a> Spec<'a> {
+    /// The same for a shadowing form, which may have an integrand of its own.
+    pub(super) fn of_form(self, form: &Form) -> Spec<'a> {
+        let Some(quantity) = form.integrand else { return self };
+        let narrowest = quantity.smallest_alpha();
+        if quantity.has(Choice::Smith) {
+            // The rule that serves many points is enough where they are not the quantity's own.
+            return Spec { quantity, narrowest, tolerances: [1e-7; 2], bound: 1e-7, ..self };
+        }
+        // Its truth is no analytic function of mu, and costs milliseconds.
+        Spec {
+            quantity,
+            narrowest,
+            knots: match self.averaged {
+                true => const { &[log([LEAST_ALPHA, 1.0], 32)] },
+                false => const { &[log([LEAST_ALPHA, 1.0], 32), log([1e-6, 1.0], 64)] },
+            },
+            ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0]), (Input::Mu, [1e-6, 1.0])],
+            tolerances: [1e-5; 2],
+            interpolated: false,
+            bound: 1e-5,
+            costly: true,
+            ..self
+        }
+    }
+
     /// The range of an input.
     pub(super) fn range(&self, input: Input) -> [f64; 2] {
         self.ranges.iter().find(|(own, _)| *own == input).map_or([0.0, 1.0], |(_, range)| *range)
@@ -46,6 +77,11 @@ impl Spec<'_> {
 /// Even in the root of an input, cubics between them.
 const fn root(range: [f64; 2], count: usize) -> Knots {
     Knots { coordinate: f64::sqrt, input: |u| u * u, range, count, cubic: true }
+}
+
+/// Even in the logarithm of an input, cubics between them.
+const fn log(range: [f64; 2], count: usize) -> Knots {
+    Knots { coordinate: ops::log, input: ops::exp, range, count, cubic: true }
 }
 
 /// Chebyshev nodes in the logarithm of alpha or mu, in which E and B are analytic with
@@ -75,12 +111,14 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         columns: &column::REFLECTION,
         outputs: &["E", "B"],
         normal: false,
+        averaged: false,
         ranges: &[],
         narrowest: quantity.smallest_alpha(),
         mirror_only: false,
         tolerances: [5e-8; 2],
         interpolated: true,
         bound: 2e-8,
+        costly: false,
     };
     Some(match quantity.name() {
         "ggx-reflection" => lobe,
@@ -128,27 +166,35 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             ..lobe
         },
         _ if is_albedo(quantity) => Spec {
+            // E bends down to the least of cosines, for it rises to 40 there.
             knots: const {
                 &[
-                    Knots {
-                        coordinate: ops::log,
-                        input: ops::exp,
-                        range: [LEAST_ALPHA, 1.0],
-                        count: 96,
-                        cubic: true,
-                    },
-                    root([0.0, 1.0], 128),
+                    Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC },
+                    Knots { range: [1e-7, 1.0], count: 96, ..ANALYTIC },
                 ]
             },
             columns: &column::ALBEDO,
             outputs: &["E"],
             ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0])],
             tolerances: [quantity.tolerance_of_many(&Default::default()); 2],
-            interpolated: false,
-            bound: quantity.tolerance_of_many(&Default::default()),
+            bound: 1e-6,
             ..lobe
         },
         _ => return None,
+    })
+}
+
+/// The specification of averages over the cosine, of an albedo that has no quantity of its own for
+/// them; `None` of every other. The rule leaves 1e-5 where the lobe is narrow.
+pub(in crate::audit) fn averaged(quantity: &dyn Quantity) -> Option<Spec<'_>> {
+    let own = spec(quantity).filter(|_| is_albedo(quantity))?;
+    Some(Spec {
+        inputs: &[Input::Alpha],
+        knots: const { &[Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC }] },
+        columns: &column::MEAN,
+        averaged: true,
+        bound: 1e-5,
+        ..own
     })
 }
 

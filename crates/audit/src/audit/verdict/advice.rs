@@ -7,13 +7,13 @@ use crate::audit::table::Source;
 use crate::audit::{Audit, Column, Defect, Fit, TwoLobes};
 
 /// The steps that mend it; none where there is nothing to mend.
-pub(super) fn advice(audit: &Audit) -> Option<String> {
+pub(super) fn advice(audit: &Audit) -> Vec<String> {
     if audit.fit == Fit::None {
         let told = match audit.source {
             Source::Table => "make it again, or audit it as what it holds",
             Source::Function => "fit its constants to this quantity, or audit it as what it computes",
         };
-        return Some(format!("Do not ship it as this quantity: {told}."));
+        return vec![format!("do not ship it as this quantity: {told}")];
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     if audit.source == Source::Table {
@@ -36,7 +36,7 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
         steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
     }
     steps.dedup();
-    (!steps.is_empty()).then(|| format!("To mend it: {}.", steps.join("; ")))
+    steps
 }
 
 /// What to do about a table of two lobes.
@@ -49,7 +49,8 @@ fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
     format!("if the shader has {larger}, make {which} again with that; if it has {smaller}, all the others")
 }
 
-fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
+/// How a defect is mended; none of those that are in the nature of the format.
+pub(super) fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
     match defect {
         Defect::Part { .. } => Some(
             "make the table again if a part of it was made by other code, at another time or with too few samples; texels that are optimised for the \

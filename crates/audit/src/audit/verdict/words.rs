@@ -6,23 +6,22 @@ use crate::audit::convention::Convention;
 use crate::audit::table::Source;
 use lobefit::data::Place;
 
-/// `ggx-reflection holding E (the albedo), of separable Smith, with mu along x at texel centres`.
+/// `E (the albedo), of separable Smith, with mu along x at texel centres`.
 pub(super) fn reading(audit: &Audit) -> String {
     let best = audit.best();
     let holds: Vec<String> = audit
         .channels
         .iter()
         .filter_map(|c| Some((c, c.column?)))
-        .map(|(c, column)| match (audit.source, audit.channels.len()) {
-            (Source::Table, 1) => format!("holding {}", column.words()),
-            (Source::Function, 1) => format!("returning {}", column.words()),
+        .map(|(c, column)| match audit.channels.len() {
+            1 => column.words(),
             _ => format!("{} = {}", c.name, column.words()),
         })
         .collect();
     // Of a table of two lobes they are printed before.
     let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
-    format!("{}, {}{lobe}, with {}", audit.quantity, holds.join(", "), super::axes_of(audit))
+    format!("{}{lobe}, with {}", holds.join(", "), axes(audit, audit.best()))
 }
 
 /// Every axis in words.

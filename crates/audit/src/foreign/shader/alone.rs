@@ -17,15 +17,15 @@ impl ShaderFunction {
     /// What WGSL cannot say.
     pub fn wgsl(&self, name: &str) -> Result<String, ForeignError> {
         let mut module = self.program.module.clone();
-        let function = &mut module.functions[self.handle];
+        let function = &mut module.functions[self.program.entry];
         function.name = Some(name.into());
         // What no entry point calls is left out.
-        module.entry_points = vec![entry(calling(&module, self.handle))];
+        module.entry_points = vec![entry(calling(&module, self.program.entry))];
         compact(&mut module, KeepUnused::No);
         module.entry_points.clear();
         let refused = |reason: String| {
-            let span = self.program.module.functions.get_span(self.handle);
-            self.program.source.unsupported(span, format!("a function that WGSL cannot say ({reason})"), ONLY)
+            let span = self.program.module.functions.get_span(self.program.entry);
+            self.program.unsupported(span, format!("a function that WGSL cannot say ({reason})"), ONLY)
         };
         let mut validator = Validator::new(ValidationFlags::all(), Capabilities::all());
         let info = validator.validate(&module).map_err(|e| refused(e.as_inner().to_string()))?;

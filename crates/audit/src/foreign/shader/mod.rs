@@ -10,22 +10,32 @@
 //! of these, and are only evaluated.
 
 mod alone;
-mod cut;
+mod eager;
+mod hlsl;
 mod items;
+mod library;
+mod needed;
 mod operator;
+mod preprocess;
+mod rewrite;
 mod run;
 mod source;
+mod text;
 mod value;
 
 use std::sync::Arc;
 
-use naga::{Function, Handle, Module, ScalarKind, Span, Type, TypeInner};
+use naga::{Handle, Module, Scalar, ScalarKind, Span, Type, TypeInner};
 use rayon::prelude::*;
 
-use super::ForeignError;
+use super::{ForeignError, limits};
+pub use preprocess::Surroundings;
 use run::Run;
-use source::Source;
+use source::{Program, Source};
 use value::Value;
+
+/// Points at which a scalar is tried that may make no difference.
+const IDLE: usize = 16;
 
 /// Points that are run before errors are looked at.
 const TASK: usize = 1024;
@@ -37,6 +47,8 @@ enum ShaderLanguage {
     Wgsl,
     /// OpenGL's and Vulkan's.
     Glsl,
+    /// Direct3D's, and what Slang shares with it.
+    Hlsl,
 }
 
 /// A function of a shader file.
@@ -44,36 +56,31 @@ enum ShaderLanguage {
 pub struct ShaderFunction {
     /// Its name.
     pub name: String,
+    /// Its name with the types of its arguments, which tells overloads apart.
+    pub signature: String,
     /// Scalars of its arguments, in order: `roughness`, and `f0.x f0.y f0.z` for a vector f0.
     pub inputs: Vec<String>,
+    /// Which of them are whole numbers or truth values.
+    pub whole: Vec<bool>,
     /// Scalars of its result, in order: an empty name for a single number, else `x y`, members of a
     /// structure, `out` arguments.
     pub results: Vec<String>,
-    /// Functions of its file that were left out before it was read, by name: in GLSL those that
-    /// read textures or that the front end cannot read, and what depends on them.
+    /// Functions of its file that cannot be read, by name: of the first where all were asked for.
     pub left_out: Vec<String>,
     program: Arc<Program>,
-    handle: Handle<Function>,
-}
-
-/// A file that was read.
-#[derive(Debug)]
-struct Program {
-    source: Source,
-    module: Module,
 }
 
 /// Stack of threads that parse and run: both recurse over nested blocks.
 const STACK: usize = 64 << 20;
 
-/// The functions of a shader file: the one that is asked for (each overload of it), or all that can
-/// be read. The language follows from the extension, else from the text. GLSL may be a bare include:
-/// it needs neither `#version` nor `main`; directives that name other files are left out, and so are
-/// functions that read textures or that the front end cannot read, unless the
-/// one asked for needs them; `saturate` is known.
+/// The functions of a shader file: the one that is asked for (each overload of it; `name(float,
+/// vec3)` names one), or all of the file itself that can be read. A function is read with what it
+/// calls and names, and nothing else of the file. The language follows from the extension, else
+/// from the text; templates of a script are the shader in it. GLSL may be a bare include: it needs
+/// neither `#version` nor `main`, and `saturate` is known.
 ///
 /// # Errors
-/// Each names the file, line and column, and what to do: what is no WGSL or GLSL; a function that
+/// Each names the file, line and column, and what to do: what is no WGSL, GLSL or HLSL; a function that
 /// is not there, or uses textures, uniforms or whatever else is not run, on the way that all
 /// arguments of 1/2 take; where no function is asked for, only if none can be read, the first one's
 /// reason.
@@ -81,81 +88,105 @@ pub fn read_functions(
     bytes: &[u8],
     file: &str,
     entry: Option<&str>,
+    around: &Surroundings,
 ) -> Result<Vec<ShaderFunction>, ForeignError> {
-    let source = Source::new(bytes, file)?;
     let lost = |message: String| ForeignError::new(file, message);
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(STACK);
-        let handle = thread.spawn_scoped(scope, || read(source, entry));
+        let read = || read(&Source::new(bytes, file, around)?, entry);
+        let handle = thread.spawn_scoped(scope, read);
         let handle = handle.map_err(|e| lost(format!("no thread to parse it on: {e}")))?;
         handle.join().map_err(|_| lost("the front end gave up on this source".into()))?
     })
 }
 
-fn read(source: Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, ForeignError> {
-    let (module, left_out) = source.parse(entry)?;
-    let program = Arc::new(Program { source, module });
-    let Program { source, module } = &*program;
-    let name = |function: &Function| function.name.clone().unwrap_or_default();
-    let plain = || module.functions.iter().filter(|(_, f)| f.name.as_deref() != Some("main"));
+fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, ForeignError> {
     if let Some(entry) = entry {
-        let asked: Vec<Handle<Function>> =
-            module.functions.iter().filter(|(_, f)| name(f) == entry).map(|(handle, _)| handle).collect();
-        if asked.is_empty() {
-            let known: Vec<String> = plain().map(|(_, f)| name(f)).collect();
+        let (name, types) = entry.split_once('(').map_or((entry, None), |(name, types)| (name, Some(types)));
+        let all = source.functions(Some(name.trim()));
+        if all.is_empty() {
+            return Err(source.no_such(name.trim()));
+        }
+        let wanted = |types: &str| -> Vec<String> {
+            let list = types.trim_end().trim_end_matches(')').split(',');
+            list.map(|t| t.trim().to_string()).filter(|t| !t.is_empty()).collect()
+        };
+        let meant = |i: &usize| types.is_none_or(|types| source.item(*i).types() == wanted(types));
+        let found: Vec<usize> = all.iter().copied().filter(meant).collect();
+        if found.is_empty() {
+            let known: Vec<String> = all.iter().map(|i| source.item(*i).signature()).collect();
             return Err(ForeignError::no_such(&source.file, "function", entry, &known));
         }
-        return asked.into_iter().map(|handle| one(&program, handle, &left_out)).collect();
+        // Of several overloads those that can be read are meant.
+        let read: Vec<_> = found.into_iter().map(|i| one(source, i)).collect();
+        return match read.iter().any(Result::is_ok) {
+            true => Ok(read.into_iter().filter_map(Result::ok).collect()),
+            false => read.into_iter().collect(),
+        };
     }
-    let (mut found, mut first) = (Vec::new(), None);
-    for (handle, _) in plain() {
-        match one(&program, handle, &left_out) {
+    let (mut found, mut first, mut left_out) = (Vec::new(), None, Vec::new());
+    let all = source.functions(None);
+    if all.len() > limits::FUNCTIONS {
+        let message = format!("{} functions, and the limit is {}: name one", all.len(), limits::FUNCTIONS);
+        return Err(ForeignError::new(&source.file, message));
+    }
+    for i in all {
+        match one(source, i) {
             Ok(function) => found.push(function),
-            Err(error) => first = first.or(Some(error)),
+            Err(error) => {
+                left_out.push(source.item(i).name().to_string());
+                first = first.or(Some(error));
+            }
         }
     }
+    left_out.dedup();
     match first {
-        _ if !found.is_empty() => Ok(found),
-        Some(error) => Err(error),
-        None => {
-            let message = "no function in it but entry points: write the formula as a function of its own";
-            Err(ForeignError::new(&source.file, message))
+        _ if !found.is_empty() => {
+            found[0].left_out = left_out;
+            Ok(found)
         }
+        Some(error) => Err(error),
+        None => Err(source.no_function()),
     }
 }
 
 /// Most inputs of a function.
 const INPUTS: usize = 64;
 
-fn one(
-    program: &Arc<Program>,
-    handle: Handle<Function>,
-    left_out: &[String],
-) -> Result<ShaderFunction, ForeignError> {
-    let Program { source, module } = &**program;
-    let (function, span) = (&module.functions[handle], module.functions.get_span(handle));
-    let name = function.name.clone().unwrap_or_default();
+fn one(source: &Source, item: usize) -> Result<ShaderFunction, ForeignError> {
+    let program = source.program(item)?;
+    let (function, span) = program.function();
     let (mut inputs, mut results, mut outs) = (Vec::new(), Vec::new(), Vec::new());
     if let Some(result) = &function.result {
         program.scalars(result.ty, "", &mut results, span)?;
     }
     for argument in &function.arguments {
         let name = argument.name.as_deref().unwrap_or_default();
-        match written(module, argument.ty) {
+        match written(&program.module, argument.ty) {
             Some(base) => program.scalars(base, name, &mut outs, span)?,
             None => program.scalars(argument.ty, name, &mut inputs, span)?,
         }
     }
     results.append(&mut outs);
     if inputs.len() > INPUTS {
-        return Err(source.too_large("scalar arguments", inputs.len(), INPUTS));
+        return Err(program.too_large("scalar arguments", inputs.len(), INPUTS));
     }
+    let (name, signature) = (source.item(item).name().to_string(), source.item(item).signature());
+    let advice = "a formula returns a number, a vector or a structure of them";
     if results.is_empty() {
-        let advice = "a formula returns a number, a vector or a structure of them";
-        return Err(source.unsupported(span, format!("the function {name}, which returns nothing,"), advice));
+        return Err(program.unsupported(
+            span,
+            format!("the function {name}, which returns nothing,"),
+            advice,
+        ));
     }
-    let (left_out, program) = (left_out.to_vec(), Arc::clone(program));
-    let function = ShaderFunction { name, inputs, results, left_out, program, handle };
+    if results.iter().any(|r| r.1) {
+        return Err(program.unsupported(span, format!("a result of {name} that is no f32,"), advice));
+    }
+    let (inputs, whole) = inputs.into_iter().unzip();
+    let results = results.into_iter().map(|r| r.0).collect();
+    let program = Arc::new(program);
+    let function = ShaderFunction { name, signature, inputs, whole, results, left_out: Vec::new(), program };
     // What is not run is known now, where it is on the way.
     function.at(&vec![0.5; function.inputs.len()])?;
     Ok(function)
@@ -167,34 +198,39 @@ fn written(module: &Module, ty: Handle<Type>) -> Option<Handle<Type>> {
 }
 
 impl Program {
-    /// Names of the scalars of a type, depth first.
+    /// Names of the scalars of a type, depth first, and whether each is a whole number or truth
+    /// value.
     fn scalars(
         &self,
         ty: Handle<Type>,
         name: &str,
-        names: &mut Vec<String>,
+        names: &mut Vec<(String, bool)>,
         span: Span,
     ) -> Result<(), ForeignError> {
-        let number = |scalar: &naga::Scalar| scalar.kind == ScalarKind::Float && scalar.width == 4;
+        let whole = |scalar: &Scalar| match (scalar.kind, scalar.width) {
+            (ScalarKind::Float, 4) => Some(false),
+            (ScalarKind::Sint | ScalarKind::Uint, 4) | (ScalarKind::Bool, _) => Some(true),
+            _ => None,
+        };
         let join = |part: &str| if name.is_empty() { part.to_string() } else { format!("{name}.{part}") };
-        match &self.module.types[ty].inner {
-            TypeInner::Scalar(scalar) if number(scalar) => names.push(name.to_string()),
-            TypeInner::Vector { size, scalar } if number(scalar) => {
-                names.extend(["x", "y", "z", "w"].into_iter().take(*size as usize).map(join));
-            }
+        let known = match &self.module.types[ty].inner {
+            TypeInner::Scalar(scalar) => whole(scalar).map(|whole| names.push((name.to_string(), whole))),
+            TypeInner::Vector { size, scalar } => whole(scalar).map(|whole| {
+                names.extend(
+                    ["x", "y", "z", "w"].into_iter().take(*size as usize).map(|part| (join(part), whole)),
+                );
+            }),
             TypeInner::Struct { members, .. } => {
                 for member in members {
                     let part = member.name.as_deref().unwrap_or_default();
                     self.scalars(member.ty, &join(part), names, span)?;
                 }
+                Some(())
             }
-            _ => {
-                let what = "an argument or result of this type";
-                let advice = "use f32, vectors of f32 and structures of them";
-                return Err(self.source.unsupported(span, what, advice));
-            }
-        }
-        Ok(())
+            _ => None,
+        };
+        let what = "an argument or result of this type";
+        known.ok_or_else(|| self.unsupported(span, what, "use f32, vectors of f32 and structures of them"))
     }
 }
 
@@ -205,26 +241,32 @@ impl ShaderFunction {
     /// # Errors
     /// What cannot be run, with its place.
     pub fn at(&self, inputs: &[f32]) -> Result<Vec<f32>, ForeignError> {
-        let Program { source, module } = &*self.program;
-        let (function, span) = (&module.functions[self.handle], module.functions.get_span(self.handle));
-        let mut run = Run::new(module, source)?;
+        let (function, span) = self.program.function();
+        let mut run = Run::new(&self.program)?;
         let first = run.memory.len();
         let mut given = inputs.iter();
         let mut arguments = Vec::new();
         for argument in &function.arguments {
-            arguments.push(match written(module, argument.ty) {
+            arguments.push(match written(&self.program.module, argument.ty) {
                 Some(base) => {
                     let value = run.filled(base, span, &mut |_| Value::Unset)?;
                     run.memory.push(value);
                     Run::pointer(run.memory.len() - 1)
                 }
                 None => {
-                    let mut next = |_| Value::Number(given.next().copied().unwrap_or(f32::NAN));
+                    let mut next = |scalar: Scalar| {
+                        let x = given.next().copied().unwrap_or(f32::NAN);
+                        match scalar.kind {
+                            ScalarKind::Float => Value::Number(x),
+                            ScalarKind::Bool => Value::Truth(if x == 0.0 { 0.0 } else { 1.0 }),
+                            _ => Value::Integer(x as i64),
+                        }
+                    };
                     run.filled(argument.ty, span, &mut next)?
                 }
             });
         }
-        let value = run.call(self.handle, arguments)?;
+        let value = run.call(self.program.entry, arguments)?;
         let mut results = Vec::new();
         for value in std::iter::once(&value).chain(&run.memory[first..]) {
             results.extend(value.numbers().ok_or_else(|| run.mismatch(span, std::slice::from_ref(value)))?);
@@ -233,6 +275,25 @@ impl ShaderFunction {
             results.fill(f32::NAN);
         }
         Ok(results)
+    }
+
+    /// Whether its results do not depend on one of its scalars, by points of a lattice at which others
+    /// have the values given: what cannot be run there depends.
+    pub fn is_idle(&self, input: usize, given: &[Option<f32>]) -> bool {
+        // Multiples of the golden ratio, another for each scalar; whole numbers are 0, 1 and 2.
+        let fraction = |k: usize, i: usize| (k as f64 * (i + 2) as f64 * 0.618_033_988_749).fract() as f32;
+        let scaled = |i: usize, x: f32| if self.whole[i] { (3.0 * x).floor() } else { x };
+        let point = |k: usize, half: f32| -> Vec<f32> {
+            let free = |i: usize| if i == input { 0.5 * (half + fraction(k, i)) } else { fraction(k, i) };
+            let of = |i: usize| given.get(i).copied().flatten().unwrap_or_else(|| scaled(i, free(i)));
+            (0..self.inputs.len()).map(of).collect()
+        };
+        (1..=IDLE).all(|k| {
+            let (one, other) = (point(k, 0.0), point(k, 1.0));
+            let bits =
+                |at: &[f32]| self.at(at).map(|found| found.into_iter().map(f32::to_bits).collect::<Vec<_>>());
+            matches!((bits(&one), bits(&other)), (Ok(a), Ok(b)) if a == b)
+        })
     }
 
     /// Its results at columns of points, one column for each input, equally long; a column for each

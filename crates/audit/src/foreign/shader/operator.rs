@@ -5,6 +5,7 @@
 use naga::{BinaryOperator, MathFunction, RelationalFunction, ScalarKind, UnaryOperator};
 
 use super::value::Value;
+use lobefit_math::ops;
 use lobefit_shade::{BinaryOp, Op, UnaryOp, power_steps};
 
 /// Largest exponent that is multiplied out, as in hypotheses.
@@ -180,6 +181,12 @@ pub(super) fn function(f: MathFunction, x: &[Value], known: bool) -> Option<Valu
         (MathFunction::Length | MathFunction::Normalize, [a]) => return size(f, a),
         (MathFunction::Distance, [a, b]) => return size(f, &binary(BinaryOperator::Subtract, a, b)?),
         (MathFunction::Transpose, [matrix]) => return transpose(matrix),
+        (MathFunction::Cross, [a, b]) => return cross(a, b),
+        (MathFunction::Reflect, [i, n]) => return along(i, n, -2.0 * dot(n, i)?),
+        (MathFunction::Refract, [i, n, Value::Number(eta)]) => return refract(i, n, *eta),
+        (MathFunction::FaceForward, [n, i, g]) => {
+            return if dot(g, i)? < 0.0 { Some(n.clone()) } else { unary(UnaryOperator::Negate, n) };
+        }
         _ => {}
     }
     let Some(length) = x.iter().find_map(|v| v.entries().map(<[Value]>::len)) else {
@@ -229,6 +236,9 @@ fn one(f: MathFunction, x: f32) -> Option<f32> {
         MathFunction::Sin => apply(UnaryOp::Sin, x),
         MathFunction::Cos => apply(UnaryOp::Cos, x),
         MathFunction::Tan => apply(UnaryOp::Sin, x) / apply(UnaryOp::Cos, x),
+        MathFunction::Asin => ops::asinf(x),
+        MathFunction::Acos => ops::acosf(x),
+        MathFunction::Atan => ops::atanf(x),
         MathFunction::Ceil => x.ceil(),
         MathFunction::Fract => x - x.floor(),
         MathFunction::Trunc => x.trunc(),
@@ -248,6 +258,7 @@ fn two(f: MathFunction, x: f32, y: f32, known: bool) -> Option<f32> {
             power_steps(y as u32).into_iter().map(power).reduce(|product, square| product * square)?
         }
         MathFunction::Pow => combine(BinaryOp::Pow, x, y),
+        MathFunction::Atan2 => ops::atan2f(x, y),
         MathFunction::Step => combine(BinaryOp::LessEqual, x, y),
         _ => return None,
     })
@@ -274,6 +285,28 @@ fn size(f: MathFunction, x: &Value) -> Option<Value> {
     }
     let length = Value::Number(dot(x, x)?.sqrt());
     if unit { binary(BinaryOperator::Divide, x, &length) } else { Some(length) }
+}
+
+fn cross(a: &Value, b: &Value) -> Option<Value> {
+    let (a, b) = (a.numbers()?, b.numbers()?);
+    let ([ax, ay, az], [bx, by, bz]) = (<[f32; 3]>::try_from(a).ok()?, <[f32; 3]>::try_from(b).ok()?);
+    let entries = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+    Some(Value::List(entries.map(Value::Number).to_vec()))
+}
+
+/// i + n x.
+fn along(i: &Value, n: &Value, x: f32) -> Option<Value> {
+    let step = binary(BinaryOperator::Multiply, n, &Value::Number(x))?;
+    binary(BinaryOperator::Add, i, &step)
+}
+
+/// The refracted direction, by the formula of the GLSL specification, section 8.5; zero where all
+/// is reflected.
+fn refract(i: &Value, n: &Value, eta: f32) -> Option<Value> {
+    let cosine = dot(n, i)?;
+    let k = 1.0 - eta * eta * (1.0 - cosine * cosine);
+    let scaled = |x: f32| binary(BinaryOperator::Multiply, i, &Value::Number(x));
+    if k < 0.0 { scaled(0.0) } else { along(&scaled(eta)?, n, -(eta * cosine + k.sqrt())) }
 }
 
 fn transpose(matrix: &Value) -> Option<Value> {

@@ -5,7 +5,7 @@ use naga::{
     Statement, SwitchValue, SwizzleComponent, Type, TypeInner, VectorSize,
 };
 
-use super::source::Source;
+use super::source::Program;
 use super::value::{Pointer, Value};
 use super::{ShaderLanguage, operator};
 use crate::foreign::{ForeignError, limits};
@@ -31,7 +31,7 @@ struct Frame<'a> {
 /// A module whose functions are run.
 pub(super) struct Run<'a> {
     pub module: &'a Module,
-    pub source: &'a Source,
+    pub program: &'a Program,
     /// Variables of the functions at work, callers first.
     pub memory: Vec<Value>,
     /// Whether a branch depended on what is not a number: no result means anything.
@@ -79,10 +79,11 @@ fn operands(expression: &Expression) -> Vec<Handle<Expression>> {
 
 impl<'a> Run<'a> {
     /// With the initial values of the module's private variables.
-    pub fn new(module: &'a Module, source: &'a Source) -> Result<Run<'a>, ForeignError> {
+    pub fn new(program: &'a Program) -> Result<Run<'a>, ForeignError> {
+        let module = &program.module;
         let mut run = Run {
             module,
-            source,
+            program,
             memory: Vec::new(),
             undefined: false,
             globals: vec![None; module.global_variables.len()],
@@ -106,7 +107,7 @@ impl<'a> Run<'a> {
         let span = self.known(self.module.functions.get_span(handle));
         self.depth += 1;
         if self.depth > limits::DEPTH {
-            return Err(self.source.too_large("calls inside one another", self.depth, limits::DEPTH));
+            return Err(self.program.too_large("calls inside one another", self.depth, limits::DEPTH));
         }
         let base = self.memory.len();
         let values = vec![None; function.expressions.len()];
@@ -126,7 +127,7 @@ impl<'a> Run<'a> {
         match flow {
             Flow::Return(value) => Ok(value),
             _ if function.result.is_none() => Ok(Value::List(Vec::new())),
-            _ => Err(self.source.unsupported(
+            _ => Err(self.program.unsupported(
                 span,
                 "a path that returns nothing",
                 "let every path return a value",
@@ -156,7 +157,7 @@ impl<'a> Run<'a> {
     fn step(&mut self) -> Result<(), ForeignError> {
         self.steps += 1;
         if self.steps > limits::STEPS {
-            return Err(self.source.too_large(
+            return Err(self.program.too_large(
                 "steps of one call, loops unrolled",
                 self.steps,
                 limits::STEPS,
@@ -228,7 +229,7 @@ impl<'a> Run<'a> {
                 let pointer = self.value(frame, *pointer)?;
                 let Value::Pointer(pointer) = pointer else { return Err(self.mismatch(span, &[pointer])) };
                 let outside =
-                    || self.source.unsupported(span, "an assignment beyond the end", "check the index");
+                    || self.program.unsupported(span, "an assignment beyond the end", "check the index");
                 *pointer.of(&mut self.memory).ok_or_else(outside)? = value;
             }
             Statement::Call { function, arguments, result } => {
@@ -238,7 +239,7 @@ impl<'a> Run<'a> {
                     frame.values[result.index()] = Some(value);
                 }
             }
-            _ => return Err(self.source.unsupported(span, "this statement", ONLY)),
+            _ => return Err(self.program.unsupported(span, "this statement", ONLY)),
         }
         Ok(Flow::Next)
     }
@@ -308,7 +309,7 @@ impl<'a> Run<'a> {
             Expression::Override(handle) => match self.module.overrides[handle].init {
                 Some(init) => return self.global_expression(init),
                 None => {
-                    return Err(self.source.unsupported(span, "an override without a value", "give it one"));
+                    return Err(self.program.unsupported(span, "an override without a value", "give it one"));
                 }
             },
             Expression::GlobalVariable(global) => return self.global(global, span),
@@ -317,7 +318,7 @@ impl<'a> Run<'a> {
                 Value::Pointer(pointer) => {
                     let value = pointer.of(&mut self.memory).cloned();
                     let outside =
-                        || self.source.unsupported(span, "an index beyond the end", "check the index");
+                        || self.program.unsupported(span, "an index beyond the end", "check the index");
                     return value.ok_or_else(outside);
                 }
                 _ => None,
@@ -338,7 +339,7 @@ impl<'a> Run<'a> {
             Expression::Relational { fun, .. } => operator::relational(fun, &x[0]),
             Expression::Math { fun, .. } => match operator::function(fun, x, known) {
                 None if !x.iter().any(Value::has_gaps) => {
-                    return Err(self.source.unsupported(
+                    return Err(self.program.unsupported(
                         span,
                         format!("the function {fun:?} of these types"),
                         ONLY,
@@ -349,13 +350,13 @@ impl<'a> Run<'a> {
             Expression::As { kind, convert: Some(_), .. } => operator::convert(&x[0], kind),
             Expression::ImageSample { .. } | Expression::ImageLoad { .. } | Expression::ImageQuery { .. } => {
                 let advice = "audit the texture's own file as a table";
-                return Err(self.source.unsupported(span, "a texture", advice));
+                return Err(self.program.unsupported(span, "a texture", advice));
             }
             Expression::Derivative { .. } => {
                 let advice = "a formula depends on its arguments alone";
-                return Err(self.source.unsupported(span, "a derivative between pixels", advice));
+                return Err(self.program.unsupported(span, "a derivative between pixels", advice));
             }
-            _ => return Err(self.source.unsupported(span, "this expression", ONLY)),
+            _ => return Err(self.program.unsupported(span, "this expression", ONLY)),
         };
         made.ok_or_else(|| self.mismatch(span, x))
     }
@@ -364,9 +365,9 @@ impl<'a> Run<'a> {
     pub fn mismatch(&self, span: Span, values: &[Value]) -> ForeignError {
         if values.iter().any(Value::has_gaps) {
             let what = "a variable that is not set on every path";
-            return self.source.unsupported(span, what, "set it before it is read");
+            return self.program.unsupported(span, what, "set it before it is read");
         }
-        self.source.unsupported(span, "an expression of these types, or beyond 32 bits", ONLY)
+        self.program.unsupported(span, "an expression of these types, or beyond 32 bits", ONLY)
     }
 
     fn literal(&self, literal: Literal, span: Span) -> Result<Value, ForeignError> {
@@ -377,7 +378,7 @@ impl<'a> Run<'a> {
             Literal::I32(x) => Value::Integer(x.into()),
             Literal::U32(x) => Value::Integer(x.into()),
             Literal::AbstractInt(x) => Value::Integer(x),
-            _ => return Err(self.source.unsupported(span, "a number that is not f32", "write it as f32")),
+            _ => return Err(self.program.unsupported(span, "a number that is not f32", "write it as f32")),
         })
     }
 
@@ -387,7 +388,7 @@ impl<'a> Run<'a> {
         }
         let name = self.module.global_variables[handle].name.clone().unwrap_or_default();
         let what = format!("the global variable {name}");
-        Err(self.source.unsupported(span, what, "make it an argument of the function, or a constant"))
+        Err(self.program.unsupported(span, what, "make it an argument of the function, or a constant"))
     }
 
     /// A pointer to a variable that is kept in a slot.
@@ -397,7 +398,7 @@ impl<'a> Run<'a> {
 
     fn entry(&self, base: &Value, index: i64, span: Span) -> Result<Value, ForeignError> {
         let outside =
-            || self.source.unsupported(span, format!("index {index}, beyond the end,"), "check the index");
+            || self.program.unsupported(span, format!("index {index}, beyond the end,"), "check the index");
         let index = usize::try_from(index).map_err(|_| outside())?;
         match base {
             Value::List(list) => list.get(index).cloned().ok_or_else(outside),
@@ -436,9 +437,9 @@ impl<'a> Run<'a> {
 
     /// What a variable without an initial value holds: zeros in WGSL, nothing in GLSL.
     pub fn unwritten(&self, ty: Handle<Type>, span: Span) -> Result<Value, ForeignError> {
-        match self.source.language {
+        match self.program.language {
             ShaderLanguage::Wgsl => self.zero(ty, span),
-            ShaderLanguage::Glsl => self.filled(ty, span, &mut |_| Value::Unset),
+            ShaderLanguage::Glsl | ShaderLanguage::Hlsl => self.filled(ty, span, &mut |_| Value::Unset),
         }
     }
 
@@ -451,7 +452,7 @@ impl<'a> Run<'a> {
     ) -> Result<Value, ForeignError> {
         let all = self.entries(ty);
         if all > limits::ENTRIES {
-            return Err(self.source.too_large("entries of a variable", all, limits::ENTRIES));
+            return Err(self.program.too_large("entries of a variable", all, limits::ENTRIES));
         }
         let vector = |size: VectorSize, scalar, fill: &mut dyn FnMut(Scalar) -> Value| {
             Value::List((0..size as usize).map(|_| fill(scalar)).collect())
@@ -468,7 +469,7 @@ impl<'a> Run<'a> {
             TypeInner::Struct { members, .. } => {
                 members.iter().map(|m| self.filled(m.ty, span, fill)).collect::<Result<_, _>>()?
             }
-            _ => return Err(self.source.unsupported(span, "a variable of this type", ONLY)),
+            _ => return Err(self.program.unsupported(span, "a variable of this type", ONLY)),
         };
         Ok(Value::List(list))
     }

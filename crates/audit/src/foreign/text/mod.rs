@@ -15,7 +15,7 @@ mod words;
 use frame::Literal;
 use lead::Lead;
 pub(super) use lex::{Lexer, Token};
-pub(super) use nesting::{called, nesting};
+pub(super) use nesting::nesting;
 
 use super::shape::{self, Values};
 use super::{ForeignError, ForeignTable, Hints, Spot, Step, error, limits};

@@ -32,19 +32,6 @@ pub(in crate::foreign) fn nesting(text: &str, file: &str) -> usize {
     deepest
 }
 
-/// Whether a word stands before a bracket of arguments, outside comments and strings.
-pub(in crate::foreign) fn called(text: &str, name: &str) -> bool {
-    let mut lexer = Lexer::new(text, "");
-    let mut before = false;
-    while let Some((_, token)) = lexer.next() {
-        if before && token == Token::Open(b'(') {
-            return true;
-        }
-        before = token == Token::Word(name);
-    }
-    false
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

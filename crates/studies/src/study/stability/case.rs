@@ -38,7 +38,7 @@ pub struct Case {
 const HALF: [&str; 2] = ["ggx_norm_i12", "ggx_norm_i14"];
 
 /// All of them.
-pub const CASES: [Case; 9] = [
+pub const CASES: [Case; 10] = [
     Case {
         name: "peak",
         title: "α → 0: the peak of GGX",
@@ -119,6 +119,19 @@ pub const CASES: [Case; 9] = [
         called: "truth::integrate::glass::glass, alpha 0",
         promise: 1e-8,
         value: |x| Ok(glass::glass(Smith::Correlated, 0.0, x[1], x[0], Side::Inside, glass::TOLERANCE)?.t),
+    },
+    Case {
+        name: "total",
+        title: "Total internal reflection in glass",
+        distance: "cos θ below the critical angle’s, ior 1.5",
+        why: "Beyond the critical angle there is no refracted ray: the root of its cosine has no value, and one NaN spreads over a picture. Where the \
+              radicand is not above 0, all is reflected.",
+        naive: naive::TOTAL,
+        met: "Fresnel’s equations with no branch before the root",
+        ours: "F = 1 where 1 − η² + η² c² ≤ 0, and as above elsewhere",
+        called: "truth::integrate::glass::glass, alpha 0",
+        promise: 1e-8,
+        value: |x| Ok(glass::glass(Smith::Correlated, 0.0, x[1], x[0], Side::Inside, glass::TOLERANCE)?.r),
     },
     Case {
         name: "anisotropy",

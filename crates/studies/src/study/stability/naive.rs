@@ -43,6 +43,14 @@ pub const CRITICAL: &str = "fn leaves(ior: f32, c: f32) -> f32 {
     return select(1.0 - (f0 + (1.0 - f0) * x * x * x * x * x), 0.0, ior * ior * (1.0 - c * c) > 1.0);
 }";
 
+/// Fresnel's equations from inside, the ior of the glass over that of the air, without a branch.
+pub const TOTAL: &str = "fn reflected(ior: f32, c: f32) -> f32 {
+    let t = sqrt(1.0 - ior * ior * (1.0 - c * c));
+    let s = (ior * c - t) / (ior * c + t);
+    let p = (c - ior * t) / (c + ior * t);
+    return 0.5 * (s * s + p * p);
+}";
+
 /// Heitz 2014, eq. 80, with one square of the azimuth had from the other.
 pub const ANISOTROPY: &str = "fn lambda(ax: f32, ay: f32, x: f32, y: f32, z: f32) -> f32 {
     let rest = x * x + y * y;

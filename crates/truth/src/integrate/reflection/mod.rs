@@ -87,13 +87,13 @@ pub fn reflection_of<D: Distribution>(
     let alpha = lobe.alpha();
     check_inputs(quantity, alpha, mu)?;
     if alpha == 0.0 {
-        return Ok(mirror(mu));
+        return Ok(mirror(smith, lobe, mu));
     }
     let mut reached = f64::INFINITY;
     for pair in Effort::ladder().windows(2) {
         let value = of_pair(quantity, &View::new(smith, lobe, mu), &pair[0], &pair[1])?;
         reached = value.error;
-        let negligible = D::REACH.is_finite() && value.loss < SMALLEST_LOSS;
+        let negligible = D::REACH.is_finite() && value.loss < SMALLEST_LOSS || !D::MATCHED;
         let loss_kept = value.loss_error <= LOSS_TOLERANCE || mu < SMALLEST_MU || negligible;
         if value.error <= tolerance && loss_kept {
             return Ok(value);
@@ -116,7 +116,7 @@ pub fn split(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> (f64, f64) {
 /// [`split`] of any distribution of normals.
 pub fn split_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, effort: &Effort) -> (f64, f64) {
     if lobe.alpha() == 0.0 {
-        let value = mirror(mu);
+        let value = mirror(smith, lobe, mu);
         return (value.e, value.b);
     }
     let view = View::new(smith, lobe, mu);
@@ -125,7 +125,10 @@ pub fn split_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, effort: &Effort
 
 /// E alone of any distribution of normals, by one rule.
 pub(crate) fn albedo_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, rule: &PanelRule) -> f64 {
-    if lobe.alpha() == 0.0 { 1.0 } else { albedo::kept(&View::new(smith, lobe, mu), rule) }
+    match lobe.alpha() {
+        0.0 => mirror(smith, lobe, mu).e,
+        _ => albedo::kept(&View::new(smith, lobe, mu), rule),
+    }
 }
 
 /// Values of the finer effort with bounds from the pair; alpha > 0.
@@ -152,9 +155,14 @@ fn of_pair<D: Distribution>(
     let pair = |f: &dyn Fn(&Effort) -> f64, scale: f64| estimate(f(coarse), f(fine), scale);
     let e = pair(&|effort| albedo::kept(view, &effort.outer), 1.0);
     let b = pair(&|effort| schlick::bias(view, effort), 1.0);
-    let fine_loss = albedo::lost(view, &fine.outer);
+    // Without a weak white furnace the loss is what E leaves of 1.
+    let lost = |effort: &Effort| match D::MATCHED {
+        true => albedo::lost(view, &effort.outer),
+        false => 1.0 - albedo::kept(view, &effort.outer),
+    };
+    let fine_loss = lost(fine);
     let scale = if fine_loss > 0.0 { fine_loss } else { 1.0 };
-    let loss = estimate(albedo::lost(view, &coarse.outer), fine_loss, scale);
+    let loss = estimate(lost(coarse), fine_loss, scale);
     // Nodes carry eps of absolute rounding in a variable where the horizon's layer is as wide as
     // the smaller of alpha and mu.
     let rounding = 4.0 * f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
@@ -174,10 +182,14 @@ fn of_pair<D: Distribution>(
     }
 }
 
-/// alpha = 0: a mirror.
-fn mirror(mu: f64) -> Reflection {
-    let b = crate::optics::fresnel::schlick_weight(1.0 - mu);
-    Reflection { e: 1.0, a: 1.0 - b, b, loss: 0.0, error: 0.0, loss_error: 0.0 }
+/// alpha = 0: a mirror, which Smith's own masking leaves whole; E is G2 of its direction.
+fn mirror<D: Distribution>(smith: Smith, lobe: D, mu: f64) -> Reflection {
+    let area = lobe.area_at(mu);
+    let hidden = !D::MATCHED && area > mu;
+    let e = if hidden { mu * smith.shadowing_over_cosine(mu, area, mu, area) } else { 1.0 };
+    let weight = crate::optics::fresnel::schlick_weight(1.0 - mu);
+    let b = e * weight;
+    Reflection { e, a: e - b, b, loss: 1.0 - e, error: 0.0, loss_error: 0.0 }
 }
 
 /// Refuses alpha outside {0} or [1e-7, 1] and mu outside [0, 1].

@@ -27,6 +27,7 @@
 //! left where it has fallen by e^-45.
 
 use super::lobe::{self, exponent};
+use super::shadowed::Lambda;
 use crate::integrate::PanelRule;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
@@ -58,7 +59,7 @@ const SERIES_BELOW: f64 = 0.06;
 
 /// A view of the lobe.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct View<'a> {
     p: f64,
     mu: f64,
     sine: f64,
@@ -66,6 +67,18 @@ pub(super) struct View {
     /// tau and 1 - tau.
     tau: f64,
     rest: f64,
+    /// The shadowing in place of Neubelt's visibility.
+    shadowing: Option<Shadowing<'a>>,
+}
+
+/// Shadowing by Lambda, seen from a view: no azimuth of it has a closed form.
+#[derive(Clone, Copy, Debug)]
+struct Shadowing<'a> {
+    lambda: &'a Lambda,
+    /// Lambda of the view.
+    of_view: f64,
+    /// Rule of each part of the azimuth.
+    rule: &'static Gauss,
 }
 
 /// A ring of facets: cos and sin of theta_h, the azimuth that it ends at and the tangent of half of
@@ -78,14 +91,21 @@ struct Ring {
     tangent: f64,
 }
 
-impl View {
+impl<'a> View<'a> {
     /// alpha > 0, mu in [0, 1].
-    pub(super) fn new(alpha: f64, mu: f64) -> View {
+    pub(super) fn new(alpha: f64, mu: f64) -> View<'a> {
         let mu = mu.max(GRAZING);
         let kappa = 1.0 - mu;
         let sine = (kappa * (1.0 + mu)).sqrt();
         let below = 1.0 + sine;
-        View { p: exponent(alpha), mu, sine, kappa, tau: mu / below, rest: (sine + kappa) / below }
+        let (tau, rest) = (mu / below, (sine + kappa) / below);
+        View { p: exponent(alpha), mu, sine, kappa, tau, rest, shadowing: None }
+    }
+
+    /// The same with the shadowing of a Lambda, that of the width; mu > 0.
+    pub(super) fn shadowed(lambda: &'a Lambda, mu: f64, rule: &'static Gauss) -> View<'a> {
+        let shadowing = Some(Shadowing { lambda, of_view: lambda.at(mu), rule });
+        View { shadowing, ..View::new(lambda.alpha, mu) }
     }
 
     /// -ln of the sine's power where it is largest.
@@ -186,7 +206,9 @@ impl View {
 
     /// R of a ring.
     fn ring(&self, ring: &Ring) -> f64 {
-        if self.kappa < CLOSED_KAPPA || ring.azimuth < CLOSED_AZIMUTH {
+        if let Some(shadowing) = &self.shadowing {
+            self.ring_shadowed(ring, shadowing)
+        } else if self.kappa < CLOSED_KAPPA || ring.azimuth < CLOSED_AZIMUTH {
             self.ring_summed(ring)
         } else {
             self.ring_closed(ring)
@@ -222,11 +244,42 @@ impl View {
         2.0 * tangent * f / sum
     }
 
-    /// R by a rule over the azimuth, free of cancellation: mu_l = 2 a sin(theta) sin(theta_h)
-    /// sin((phi_m + phi)/2) sin((phi_m - phi)/2), and cos(theta + 2 theta_h) more where the ring is
-    /// lit all around.
+    /// R by a rule over the azimuth.
     fn ring_summed(&self, ring: &Ring) -> f64 {
         static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(20));
+        let light = self.lights(ring);
+        RULE.integrate(0.0, ring.azimuth, |phi| {
+            let (y, mu_l) = light(phi);
+            y * lobe::lit(self.mu, mu_l)
+        })
+    }
+
+    /// R with G2/mu in place of mu_l/(mu^2 + 2 kappa y cos(theta_h)), in two parts: up to the light
+    /// at a cosine of 1/2, where Lambda is no smooth function, and from there by phi = end - length
+    /// t^4, for Lambda is one of a small power of mu_l.
+    fn ring_shadowed(&self, ring: &Ring, shadowing: &Shadowing) -> f64 {
+        let light = self.lights(ring);
+        let value = |phi: f64| {
+            let (y, mu_l) = light(phi);
+            y / (self.mu * (1.0 + shadowing.of_view + shadowing.lambda.at(mu_l.clamp(0.0, 1.0))))
+        };
+        let swing = self.sine * ring.sine;
+        let middle = (0.5 * (self.mu + 0.5) / ring.cosine - self.mu * ring.cosine) / swing;
+        let cut =
+            if middle < 1.0 { ops::atan2((1.0 - middle * middle).max(0.0).sqrt(), middle) } else { 0.0 };
+        let (cut, rule) = (if middle <= -1.0 { PI } else { cut }.min(ring.azimuth), shadowing.rule);
+        let length = ring.azimuth - cut;
+        let low = rule.integrate(0.0, 1.0, |t| {
+            let cube = t * t * t;
+            4.0 * cube * length * value(ring.azimuth - length * cube * t)
+        });
+        rule.integrate(0.0, cut, value) + low
+    }
+
+    /// v.h and mu_l of the facets of a ring by their azimuth, free of cancellation: mu_l = 2 a
+    /// sin(theta) sin(theta_h) sin((phi_m + phi)/2) sin((phi_m - phi)/2), and cos(theta + 2 theta_h)
+    /// more where the ring is lit all around.
+    fn lights(&self, ring: &Ring) -> impl Fn(f64) -> (f64, f64) {
         let (fixed, swing) = (self.mu * ring.cosine, self.sine * ring.sine);
         let lowest = if ring.tangent.is_infinite() {
             (self.mu * (ring.cosine - ring.sine) * (ring.cosine + ring.sine)
@@ -235,12 +288,11 @@ impl View {
         } else {
             0.0
         };
-        let at = |phi: f64| {
-            let both = ops::sin(0.5 * (ring.azimuth + phi)) * ops::sin(0.5 * (ring.azimuth - phi));
-            let mu_l = lowest + 4.0 * ring.cosine * swing * both;
-            (fixed + swing * ops::cos(phi)) * lobe::lit(self.mu, mu_l)
-        };
-        RULE.integrate(0.0, ring.azimuth, at)
+        let (azimuth, cosine) = (ring.azimuth, ring.cosine);
+        move |phi: f64| {
+            let both = ops::sin(0.5 * (azimuth + phi)) * ops::sin(0.5 * (azimuth - phi));
+            (fixed + swing * ops::cos(phi), lowest + 4.0 * cosine * swing * both)
+        }
     }
 }
 

@@ -4,6 +4,7 @@ mod facets;
 mod integral;
 pub mod lobe;
 pub mod monte_carlo;
+mod shadowed;
 
 use rayon::prelude::*;
 
@@ -11,6 +12,7 @@ use super::{Asked, Choice, Input, MU, Quantity, Truth, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::monte_carlo::{Run, Sampled};
 pub use integral::{SMALLEST_ALPHA, Sheen, TOLERANCE, albedo, sheen};
+pub use shadowed::EstevezKulla;
 
 /// Largest error of the rule of sixteen nodes: 1e-11 of E, which is 399 at most.
 const RULE_ERROR: f64 = 1e-8;

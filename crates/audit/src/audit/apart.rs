@@ -1,0 +1,90 @@
+//! Channels one by one: a file may hold several quantities, and a channel that is foreign to the
+//! one that is asked for does not condemn the others.
+
+use super::column::Column;
+use super::found::{Audit, ChannelAudit, Fit, Other};
+use super::table::{AuditedTable, Source};
+use super::truth::spec;
+use super::{AuditError, Case, Fixed, best};
+use crate::foreign::Channel;
+use lobefit_truth::quantity::{QUANTITIES, Quantity};
+
+/// The table with the sum of its first two channels that vary, where E is asked for: that of a table
+/// of A and B.
+pub(super) fn with_sum(mut table: AuditedTable, quantity: &dyn Quantity, fixed: &Fixed) -> AuditedTable {
+    let splits = spec(quantity).is_some_and(|spec| spec.columns.contains(&Column::A));
+    let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
+    let asked = fixed.column == Some(Column::E) && fixed.meanings.is_none();
+    if !(asked && splits && table.source == Source::Table) {
+        return table;
+    }
+    if let [first, second, ..] = table.channels.iter().filter(varies).collect::<Vec<_>>()[..] {
+        let values = first.values.iter().zip(&second.values).map(|(a, b)| a + b).collect();
+        let name = format!("{} + {}", first.name, second.name);
+        table.channels.push(Channel { name, values });
+    }
+    table
+}
+
+/// An audit of which some channels fit nothing, with the others judged without those; each of those
+/// as the quantity that it is of, if it is of one.
+pub(super) fn with_others(done: Audit, case: &Case, quantity: &dyn Quantity) -> Result<Audit, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
+    let open = fixed.meanings.is_none() && fixed.column.is_none() && table.source == Source::Table;
+    if done.fit != Fit::None || live.len() < 2 || !open {
+        return Ok(done);
+    }
+    let mut own = Vec::new();
+    for k in live {
+        let case = Case { table: &alone(table, *k), live: &[0], ..*case };
+        if best(&case, quantity)?.audit.fit == Fit::Whole {
+            own.push(*k);
+        }
+    }
+    if own.is_empty() || own.len() == live.len() {
+        return Ok(done);
+    }
+    let mut found = best(&Case { live: &own, ..*case }, quantity)?.audit;
+    if found.fit == Fit::None {
+        return Ok(done);
+    }
+    for k in live.iter().filter(|k| !own.contains(k)) {
+        let other = quantity_of(&found, &Case { table: &alone(table, *k), live: &[0], ..*case })?;
+        let channel = &mut found.channels[*k];
+        let other = other.map_or(Other::Unknown, |audit| Other::Quantity(Box::new(audit)));
+        *channel = ChannelAudit { other: Some(other), ..channel.clone() };
+    }
+    Ok(found)
+}
+
+/// The table of one channel.
+fn alone(table: &AuditedTable, channel: usize) -> AuditedTable {
+    let channels = vec![table.channels[channel].clone()];
+    AuditedTable { channels, what: format!("channel {}", table.channels[channel].name), ..table.clone() }
+}
+
+/// The other quantity that a channel is of, with the axes of those beside it.
+fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditError> {
+    let axes = &beside.best().axes;
+    let fixed = Fixed {
+        axes: Some(axes.iter().map(|a| (a.scale, a.reversed)).collect()),
+        registrations: Some(axes.iter().map(|a| a.registration).collect()),
+        ..Fixed::default()
+    };
+    let mut inputs: Vec<_> = axes.iter().map(|a| a.scale.input()).collect();
+    inputs.sort();
+    let mut nearest: Option<Audit> = None;
+    for quantity in QUANTITIES.into_iter().filter(|q| q.name() != beside.quantity) {
+        let mut own = spec(quantity).map_or(Vec::new(), |spec| spec.inputs.to_vec());
+        own.sort();
+        if own != inputs {
+            continue;
+        }
+        let found = best(&Case { fixed: &fixed, ..*channel }, quantity)?.audit;
+        let better = nearest.as_ref().is_none_or(|b| found.tried[0].rank < b.tried[0].rank);
+        if found.fit == Fit::Whole && better {
+            nearest = Some(found);
+        }
+    }
+    Ok(nearest)
+}

@@ -1,0 +1,124 @@
+//! Which lobe a table is of: the list of shadowing forms.
+
+use lobefit::data::Smith;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::sheen::EstevezKulla;
+use lobefit_truth::quantity::{Choice, Quantity, SCHLICK_SMITH, Variant};
+
+/// A shadowing form: a line of [`FORMS`].
+#[derive(Debug)]
+pub struct Form {
+    /// The quantity whose lobe it shadows; `None` for all whose variants name a Smith form.
+    of: Option<&'static str>,
+    /// The word of `--smith`.
+    pub word: &'static str,
+    /// For readers.
+    pub words: &'static str,
+    /// The variant's Smith form.
+    pub smith: Option<Smith>,
+    /// What integrates it, where that is not the quantity itself.
+    pub integrand: Option<&'static dyn Quantity>,
+}
+
+/// A form of a quantity's own variants.
+const fn own(smith: Smith, word: &'static str, words: &'static str) -> Form {
+    Form { of: None, word, words, smith: Some(smith), integrand: None }
+}
+
+/// A form of the lobe of one quantity, with what integrates it.
+const fn other(
+    of: &'static str,
+    [word, words]: [&'static str; 2],
+    integrand: Option<&'static dyn Quantity>,
+) -> Form {
+    Form { of: Some(of), word, words, smith: None, integrand }
+}
+
+/// Every form; of those of a quantity its own first, the one that is meant where nothing is said.
+pub static FORMS: [Form; 7] = [
+    own(Smith::Correlated, "correlated", "height-correlated Smith"),
+    own(Smith::Separable, "separable", "separable Smith"),
+    other(
+        "ggx-reflection",
+        ["schlick", "Schlick-Smith with k = alpha/2 (Karis 2013, for light from images)"],
+        Some(&SCHLICK_SMITH[0]),
+    ),
+    other(
+        "ggx-reflection",
+        ["schlick-lights", "Schlick-Smith with k = (roughness + 1)^2/8 (Karis 2013, for analytic lights)"],
+        Some(&SCHLICK_SMITH[1]),
+    ),
+    other("ggx-reflection", ["schlick-alpha", "Schlick-Smith with k = alpha"], Some(&SCHLICK_SMITH[2])),
+    other("sheen-charlie", ["neubelt", "the visibility of Neubelt and Pettineo (2013)"], None),
+    other(
+        "sheen-charlie",
+        ["estevez-kulla", "the shadowing of Estevez and Kulla (2017)"],
+        Some(&EstevezKulla),
+    ),
+];
+
+/// The form of a quantity that has one only.
+static ONLY: Form = Form { of: None, word: "", words: "", smith: None, integrand: None };
+
+impl PartialEq for Form {
+    fn eq(&self, other: &Form) -> bool {
+        self.word == other.word
+    }
+}
+
+impl Form {
+    /// The form of a word.
+    pub fn find(word: &str) -> Option<&'static Form> {
+        FORMS.iter().find(|form| form.word == word)
+    }
+
+    /// The forms of a quantity's lobe, its own first.
+    pub fn of(quantity: &dyn Quantity) -> Vec<&'static Form> {
+        let fits = |form: &&Form| match form.of {
+            Some(name) => name == quantity.name(),
+            None => quantity.has(Choice::Smith),
+        };
+        let forms: Vec<&Form> = FORMS.iter().filter(fits).collect();
+        if forms.is_empty() { vec![&ONLY] } else { forms }
+    }
+}
+
+/// Which lobe a truth is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lobe {
+    /// Shadowing form.
+    pub form: &'static Form,
+    /// Where the ray comes from; `None` where there is one side only.
+    pub side: Option<Side>,
+}
+
+impl Lobe {
+    /// The lobes of a quantity of these forms and sides.
+    pub(super) fn of(quantity: &dyn Quantity, forms: &[&'static Form], sides: &[Side]) -> Vec<Lobe> {
+        let sides: Vec<Option<Side>> = match quantity.has(Choice::Side) {
+            true => sides.iter().copied().map(Some).collect(),
+            false => vec![None],
+        };
+        let with = |form: &&'static Form| {
+            let form = *form;
+            sides.iter().map(move |side| Lobe { form, side: *side }).collect::<Vec<_>>()
+        };
+        forms.iter().flat_map(with).collect()
+    }
+
+    /// The variant of what integrates it. A product of two G1 is the separable form of its own.
+    pub(super) fn variant(&self) -> Variant {
+        let smith = self.form.smith.or(self.form.integrand.map(|_| Smith::Separable));
+        Variant { smith, side: self.side, ..Variant::default() }
+    }
+
+    /// `height-correlated Smith, rays from inside`.
+    pub fn words(&self) -> String {
+        let side = self.side.map(|s| match s {
+            Side::Outside => "rays from outside",
+            Side::Inside => "rays from inside",
+        });
+        let form = Some(self.form.words).filter(|words| !words.is_empty());
+        [form, side].into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+}

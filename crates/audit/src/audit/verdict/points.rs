@@ -1,0 +1,347 @@
+//! The points of a verdict on a table or function of unknown make.
+
+use super::words::{listed, number, percent, place, reading, readings_differ};
+use super::{Grade, Verdict, advice, defect, words};
+use crate::audit::axis::Registration;
+use crate::audit::convention::Convention;
+use crate::audit::defects::Defect;
+use crate::audit::table::Source;
+use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
+
+/// Ranks nearer than this are of conventions that are the same at the texels.
+const SAME: f64 = 1e-6;
+
+/// The verdict; `limit` is the largest error that the user allows.
+pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
+    let mut errors = Vec::new();
+    for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
+        errors.extend(at_places(audit, channel));
+        if audit.fit != Fit::None && audit.two_lobes.is_none() {
+            errors.extend(channel.defects.iter().map(|d| defect::sentence(d, &audit.axes)));
+        }
+    }
+    errors.extend(untold(audit));
+    errors.extend(departure(audit));
+    errors.extend(lookups(audit));
+    errors.extend(limit.map(|limit| judged(audit, limit)));
+    errors.extend(audit.remarks.iter().cloned());
+    let convention: Vec<String> = [opening(audit)].into_iter().chain(idle(audit)).collect();
+    Verdict {
+        grade: grade(audit, limit),
+        headline: headline(audit, limit),
+        convention: convention.join(" "),
+        errors,
+        furnace: furnace(audit),
+        remedy: advice::advice(audit),
+        certainty: doubt(audit),
+    }
+}
+
+fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
+    let unfit = audit.fit == Fit::None && audit.two_lobes.is_none();
+    let sound = |d: &Defect| advice::mending(d, audit.source).is_none();
+    let plain = audit.plain.is_none() && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
+    match limit {
+        _ if unfit => Grade::Unknown,
+        Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
+        Some(limit) if audit.fit == Fit::Whole && audit.worst_as_read() <= limit => Grade::Unknown,
+        None if audit.fit == Fit::Whole && plain => Grade::Pass,
+        _ => Grade::Fail,
+    }
+}
+
+/// The end of a headline.
+pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
+    limit.map_or("; no limit is given".into(), |limit| format!("; the limit is {}", number(limit)))
+}
+
+/// What it is, how far off it is where it is used, and the limit.
+fn headline(audit: &Audit, limit: Option<f64>) -> String {
+    let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
+    let what = format!("{} {}: {}", audit.quantity, listed(&held), audit.what);
+    let limit = said_limit(limit);
+    let worst = audit.channels.iter().filter_map(|c| c.errors.as_ref());
+    let Some(worst) = worst.reduce(|a, b| if b.max > a.max { b } else { a }) else {
+        return format!("{what} is not judged{limit}");
+    };
+    let (max, at) = (number(worst.max), place(&worst.at));
+    if audit.fit == Fit::None && audit.two_lobes.is_none() {
+        let found =
+            if audit.source == Source::Table { "fits no convention" } else { "is no approximation of it" };
+        return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
+    }
+    let lookup = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
+    match lookup.reduce(|a, b| if b.max > a.max { b } else { a }) {
+        Some(lookup) if lookup.max > worst.max => format!(
+            "{what} is off by at most {} in lookups ({}), {max} at texels{limit}",
+            number(lookup.max),
+            place(&lookup.at)
+        ),
+        _ => format!("{what} is off by at most {max} at {at}{limit}"),
+    }
+}
+
+/// What it is best read as.
+pub(in crate::audit) fn opening(audit: &Audit) -> String {
+    let given = if audit.fixed { " of those that the options leave open" } else { "" };
+    let reading = reading(audit);
+    if let Some(parts) = &audit.two_lobes {
+        return format!(
+            "no convention{given} fits as a whole: {} Both parts are {reading}.",
+            halves(audit, parts)
+        );
+    }
+    if audit.source == Source::Function {
+        return of_function(audit, &reading);
+    }
+    match audit.fit {
+        Fit::Whole => format!("{reading}."),
+        Fit::Part => {
+            format!("no convention{given} fits as a whole; the nearest, which most of it fits, is {reading}.")
+        }
+        Fit::None => {
+            format!("no convention{given} fits; the nearest, which it does not follow, is {reading}.")
+        }
+    }
+}
+
+/// The two parts of a table.
+fn halves(audit: &Audit, parts: &TwoLobes) -> String {
+    let [larger, smaller, all] = parts.texels;
+    let place = match defect::extent(&audit.axes, &parts.range, &parts.size) {
+        ranges if ranges.is_empty() => String::new(),
+        ranges => format!(" (all at {ranges})"),
+    };
+    let same = match all - larger - smaller {
+        0 => String::new(),
+        n => format!("; the other {n} are the same in both"),
+    };
+    format!(
+        "it was made in two parts. Of its {all} texels {larger} are of {}, and {smaller}{place} are of {}{same}.",
+        audit.best().lobe.words(),
+        parts.lobe.words()
+    )
+}
+
+/// What a function is best read as.
+fn of_function(audit: &Audit, reading: &str) -> String {
+    let given = if audit.fixed { " that the options leave open" } else { "" };
+    let quantity = audit.quantity;
+    match audit.fit {
+        Fit::Whole => format!("{reading}."),
+        Fit::Part => format!("{reading}, but not everywhere."),
+        Fit::None => format!(
+            "no approximation of {quantity} under any reading of its arguments{given}; the nearest, which it does not follow, is {reading}."
+        ),
+    }
+}
+
+/// How sure the reading is.
+fn doubt(audit: &Audit) -> String {
+    if audit.fit == Fit::None {
+        return String::new();
+    }
+    if audit.two_lobes.is_some() {
+        return format!(
+            "of one lobe throughout, the best convention fits {} times worse.",
+            number(audit.margin)
+        );
+    }
+    let next = if audit.source == Source::Table { "convention" } else { "reading" };
+    let first = &audit.tried[0];
+    let apart = |t: &&crate::audit::Tried| (t.rank / first.rank - 1.0).abs() >= SAME;
+    let other = |convention: &Convention| readings_differ(audit, &first.convention, convention);
+    let same = audit.tried[1..].iter().find(|t| !apart(t));
+    let mut out = same.map_or(String::new(), |t| format!("with {} it is the same; ", other(&t.convention)));
+    if let Some(second) = audit.tried[1..].iter().find(apart) {
+        let (times, other) = (number(audit.margin), other(&second.convention));
+        out += &match audit.margin {
+            m if m >= CLEAR => {
+                format!("in no doubt: the next {next} ({other}) fits {times} times worse.")
+            }
+            m if m >= 1.2 => {
+                format!("likely: the next {next} ({other}) fits {times} times worse.")
+            }
+            _ => format!("open: another {next} ({other}) fits nearly as well."),
+        };
+    }
+    out.trim_end().into()
+}
+
+/// Errors of a channel at its texels, or at points.
+fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
+    let e = channel.errors.as_ref()?;
+    let column = channel.column?.name();
+    let part = if e.judged < e.all {
+        let beyond = e.all - e.judged - e.unsampled;
+        let points = if audit.source == Source::Table { "texels" } else { "points" };
+        let told = [
+            (beyond, "lie where the truth is not had".to_string()),
+            (
+                e.unsampled,
+                format!(
+                    "were not looked at, for the table is too large to judge each texel: {}",
+                    judged_at(audit)
+                ),
+            ),
+        ];
+        let told: Vec<String> =
+            told.iter().filter(|(n, _)| *n > 0).map(|(n, why)| format!("{n} {why}")).collect();
+        format!(" ({} of {} {points} judged; {})", e.judged, e.all, told.join(", "))
+    } else {
+        String::new()
+    };
+    let scope = match (audit.source, &audit.two_lobes) {
+        (Source::Table, None) => "At its texels".to_string(),
+        (Source::Table, Some(_)) => {
+            format!("Held against {} throughout, at its texels", audit.best().lobe.words())
+        }
+        (Source::Function, _) => format!("Over {} evenly spaced points", e.judged),
+    };
+    if e.max <= 2.0 * audit.truth_error {
+        return Some(format!(
+            "{scope} {column} is exact to the accuracy of the truth, {}{part}.",
+            number(audit.truth_error)
+        ));
+    }
+    // Half the last place of a single.
+    if e.max <= 6e-8 * e.value.abs().max(1.0) {
+        return Some(format!("{scope} {column} is exact to single precision{part}."));
+    }
+    let texel = match audit.source {
+        Source::Table => format!("texel {:?} ({})", e.texel, place(&e.at)),
+        Source::Function => place(&e.at),
+    };
+    Some(format!(
+        "{scope} {column} is off by at most {} (RMS {}){part}, worst at {texel}, where it is {} and {} is true.",
+        number(e.max),
+        number(e.rms),
+        words::long(e.value),
+        words::long(e.truth),
+    ))
+}
+
+/// Which texels of a large table are judged.
+fn judged_at(audit: &Audit) -> String {
+    let along =
+        |((name, at), n): ((&String, &Vec<usize>), &usize)| format!("{} of {n} along {name}", at.len());
+    let all: Vec<String> = audit.axes.iter().zip(&audit.places).zip(&audit.size).map(along).collect();
+    format!("judged are {}, evenly spaced, both ends among them", all.join(", "))
+}
+
+/// What the plain reading makes of it.
+fn untold(audit: &Audit) -> Option<String> {
+    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None && audit.two_lobes.is_none())?;
+    let other = readings_differ(audit, audit.best(), &plain.convention);
+    let scope = match (audit.source, plain.texels) {
+        (Source::Function, _) => String::new(),
+        (Source::Table, [judged, all]) if judged < all => format!(" at {judged} of its {all} texels"),
+        (Source::Table, _) => " at its texels".into(),
+    };
+    Some(format!(
+        "No reader assumes {} unless the file says so: read plainly ({other}), it is off by at most {}{scope}.",
+        plain.untold.join(", or "),
+        number(plain.max),
+    ))
+}
+
+/// How far it is from the lobe that the quantity's name stands for.
+fn departure(audit: &Audit) -> Option<String> {
+    let (lobe, max) = audit.departure.as_ref().filter(|_| audit.fit != Fit::None)?;
+    let (quantity, words, max) = (audit.quantity, lobe.words(), number(*max));
+    Some(format!(
+        "Held against {words}, which {quantity} is where nothing else is said, it is off by at most {max}."
+    ))
+}
+
+/// Channels that hold nothing that is asked for.
+fn idle(audit: &Audit) -> Option<String> {
+    let idle = audit.channels.iter().filter(|c| c.column.is_none());
+    let told = idle.map(|c| match (c.constant, &c.other) {
+        (_, Some(Other::Quantity(other))) => {
+            let Verdict { headline, convention, .. } = of(other, None);
+            format!("Channel {} is of another quantity: {headline}: {convention}", c.name)
+        }
+        (_, Some(Other::Unknown)) => {
+            format!("Channel {} is left out: it follows nothing that is known.", c.name)
+        }
+        (Some(value), _) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
+        (None, None) => format!("Channel {} is not asked for.", c.name),
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty()).then(|| told.join(" "))
+}
+
+/// Departures from white below this are not worth a sentence: in per cent, and in three digits,
+/// they would be next to nothing.
+const UNSEEN: f64 = 1e-5;
+
+fn furnace(audit: &Audit) -> Option<String> {
+    let f = audit.furnace.as_ref().filter(|_| audit.two_lobes.is_none())?;
+    if f.dark > 0 {
+        return Some(format!(
+            "none can be compensated with it: its E is 0 or less at {} {}, the first at {}.",
+            f.dark,
+            if audit.source == Source::Table { "texels" } else { "points" },
+            place(&f.at)
+        ));
+    }
+    let seen = f.range[0].abs().max(f.range[1].abs());
+    if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) || seen < UNSEEN {
+        return None;
+    }
+    Some(format!(
+        "compensated with it, it comes out {} to {} off white, worst at {}.",
+        percent(f.range[0]),
+        percent(f.range[1]),
+        place(&f.at)
+    ))
+}
+
+/// What a shader gets between texels.
+fn lookups(audit: &Audit) -> Option<String> {
+    if audit.fit == Fit::None || audit.two_lobes.is_some() {
+        return None;
+    }
+    let channel = audit.channels.iter().find(|c| c.lookup.is_some())?;
+    let (own, plain) = (channel.lookup.as_ref()?, channel.plain_lookup.as_ref()?);
+    let column = channel.column?.name();
+    let centred = audit.best().axes.iter().all(|a| a.registration == Registration::Centre);
+    let mut text = format!(
+        "Looked up with linear interpolation{}, {column} is off by at most {} (RMS {}), worst at {}; by {} between the outermost texels.",
+        if centred { "" } else { " at the coordinates that its texels have" },
+        number(own.max),
+        number(own.rms),
+        place(&own.at),
+        number(own.inner),
+    );
+    if !centred {
+        text += &format!(
+            " A texture unit that takes them for centres, without a remap, is off by up to {} (RMS {}, mean {}).",
+            number(plain.max),
+            number(plain.rms),
+            words::signed(plain.mean),
+        );
+    }
+    Some(text)
+}
+
+/// Where a limit was judged, which a largest error alone does not tell: of a table or function
+/// whose convention was found, at texels or points, and what lookups between them make of it.
+fn judged(audit: &Audit, limit: f64) -> String {
+    let limit_text = number(limit);
+    if audit.source == Source::Function {
+        return format!("The limit {limit_text} is judged at those points of the arguments.");
+    }
+    let worst = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
+    let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
+    match worst {
+        Some(lookup) if lookup.max > limit && audit.passes(Some(limit)) => format!(
+            "The limit {limit_text} is judged at the texels, which keep it; lookups between them and beyond the outermost do not: they are off by up \
+             to {} (at {}).",
+            number(lookup.max),
+            place(&lookup.at)
+        ),
+        _ => format!("The limit {limit_text} is judged at the texels, not at lookups between them."),
+    }
+}

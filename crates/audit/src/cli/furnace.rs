@@ -1,0 +1,185 @@
+//! `lobefit furnace`: a whole BRDF of a shader file in a white furnace, and for reciprocity.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, ValueEnum};
+
+use super::origin::quoted;
+use super::words::setting;
+use crate::foreign::{self, ShaderFunction};
+use crate::furnace::{self, Asked, FurnaceFindings, Passed, Role};
+use lobefit::cli::CliError;
+use lobefit::cli::options::{ThreadsOption, not_negative};
+use lobefit::cli::output::{self, Outcome, print};
+use lobefit::cli::progress::Spinner;
+use lobefit::report::Origin;
+use lobefit::store::{self, Files, Folder};
+
+const EXAMPLES: &str = "\
+Examples:
+  lobefit furnace brdf.wgsl --function ggx                does it gain energy, is it reciprocal?
+  lobefit furnace brdf.hlsl --function ggx --limit 0.01   in CI: exit 1 above 1.01, or if f(l, v) is off f(v, l) by 1 %
+  lobefit furnace brdf.glsl --function f --role dir=l --role eye=v --set metallic=0
+
+Arguments are known by their names: a normal, view, light or half vector, tangents, cosines between them (NdotL, n_dot_l, NoL),
+a roughness or alpha, colours and F0, which are white. --role says what a name does not: n, v, l, h, t, b, a cosine as n.l, roughness or white.
+
+Exit codes:
+  0  without --limit: whatever the verdict is; with --limit: no energy is above 1 + X, and f(l, v) within X of f(v, l)
+  1  with --limit: an energy is above 1 + X or its error bars hold 1 + X, f is not reciprocal, or has values that are no numbers
+  2  options, or a file or function that cannot be read
+  3  --out, or standard output, cannot be written";
+
+/// Whether a function holds the cosine of the light.
+#[derive(Clone, Copy, ValueEnum)]
+enum CosineOption {
+    Included,
+    Absent,
+}
+
+/// Measure a whole BRDF of a shader file in a white furnace, and for reciprocity
+#[derive(Parser)]
+#[command(name = "lobefit furnace", bin_name = "lobefit furnace", version, after_help = EXAMPLES)]
+struct Options {
+    /// Shader (WGSL, GLSL, HLSL)
+    pub file: PathBuf,
+    /// Function; `name(vec3, vec3, float)` where several have that name
+    #[arg(long, value_name = "NAME")]
+    pub function: Option<String>,
+    /// Macro of the shader's preprocessor
+    #[arg(long, value_name = "NAME[=VALUE]")]
+    pub define: Vec<String>,
+    /// Folder that the shader may include files from, or a file that stands before it
+    #[arg(long, value_name = "DIR")]
+    pub include: Vec<PathBuf>,
+    /// What an argument is
+    #[arg(long, value_name = "NAME=ROLE", value_parser = role)]
+    pub role: Vec<(String, Role)>,
+    /// Value of an argument; a vector or a structure may be set by its name
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    pub set: Vec<(String, f64)>,
+    /// Values of the roughness, as the function takes it
+    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = not_negative,
+          default_values_t = [0.1, 0.25, 0.5, 0.75, 1.0])]
+    pub roughness: Vec<f64>,
+    /// Whether the function holds the cosine of the light, where that is not to be found out
+    #[arg(long, value_name = "IS")]
+    pub cosine: Option<CosineOption>,
+    /// Largest energy above 1, and largest difference of f(l, v) and f(v, l) as a share, that is accepted
+    #[arg(long, value_name = "X", value_parser = not_negative)]
+    pub limit: Option<f64>,
+    /// Folder for NAME.furnace.html and NAME.furnace.json
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub threads: ThreadsOption,
+    /// Print what was found as JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Errors of energies are brought below it, or below a quarter of a limit.
+const TOLERANCE: f64 = 1e-3;
+
+/// Runs the verb on its arguments (the first is the program's name).
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match Options::try_parse_from(arguments) {
+        Ok(options) => output::finish(verb(&options)),
+        Err(usage) => output::usage(&usage),
+    }
+}
+
+fn role(text: &str) -> Result<(String, Role), String> {
+    let (name, word) = text.split_once('=').ok_or("NAME=ROLE is called for")?;
+    Ok((name.into(), furnace::role(word)?))
+}
+
+fn verb(options: &Options) -> Result<Outcome, CliError> {
+    let bytes = store::read(&options.file, foreign::limits::BYTES)?;
+    let function = function(options, &bytes)?;
+    // A folder that cannot be written is an error before the work.
+    let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let progress = Spinner::new(options.quiet || options.json);
+    progress.stage("the white furnace");
+    let asked = Asked {
+        roles: options.role.clone(),
+        set: options.set.clone(),
+        roughness: options.roughness.clone(),
+        cosine: options.cosine.map(|c| matches!(c, CosineOption::Included)),
+        tolerance: options.limit.map_or(TOLERANCE, |limit| TOLERANCE.min(limit / 4.0)),
+    };
+    let found = options.threads.install(|| Ok(furnace::furnace(&function, &asked)?))?;
+    drop(progress);
+    let name = options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
+    let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, options.limit);
+    let passed = options.limit.is_none() || judgement.verdict == Passed::Pass;
+    let found = FurnaceFindings {
+        origin: origin(options, &bytes, &name),
+        file: name.clone(),
+        function: function.signature,
+        limit: options.limit,
+        passed,
+        judgement,
+        furnace: found,
+    };
+    let (page, figures) = furnace::furnace_page(&found)?;
+    if let Some(folder) = &mut folder {
+        let html = (format!("{name}.furnace.html"), page.into_bytes());
+        folder.write(&Files::from([html, (format!("{name}.furnace.json"), figures.clone())]))?;
+    }
+    if options.json {
+        print(&figures)?;
+    } else if !options.quiet {
+        print(found.text().as_bytes())?;
+    }
+    Ok(if passed { Outcome::Done } else { Outcome::Failed })
+}
+
+/// The function that is meant.
+fn function(options: &Options, bytes: &[u8]) -> Result<ShaderFunction, CliError> {
+    let file = options.file.display().to_string();
+    let around = foreign::Surroundings { defines: options.define.clone(), includes: options.include.clone() };
+    let mut found = foreign::read_functions(bytes, &file, options.function.as_deref(), &around)?;
+    if found.len() > 1 {
+        let asked = Asked { roles: options.role.clone(), set: options.set.clone(), ..Asked::default() };
+        let whole: Vec<ShaderFunction> =
+            found.iter().filter(|f| furnace::is_brdf(f, &asked)).cloned().collect();
+        found = if whole.is_empty() { found } else { whole };
+    }
+    let names: Vec<&str> = found.iter().map(|f| f.signature.as_str()).collect();
+    match names.as_slice() {
+        [_] => Ok(found.remove(0)),
+        _ => Err(CliError::Usage(format!(
+            "{file}: holds several functions that may be meant: `{}`; choose one by --function",
+            names.join("`, `")
+        ))),
+    }
+}
+
+/// What made the report; the command names every option that bears on it.
+fn origin(options: &Options, bytes: &[u8], name: &str) -> Origin {
+    let mut words = vec!["lobefit furnace".to_string(), quoted(name)];
+    let mut add = |option: &str, value: String| words.push(format!("{option} {}", quoted(&value)));
+    options.function.iter().for_each(|f| add("--function", f.clone()));
+    options.define.iter().for_each(|d| add("--define", d.clone()));
+    options.include.iter().for_each(|i| add("--include", i.display().to_string()));
+    options.role.iter().for_each(|(n, role)| add("--role", format!("{n}={}", role.words())));
+    options.set.iter().for_each(|(n, x)| add("--set", format!("{n}={x}")));
+    let rough: Vec<String> = options.roughness.iter().map(f64::to_string).collect();
+    add("--roughness", rough.join(","));
+    let cosine = options.cosine.and_then(|c| c.to_possible_value());
+    cosine.iter().for_each(|c| add("--cosine", c.get_name().into()));
+    options.limit.iter().for_each(|l| add("--limit", l.to_string()));
+    Origin {
+        scene: String::new(),
+        recipe: blake3::hash(bytes).to_hex().to_string(),
+        tool: env!("CARGO_PKG_VERSION").into(),
+        command: words.join(" "),
+        pages: Vec::new(),
+    }
+}

@@ -1,0 +1,131 @@
+//! The figures of a furnace, as text, and their page.
+
+use lobefit::report::numbers::{brief, significant};
+use lobefit::report::{
+    Block, Curves, Origin, Page, ReportError, Section, Series, Spread, Style, document, figures, html, words,
+};
+use serde::Serialize;
+
+use super::measure::{Cell, Furnace, VIEWS};
+use super::words::{Judgement, energy};
+
+/// What a furnace found, for machines.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FurnaceFindings {
+    /// What made it.
+    pub origin: Origin,
+    /// The file, by its name.
+    pub file: String,
+    /// The function with the types of its arguments.
+    pub function: String,
+    /// What is allowed above 1, and of reciprocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<f64>,
+    /// Whether the exit code is 0.
+    pub passed: bool,
+    /// The verdict.
+    pub judgement: Judgement,
+    /// The figures.
+    pub furnace: Furnace,
+}
+
+impl FurnaceFindings {
+    /// The verdict, its points, and the energies of the channel that has the largest.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n", self.judgement.line);
+        for point in &self.judgement.points {
+            text.push_str(&format!("- {point}\n"));
+        }
+        let rows = self.rows();
+        let head: Vec<String> = self.columns();
+        let all: Vec<&Vec<String>> = std::iter::once(&head).chain(&rows).collect();
+        let width = |k: usize| all.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..head.len()).map(width).collect();
+        text.push('\n');
+        for row in all {
+            let cells: Vec<String> =
+                row.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
+            text.push_str(cells.join("  ").trim_end());
+            text.push('\n');
+        }
+        text
+    }
+
+    fn columns(&self) -> Vec<String> {
+        std::iter::once("roughness".into()).chain(VIEWS.iter().map(|mu| format!("mu {mu}"))).collect()
+    }
+
+    fn rows(&self) -> Vec<Vec<String>> {
+        let channel = self.furnace.most.1;
+        let row = |cells: &[Cell]| {
+            let first = cells[0].at.get("roughness").map_or("\u{2013}".into(), |r| brief(*r, 4));
+            std::iter::once(first).chain(cells.iter().map(|cell| energy(cell.energy[channel]))).collect()
+        };
+        self.furnace.cells.chunks(VIEWS.len()).map(row).collect()
+    }
+}
+
+/// The page as HTML, and the figures as JSON.
+///
+/// # Errors
+/// Data that is not finite, by section and field.
+pub fn furnace_page(found: &FurnaceFindings) -> Result<(String, Vec<u8>), ReportError> {
+    let page = Page {
+        title: format!("lobefit furnace: {} of {}", found.function, found.file),
+        origin: found.origin.clone(),
+        lead: found.judgement.line.clone(),
+        sections: vec![energies(found)?, points(found)],
+    };
+    Ok((html(&page), document("furnace.json", found)?))
+}
+
+fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
+    let chart = |channel: usize| {
+        let line = |(k, cells): (usize, &[Cell])| Series {
+            name: cells[0]
+                .at
+                .get("roughness")
+                .map_or("energy".into(), |r| format!("roughness {}", significant(*r, 2))),
+            points: cells.iter().map(|cell| (cell.at["mu"], cell.energy[channel].value)).collect(),
+            style: Style::Line(k),
+            end: None,
+        };
+        let white = Series {
+            name: "white".into(),
+            points: vec![(0.0, 1.0), (1.0, 1.0)],
+            style: Style::Truth,
+            end: None,
+        };
+        let lines = found.furnace.cells.chunks(VIEWS.len()).enumerate().map(line);
+        Curves {
+            title: found.furnace.channels[channel].clone(),
+            x: ("cosine of the view".into(), Spread::Linear),
+            y: ("energy".into(), Spread::Linear),
+            series: lines.chain([white]).collect(),
+            annotations: Vec::new(),
+            guides: Vec::new(),
+            y_limits: None,
+            size: (460.0, 260.0),
+        }
+    };
+    let charts: Vec<Curves> = (0..found.furnace.channels.len()).map(chart).collect();
+    let columns = found.columns();
+    let named: Vec<(&str, bool)> = columns.iter().map(|name| (name.as_str(), true)).collect();
+    let caption = "Energy by quadrature, with the difference from the coarser rule, of the channel that has the largest.";
+    let blocks = vec![
+        figures(&charts, "Energy that comes back in a white furnace.")?,
+        Block::Table(words::table(&named, found.rows(), caption)),
+    ];
+    Ok(Section { id: "energy".into(), title: "Energy".into(), lead: String::new(), blocks })
+}
+
+fn points(found: &FurnaceFindings) -> Section {
+    let rows = found.judgement.points.iter().filter_map(|point| point.split_once(": "));
+    let rows = rows.map(|(name, text)| (name.to_string(), text.to_string())).collect();
+    Section {
+        id: "verdict".into(),
+        title: "What was found".into(),
+        lead: String::new(),
+        blocks: vec![Block::Facts { rows }],
+    }
+}

@@ -1,0 +1,147 @@
+//! What a furnace found, in a line and at most five points.
+
+use lobefit::report::numbers::{brief, significant};
+use serde::Serialize;
+
+use super::measure::{Cell, Energy, Furnace};
+use crate::audit::place;
+
+/// Whether it passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub enum Passed {
+    /// Within what is allowed.
+    Pass,
+    /// Over it.
+    Fail,
+    /// The error bars of an energy hold the limit.
+    Unknown,
+}
+
+/// The verdict.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Judgement {
+    /// Whether it passes.
+    pub verdict: Passed,
+    /// The verdict in a line.
+    pub line: String,
+    /// What was found, each with its name.
+    pub points: Vec<String>,
+}
+
+/// What is allowed above 1, and of f(l, v) beside f(v, l), where no limit is given: errors of
+/// quadrature and of f32 stay below it.
+const ALLOWED: f64 = 5e-3;
+
+/// A difference of f(l, v) and f(v, l) that is rounding.
+const AGREES: f64 = 1e-4;
+
+/// The verdict on a function; without a limit [`ALLOWED`] is.
+pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
+    let allowed = limit.unwrap_or(ALLOWED);
+    let (cell, channel) = &found.most;
+    let most = cell.energy[*channel];
+    let broken = &found.reciprocity;
+    let gains = most.value - most.error > 1.0 + allowed;
+    let open = most.value + most.error > 1.0 + allowed;
+    let one_way = broken.share > allowed;
+    let unusable = found.unusable.is_some();
+    let verdict = match (gains || one_way || unusable, open) {
+        (true, _) => Passed::Fail,
+        (false, true) => Passed::Unknown,
+        (false, false) => Passed::Pass,
+    };
+    let word = match verdict {
+        Passed::Pass => "PASS",
+        Passed::Fail => "FAIL",
+        Passed::Unknown => "UNKNOWN",
+    };
+    let mut wrong = Vec::new();
+    if gains || open {
+        wrong.push("gains energy");
+    }
+    if one_way {
+        wrong.push("is not reciprocal");
+    }
+    if unusable {
+        wrong.push("has values that are no reflectance");
+    }
+    let what = if wrong.is_empty() {
+        "neither gains energy nor prefers a direction".into()
+    } else {
+        wrong.join(" and ")
+    };
+    let what = if verdict == Passed::Unknown { format!("may be one that {what}") } else { what };
+    let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
+    let line = format!(
+        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}",
+        energy(most),
+        place(&cell.at)
+    );
+    Judgement { verdict, line, points: points(found, gains) }
+}
+
+/// An energy with its error.
+pub(super) fn energy(e: Energy) -> String {
+    if e.error < 5e-6 {
+        brief(e.value, 5)
+    } else {
+        format!("{} \u{b1} {}", brief(e.value, 4), brief(e.error, 1))
+    }
+}
+
+fn points(found: &Furnace, gains: bool) -> Vec<String> {
+    let of = |(cell, channel): &(Cell, usize)| {
+        let name = match found.channels.len() {
+            1 => String::new(),
+            _ => format!(" of {}", found.channels[*channel]),
+        };
+        format!("{}{name} at {}", energy(cell.energy[*channel]), place(&cell.at))
+    };
+    let (most, least) = (found.most.0.energy[found.most.1].value, found.least.0.energy[found.least.1].value);
+    let advice = match (gains, most / std::f64::consts::PI) {
+        (true, share) if (0.9..=1.05).contains(&share) => {
+            " It is nearly pi: is the division by pi left to the caller?"
+        }
+        (true, _) => " More comes back than came in: a light in such a room grows brighter at every bounce.",
+        (false, _) => "",
+    };
+    let lost = if least < 0.99 {
+        format!(" {} % of the light is lost there.", significant(100.0 * (1.0 - least), 3))
+    } else {
+        String::new()
+    };
+    let broken = &found.reciprocity;
+    let swapped = if broken.share < AGREES {
+        format!("f(l, v) and f(v, l) agree within {} %.", 100.0 * AGREES)
+    } else {
+        format!(
+            "f(l, v) and f(v, l) differ by {} % of the larger at most: {} and {} at {}.",
+            significant(100.0 * broken.share, 2),
+            significant(broken.values[0], 4),
+            significant(broken.values[1], 4),
+            place(&broken.at)
+        )
+    };
+    let cosine = match (found.cosine.known, found.cosine.included) {
+        ("found", true) => "the function holds the cosine of the light: f/cos is symmetric, f is not.",
+        ("found", false) => "the function holds no cosine of the light: f itself is symmetric.",
+        ("stated", true) => "the function is said to hold the cosine of the light.",
+        ("stated", false) => "the function is said to hold no cosine of the light.",
+        _ => {
+            "neither f nor f/cos is symmetric: the function is taken for one without the cosine of the light (--cosine says)."
+        }
+    };
+    let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();
+    let mut points = vec![
+        format!("Energy: {} at most.{advice} {} at least.{lost}", of(&found.most), of(&found.least)),
+        format!("Reciprocity: {swapped}"),
+        format!("Cosine: {cosine}"),
+        format!("Arguments: {}.", given.join(", ")),
+    ];
+    if let Some(bad) = &found.unusable {
+        points
+            .insert(0, format!("Values: {} at {}; so at {} points.", bad.value, place(&bad.at), bad.points));
+    }
+    points
+}

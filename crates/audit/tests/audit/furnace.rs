@@ -1,0 +1,147 @@
+//! Whole BRDFs in a white furnace: what their energy is by other means, what gains energy, what is
+//! not reciprocal.
+
+use lobefit::data::Smith;
+use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
+use lobefit_audit::furnace::{Asked, Furnace, Passed, furnace, judgement, role};
+use lobefit_truth::integrate::reflection::{Effort, split};
+
+fn read(text: &str, file: &str, name: &str) -> ShaderFunction {
+    let found = read_functions(text.as_bytes(), file, Some(name), &Surroundings::default());
+    found.unwrap_or_else(|e| panic!("{e}")).remove(0)
+}
+
+fn measured(text: &str, file: &str, name: &str, roughness: &[f64]) -> Furnace {
+    let asked = Asked { roughness: roughness.to_vec(), tolerance: 1e-3, ..Asked::default() };
+    furnace(&read(text, file, name), &asked).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Correlated GGX of Walter et al. 2007 and Heitz 2014, F = 1.
+const GGX: &str = "
+    const PI: f32 = 3.14159265;
+    fn ggx(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, alpha: f32) -> f32 {
+        let h = normalize(l + v);
+        let nl = max(dot(n, l), 1e-6);
+        let nv = max(dot(n, v), 1e-6);
+        let a2 = alpha * alpha;
+        let d = dot(n, h) * dot(n, h) * (a2 - 1.0) + 1.0;
+        let gv = nl * sqrt(a2 + (1.0 - a2) * nv * nv);
+        let gl = nv * sqrt(a2 + (1.0 - a2) * nl * nl);
+        return a2 / (PI * d * d) * 0.5 / (gv + gl);
+    }
+    fn twice(n_dot_l: f32, n_dot_v: f32, color: vec3<f32>) -> vec3<f32> {
+        return color * select(0.0, n_dot_l * n_dot_v, n_dot_l > 0.0) * 2.25;
+    }";
+
+#[test]
+fn the_energy_of_ggx_is_its_directional_albedo() {
+    let found = measured(GGX, "g.wgsl", "ggx", &[0.06, 0.5]);
+    assert!(found.cells.len() == 16 && found.unusable.is_none());
+    for cell in &found.cells {
+        let (alpha, mu) = (cell.at["roughness"], cell.at["mu"]);
+        let truth = split(Smith::Correlated, alpha, mu, &Effort::ladder()[1]).0;
+        let energy = cell.energy[0];
+        // 1e-4 is what f32 leaves of a narrow peak.
+        assert!((energy.value - truth).abs() < energy.error + 1e-4, "{alpha} {mu}: {energy:?}, {truth}");
+        assert!(energy.error < 2e-3, "{alpha} {mu}: {energy:?}");
+    }
+    assert!(found.reciprocity.share < 1e-5 && !found.cosine.included && found.cosine.known == "found");
+    assert_eq!(judgement("ggx", &found, Some(0.01)).verdict, Passed::Pass);
+}
+
+#[test]
+fn a_lambert_surface_returns_its_albedo_with_and_without_the_cosine() {
+    let glsl = "vec3 plain(vec3 albedo) { return albedo / 3.14159265; }
+        vec3 lambert(vec3 lightDir, vec3 viewDir, vec3 normal, vec3 albedo) { return plain(0.8 * albedo); }
+        vec3 lit(vec3 lightDir, vec3 viewDir, vec3 normal, vec3 albedo) { return plain(0.8 * albedo) * max(dot(normal, lightDir), 0.0); }";
+    for (name, included) in [("lambert", false), ("lit", true)] {
+        let found = measured(glsl, "l.glsl", name, &[1.0]);
+        assert_eq!((found.cosine.included, found.cosine.known), (included, "found"), "{name}");
+        assert_eq!(found.channels, ["x"], "a grey result is one channel");
+        for cell in &found.cells {
+            let energy = cell.energy[0];
+            assert!((energy.value - 0.8).abs() <= energy.error.min(1e-3), "{name} {:?}: {energy:?}", cell.at);
+        }
+        assert_eq!(judgement(name, &found, None).verdict, Passed::Pass);
+    }
+}
+
+#[test]
+fn what_gains_energy_is_found_at_its_worst_place() {
+    // f = 2.25 nl nv: the energy is 2.25 nv 2 pi/3, largest at normal incidence.
+    let found = measured(GGX, "g.wgsl", "twice", &[]);
+    let (cell, channel) = &found.most;
+    let wanted = 2.25 * 2.0 * std::f64::consts::PI / 3.0;
+    assert!((cell.energy[*channel].value - wanted).abs() < 2e-3 && cell.at["mu"] == 1.0, "{cell:?}");
+    assert!((found.least.0.energy[0].value - 0.02 * wanted).abs() < 1e-3);
+    let verdict = judgement("twice", &found, Some(0.01));
+    assert!(
+        verdict.verdict == Passed::Fail && verdict.line.starts_with("FAIL white furnace: twice gains energy")
+    );
+    assert!(verdict.line.contains("4.712") && verdict.line.contains("mu 1"), "{}", verdict.line);
+    assert!(verdict.points.len() <= 5, "{:?}", verdict.points);
+}
+
+#[test]
+fn a_lobe_that_prefers_a_direction_is_found() {
+    let hlsl = "float f(float3 N, float3 V, float3 L, half roughness)
+        {
+            float nv = saturate(dot(N, V));
+            return (1 + roughness * (nv - 0.5)) / 3.14159265;
+        }";
+    let found = measured(hlsl, "f.hlsl", "f", &[0.2, 0.5]);
+    assert_eq!(found.cosine.known, "assumed");
+    let broken = &found.reciprocity;
+    // The larger value is at a view along the normal: (r (1 - mu))/(1 + r/2) of it.
+    assert!((broken.share - 0.5 * 0.99 / 1.25).abs() < 0.02, "{broken:?}");
+    assert!(
+        broken.at["roughness"] == 0.5 && (broken.at["mu_l"] - broken.at["mu_v"]).abs() > 0.9,
+        "{broken:?}"
+    );
+    let verdict = judgement("f", &found, Some(0.3));
+    assert!(
+        verdict.verdict == Passed::Fail && verdict.line.contains("is not reciprocal"),
+        "{}",
+        verdict.line
+    );
+    assert_eq!(judgement("f", &found, Some(0.5)).verdict, Passed::Pass);
+}
+
+#[test]
+fn arguments_are_known_by_name_or_said() {
+    let text = "struct Material { vec3 baseColor; float roughness; float metallic; vec3 unused; };
+        float f(Material m, vec3 a, vec3 eye, float LdotH) { return m.roughness * m.baseColor.x * a.z * eye.z + m.metallic * LdotH; }
+        float nan(vec3 l, vec3 v) { return sqrt(l.z * v.z - 0.2); }";
+    let function = read(text, "f.glsl", "f");
+    let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
+    let refused = |asked: &Asked| furnace(&function, asked).unwrap_err().to_string();
+    let message = refused(&asked);
+    assert!(
+        message.contains("what m.metallic, a.z is given is not known") && message.contains("--role"),
+        "{message}"
+    );
+    let roles = vec![("a".to_string(), role("l").unwrap())];
+    let asked = Asked { roles, set: vec![("m.metallic".into(), 0.0)], ..asked };
+    let found = furnace(&function, &asked).unwrap();
+    let named: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name}={role}")).collect();
+    assert_eq!(
+        named,
+        ["m.baseColor=1 (white)", "m.roughness=roughness", "m.metallic=0", "a=l", "eye=v", "LdotH=l.h"]
+    );
+    let unknown = Asked { set: vec![("q".into(), 0.0)], ..asked.clone() };
+    assert!(refused(&unknown).contains("--set"), "{}", refused(&unknown));
+    // What is no number is named with its place.
+    let found = furnace(&read(text, "f.glsl", "nan"), &asked).unwrap_err().to_string();
+    assert!(found.contains("--role"), "{found}");
+    let found = measured(text, "f.glsl", "nan", &[1.0]);
+    let bad = found.unusable.as_ref().expect("a root of what is negative");
+    assert!(
+        bad.value == "not a number" && bad.points > 1 && bad.at["mu_l"] * bad.at["mu_v"] < 0.2,
+        "{bad:?}"
+    );
+    let verdict = judgement("nan", &found, Some(10.0));
+    assert!(
+        verdict.verdict == Passed::Fail && verdict.points[0].starts_with("Values: not a number"),
+        "{verdict:?}"
+    );
+}

@@ -1,0 +1,113 @@
+//! Shader functions as engines write them, as channels of the quantity: clamps that hide one,
+//! arguments that say nothing, domains.
+
+use lobefit_audit::audit::{Audit, AuditedTable, Channel, Fit, Fixed, Input, Scale, Source, audit, sampled};
+use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
+use lobefit_truth::quantity::{self, Quantity};
+
+fn of(name: &str) -> &'static dyn Quantity {
+    quantity::find(name).unwrap()
+}
+
+fn read(text: &str, file: &str, name: &str) -> ShaderFunction {
+    let found = read_functions(text.as_bytes(), file, Some(name), &Surroundings::default());
+    found.unwrap_or_else(|e| panic!("{e}")).remove(0)
+}
+
+fn table(text: &str, file: &str, name: &str, set: &[(&str, f64)]) -> AuditedTable {
+    let set: Vec<(String, f64)> = set.iter().map(|(n, x)| (n.to_string(), *x)).collect();
+    sampled(&read(text, file, name), of("ggx-reflection"), &set, &[]).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The coordinate of a place along an axis of 128.
+fn at(i: usize) -> f64 {
+    (i as f64 + 0.5) / 128.0
+}
+
+#[test]
+fn a_clamp_at_black_does_not_hide_the_bias() {
+    let text = "
+        float3 pre(float3 specular, float alpha, float c) {
+            float scale = 0.5 * c + 0.25 * alpha;
+            float bias = 0.125 * (1 - c) * alpha;
+            return mad(specular, scale, saturate(50.0 * specular.g) * bias);
+        }";
+    let found = table(text, "f.hlsl", "pre", &[]);
+    let names: Vec<&str> = found.channels.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["x less f0 A, by f0 = 0.04 and 1", "x at f0 = 1"]);
+    let worst = (0..128 * 128).map(|i| {
+        let (alpha, c) = (at(i % 128), at(i / 128));
+        (found.channels[0].values[i] - 0.125 * (1.0 - c) * alpha).abs()
+    });
+    let worst = worst.fold(0.0, f64::max);
+    assert!(worst < 2e-7, "{worst}");
+    // Without the clamp black itself is taken.
+    let plain = table(&text.replace("saturate(50.0 * specular.g) * ", ""), "f.hlsl", "pre", &[]);
+    assert_eq!(plain.channels[0].name, "x at f0 = 0");
+}
+
+#[test]
+fn arguments_that_make_no_difference_need_no_value() {
+    let text = "
+        struct Material { vec3 diffuse; vec3 specular; float specularF90; float roughness; float coat; bool film; };
+        vec3 albedo(const in Material material, const in float dotNV, const in int mode) {
+            float a = 0.5 * dotNV, b = 0.25 * material.roughness;
+            return material.film ? vec3(mode) : material.specular * a + material.specularF90 * b;
+        }";
+    let found = table(text, "f.glsl", "albedo", &[("material.film", 0.0), ("mode", 2.0)]);
+    assert_eq!(found.axes, ["material.roughness", "dotNV"]);
+    let e = &found.channels[1].values;
+    assert!((e[40 * 128 + 100] - (0.5 * at(40) + 0.25 * at(100))).abs() < 1e-6);
+    // A vector is set by its name.
+    let set =
+        [("material.specular", 1.0), ("mode", 2.0), ("material.film", 0.0), ("material.specularF90", 0.5)];
+    let found = table(text, "f.glsl", "albedo", &set);
+    assert!((found.channels[0].values[40 * 128 + 100] - (0.5 * at(40) + 0.125 * at(100))).abs() < 1e-6);
+    let error = sampled(&read(text, "f.glsl", "albedo"), of("ggx-reflection"), &[], &[]).unwrap_err();
+    assert!(error.to_string().contains("--set material.film=VALUE"), "{error}");
+}
+
+/// The audit of a function of an argument of any name and a cosine as `sheen-charlie`, at fewer
+/// places than a shader's has: its truth is slow.
+fn as_sheen(value: impl Fn(f64, f64) -> f64) -> Audit {
+    let n = 24;
+    let at = |i: usize| (i as f64 + 0.5) / n as f64;
+    let values = (0..n * n).map(|i| value(at(i % n), at(i / n))).collect();
+    let text = "fn f(x: f32, mu: f32) -> f32 { return x + mu; }";
+    let shipped = sampled(&read(text, "f.wgsl", "f"), of("sheen-charlie"), &[], &[]).unwrap();
+    let channels = vec![Channel { name: "result".into(), values }];
+    let shipped = AuditedTable { size: vec![n; 2], channels, ..shipped };
+    assert_eq!(shipped.source, Source::Function);
+    audit(&shipped, of("sheen-charlie"), &Fixed::default(), &|_| ()).unwrap()
+}
+
+#[test]
+fn all_readings_are_ranked_on_the_same_points() {
+    // What is far from every reading is as far from each: no reading gains by the points at which
+    // it has no truth.
+    let found = as_sheen(|x, mu| 1e6 + x * mu);
+    let ranks: Vec<f64> = found.tried.iter().map(|t| t.rank).collect();
+    assert!(ranks.len() > 5 && ranks[ranks.len() - 1] / ranks[0] < 1.001, "{ranks:?}");
+    // E of Charlie grows without bound at grazing view of narrow lobes, which excuses nothing
+    // elsewhere: what is off by a fifth everywhere is no approximation of it.
+    assert_eq!(as_sheen(|x, mu| 0.4 + 0.1 * lobefit_math::ops::sin(20.0 * mu) * x).fit, Fit::None);
+}
+
+#[test]
+fn a_function_is_judged_in_its_domain() {
+    // Right but for narrow lobes, where it is no albedo at all.
+    let text = "fn f(alpha: f32, mu: f32) -> f32 { return select(1.0 - 0.48 * alpha * alpha, -3.0, alpha < 0.125); }";
+    let within = |domain: &[(Input, [f64; 2])]| {
+        let fixed = Fixed {
+            domain: domain.to_vec(),
+            axes: Some(vec![(Scale::Alpha, false), (Scale::Mu, false)]),
+            ..Fixed::default()
+        };
+        let found = audit(&table(text, "f.wgsl", "f", &[]), of("ggx-reflection"), &fixed, &|_| ()).unwrap();
+        found.channels[0].errors.as_ref().map(|e| (e.max, e.judged, e.at["alpha"])).unwrap()
+    };
+    let (max, judged, alpha) = within(&[]);
+    assert!(max > 3.0 && judged == 128 * 128 && alpha < 0.125, "{max} {judged} {alpha}");
+    let (max, judged, alpha) = within(&[(Input::Alpha, [0.125, 1.0]), (Input::Mu, [0.5, 1.0])]);
+    assert!(max < 0.5 && judged == 112 * 64 && alpha >= 0.125, "{max} {judged} {alpha}");
+}
