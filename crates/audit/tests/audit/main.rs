@@ -12,3 +12,4 @@ mod shipped;
 mod sidecars;
 mod solids;
 mod tables;
+mod zoo;

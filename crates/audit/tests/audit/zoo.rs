@@ -1,0 +1,96 @@
+//! `docs/audits/zoo.json`, the list of audited artefacts, against its page and against the options of
+//! the program.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+fn text(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn word<'a>(value: &'a Value, key: &str) -> &'a str {
+    value[key].as_str().unwrap_or_else(|| panic!("no word `{key}` in {value}"))
+}
+
+fn list<'a>(value: &'a Value, key: &str) -> &'a [Value] {
+    value[key].as_array().unwrap_or_else(|| panic!("no list `{key}` in {value}"))
+}
+
+/// The projects, in the order of the list.
+fn projects() -> Vec<Value> {
+    let zoo: Value = serde_json::from_str(&text("audits/zoo.json")).expect("JSON");
+    list(&zoo, "projects").to_vec()
+}
+
+/// The rows of the page that begin an artefact, by its name, in their order.
+fn rows(page: &str) -> Vec<String> {
+    let cells = page.lines().filter_map(|line| line.strip_prefix("| `"));
+    cells.map(|cell| cell.split('`').next().expect("a name").to_string()).collect()
+}
+
+#[test]
+fn the_page_has_a_row_for_each_artefact_of_the_list_and_no_other() {
+    let projects = projects();
+    let names: Vec<String> = projects
+        .iter()
+        .flat_map(|project| list(project, "artefacts").iter().map(|a| word(a, "id").to_string()))
+        .collect();
+    assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len(), "a name stands twice in {names:?}");
+    assert_eq!(rows(&text("audits.md")), names);
+}
+
+#[test]
+fn the_page_has_the_places_the_commands_and_the_issues_of_the_list() {
+    let page = text("audits.md");
+    for project in projects() {
+        let heading = format!("## {}", word(&project, "project"));
+        let section = page.split(&format!("{heading}\n")).nth(1).unwrap_or_else(|| panic!("no `{heading}`"));
+        let section = section.split("\n## ").next().expect("a section");
+        let holds = |what: &str| assert!(section.contains(what), "`{heading}` does not hold `{what}`");
+        holds(word(&project, "at"));
+        for issue in list(&project, "issues") {
+            holds(&format!("> **{}**\n>\n> {}\n", word(issue, "title"), word(issue, "text")));
+        }
+        for artefact in list(&project, "artefacts") {
+            holds(&format!("| `{}` {} |", word(artefact, "id"), word(artefact, "what")));
+            holds(&format!("--as {}", word(artefact, "quantity")));
+            holds(&format!("# {}, {}\n", word(artefact, "id"), word(artefact, "file")));
+        }
+    }
+}
+
+/// The file of an artefact is `owner/name: path`: no address, no path of a machine.
+#[test]
+fn artefacts_are_named_by_repository_and_path() {
+    let page = text("audits.md");
+    assert!(!page.contains("://"), "the page holds an address");
+    for project in projects() {
+        for artefact in list(&project, "artefacts") {
+            let file = word(artefact, "file");
+            let (repository, path) = file.split_once(": ").unwrap_or_else(|| panic!("{file}"));
+            assert!(repository == "lobefit" || repository.split('/').count() == 2, "{file}");
+            assert!(!path.starts_with('/') && !path.contains(".."), "{file}");
+        }
+    }
+}
+
+/// The options of the list are options of the program: what fails is the file, which is not there.
+#[test]
+fn the_program_knows_the_options_of_the_list() {
+    for project in projects() {
+        for artefact in list(&project, "artefacts") {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_lobefit-audit"));
+            command.args(["not-there.bin", "--as", word(artefact, "quantity")]);
+            command.args(list(artefact, "options").iter().map(|o| o.as_str().expect("a word")));
+            let output = command.output().expect("the program");
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            let name = word(artefact, "id");
+            assert_eq!(output.status.code(), Some(2), "{name}: {said}");
+            assert!(said.contains("not-there.bin") && !said.contains("Usage"), "{name}: {said}");
+        }
+    }
+}

@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+"""Audits the files of zoo.json and writes docs/audits.md.
+
+    python3 docs/audits/make.py FOLDER
+
+FOLDER holds each file as OWNER/NAME/PATH, or OWNER/NAME@AT/PATH where zoo.json states `at` for the artefact. `lobefit`
+is on PATH. Results stay in FOLDER/audits; a result that is newer than its file and the program is used again.
+A file that is not there, and an audit that fails, is a row that says so, and exit code 1.
+"""
+import base64
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+FITS = {"whole": "is", "part": "is, but for a part,", "none": "follows no convention; the nearest is"}
+
+
+def place(folder, artefact):
+    """The file that is audited: the artefact's own, a part that is cut out of it, or a list of includes."""
+    repository, path = artefact["file"].split(": ")
+    if repository == "lobefit":
+        return os.path.join(ROOT, path)
+    at = "@" + artefact["at"] if "at" in artefact else ""
+    whole = os.path.join(folder, repository + at, path)
+    if not os.path.exists(whole):
+        return whole
+    with open(whole, "rb") as file:
+        content = file.read()
+    if "cut" in artefact:
+        first, length = artefact["cut"]
+        part, ending = content[first : first + length], ".bin"
+    elif "decode" in artefact:
+        text = re.search(artefact["decode"] + r'\s*=\s*"data:image/png;base64,([^"]+)"', content.decode())
+        part, ending = base64.b64decode(text.group(1)), ".png"
+    elif "include" in artefact:
+        part = "".join(f'#include "{name}"\n' for name in [*artefact["include"], path]).encode()
+        ending = os.path.splitext(path)[1]
+    else:
+        return whole
+    made = os.path.join(folder, "audits", artefact["id"] + ending)
+    with open(made, "wb") as file:
+        file.write(part)
+    shutil.copystat(whole, made)
+    return made
+
+
+def options(folder, artefact):
+    """The options of an artefact, and the folders of what it includes."""
+    repository, path = artefact["file"].split(": ")
+    folders = [os.path.join(folder, repository, part) for part in ("", os.path.dirname(path))]
+    included = [word for name in folders for word in ("--include", name)] if "include" in artefact else []
+    return ["--as", artefact["quantity"], *artefact["options"], *included]
+
+
+def audit(folder, artefact):
+    """The result as JSON, or why there is none."""
+    file = place(folder, artefact)
+    if not os.path.exists(file):
+        return "the file is not there"
+    result = os.path.join(folder, "audits", artefact["id"] + ".json")
+    newest = max(os.path.getmtime(f) for f in (file, os.path.realpath(shutil.which("lobefit"))))
+    command = ["lobefit", "audit", file, *options(folder, artefact), "--json", "--quiet"]
+    said = result + ".command"
+    same = os.path.exists(said) and open(said).read() == shlex.join(command)
+    if not (same and os.path.getmtime(result) > newest):
+        print(artefact["id"], file=sys.stderr)
+        done = subprocess.run(command, capture_output=True, text=True)
+        with open(result, "w") as out:
+            out.write(done.stdout if done.stdout.startswith("{") else json.dumps({"error": done.stderr.strip() or f"exit code {done.returncode}"}))
+        with open(said, "w") as out:
+            out.write(shlex.join(command))
+    found = json.load(open(result))
+    return found if "error" not in found else found["error"].rsplit(": ", 1)[-1]
+
+
+def ours(folder):
+    """Tables and formulas of a bake of ours.json: largest error and RMS, operations."""
+    bake = os.path.join(folder, "audits", "ours")
+    command = ["lobefit", "bake", os.path.join(HERE, "ours.json"), "--out", bake, "--quiet"]
+    subprocess.run(command, check=True)
+    manifest = json.load(open(os.path.join(bake, "manifest.json")))
+    tables = {t["name"]: t["error"]["lookup"] for t in manifest["tables"]}
+    formulas = {}
+    for report in ("reflection", "sheen"):
+        for a in json.load(open(os.path.join(bake, "reports", report + ".json")))["approximations"]:
+            formulas[a["name"]] = a
+    return tables, formulas
+
+
+def number(x):
+    return f"{x:.2g}" if abs(x) < 1e-3 else f"{x:.3g}"
+
+
+def where(at):
+    return ", ".join(f"{name} {number(value)}" for name, value in at.items())
+
+
+def error(figures):
+    inner = f"; {number(figures['inner'])} between texels" if "inner" in figures else ""
+    return f"{number(figures['max'])} ({where(figures['at'])}), RMS {number(figures['rms'])}{inner}"
+
+
+def compared(entry, tables, formulas):
+    """What this program makes at the same size, or with no more operations."""
+    if isinstance(entry, list):
+        said = [(("same lookup" if "plain" in name else "own lookup"), tables[name]) for name in entry]
+        return "<br>".join(f"{how}: {number(e['max'])}, RMS {number(e['rms'])}" for how, e in said)
+    theirs = formulas[entry["published"]]["cost"]["ops"]
+    family = [a for n, a in formulas.items() if n.startswith(entry["family"]) and not a["published"]]
+    fitting = [a for a in family if a["cost"]["ops"] <= theirs]
+    best = min(fitting or family, key=lambda a: (a["certificate"]["max_abs"], a["cost"]["ops"]))
+    figures = best["certificate"]
+    return f"`{best['name']}`: {number(figures['max_abs'])}, RMS {number(figures['rms'])} ({best['cost']['ops']} operations, theirs {theirs})"
+
+
+def reading(found):
+    """The convention that was found, in words."""
+    first = found["conventions"][0]
+    axis = lambda a: (
+        ("1 - " if a["reversed"] else "") + a["coordinate"] + (f" ({a['registration']})" if "registration" in a else "")
+    )
+    axes = ", ".join(f"{a['axis']}: {axis(a)}" for a in first["axes"])
+    return f"{axes}; {first['lobe']}" if first.get("lobe") else axes
+
+
+def rows(artefact, found, compare):
+    """A row for each channel that is judged."""
+    name = f"`{artefact['id']}` {artefact['what']}"
+    if isinstance(found, str):
+        return [f"| {name} | not measured: {found} | | | | {compare} |"]
+    white = found.get("furnace") if artefact["quantity"] != "sheen-charlie" else None
+    furnace = f"{white['least']:+.1%} to {white['most']:+.1%} ({where(white['at'])})" if white else ""
+    out = []
+    for channel in found["channels"]:
+        if "texels" not in channel:
+            continue
+        lookup = used(artefact, channel) if channel.get("lookup") else None
+        out.append(
+            f"| {name} | {channel['holds'].split(' (')[0]} | {error(channel['texels'])} "
+            f"| {error(lookup) if lookup else ''} | {furnace} | {compare} |"
+        )
+        name = furnace = compare = ""
+    return out
+
+
+def used(artefact, channel):
+    """The error of what a shader gets: of a lookup with the remap that it has, or of a call."""
+    kinds = ["lookup"] if artefact.get("remapped") else ["plain_lookup", "lookup"]
+    return next(channel[kind] for kind in [*kinds, "texels"] if channel.get(kind))
+
+
+def glance(projects, found):
+    """A row for each artefact: its worst channel, and whether an issue is written for its project."""
+    lines = ["| project | artefact | largest error of a lookup or a call | issues below |", "|---|---|---|---|"]
+    for project in projects:
+        name, issues = project["project"], len(project["issues"])
+        anchor = re.sub(r"[^\w\- ]", "", name.lower()).replace(" ", "-")
+        for artefact in project["artefacts"]:
+            result = found[artefact["id"]]
+            said = "not measured"
+            if isinstance(result, dict):
+                worst = max((c for c in result["channels"] if "texels" in c), key=lambda c: used(artefact, c)["max"])
+                figures = used(artefact, worst)
+                said = f"{worst['holds'].split(' (')[0]} {number(figures['max'])}, RMS {number(figures['rms'])}"
+                said += "" if result["fits"] == "whole" else " (follows no convention)"
+            lines.append(f"| [{name}](#{anchor}) | {artefact['what']} | {said} | {issues or ''} |")
+    return lines + [""]
+
+
+def section(project, found, compares):
+    lines = [f"## {project['project']}", "", f"{project['at']}. {project['notes']}", ""]
+    lines += ["| artefact | holds | error at its points | error of a lookup | white furnace | ours |"]
+    lines += ["|---|---|---|---|---|---|"]
+    for artefact in project["artefacts"]:
+        lines += rows(artefact, found[artefact["id"]], compares[artefact["id"]])
+    lines += ["", "```sh"]
+    for artefact in project["artefacts"]:
+        name, file = artefact["id"], artefact["file"]
+        lines.append(f"# {name}, {file}")
+        if "how" in artefact:
+            lines.append(f"# {artefact['how']}")
+        command = ["lobefit", "audit", os.path.basename(file.split(": ")[1]), *options("", artefact)]
+        lines.append(shlex.join(command))
+        if isinstance(found[name], dict):
+            lines.append(f"# {FITS[found[name]['fits']]} {reading(found[name])}")
+    lines += ["```", ""]
+    for issue in project["issues"]:
+        lines += [f"> **{issue['title']}**", ">", f"> {issue['text']}", ""]
+    return lines
+
+
+def main(folder):
+    zoo = json.load(open(os.path.join(HERE, "zoo.json")))
+    os.makedirs(os.path.join(folder, "audits"), exist_ok=True)
+    artefacts = [a for p in zoo["projects"] for a in p["artefacts"]]
+    found = {a["id"]: audit(folder, a) for a in artefacts}
+    tables, formulas = ours(folder)
+    compares = {a["id"]: compared(a["ours"], tables, formulas) if "ours" in a else "" for a in artefacts}
+    page = open(os.path.join(HERE, "head.md")).read().splitlines() + [""]
+    page += glance(zoo["projects"], found)
+    for project in zoo["projects"]:
+        page += section(project, found, compares)
+    with open(os.path.join(ROOT, "docs", "audits.md"), "w") as out:
+        out.write("\n".join(page).rstrip() + "\n")
+    missing = [i for i, f in found.items() if isinstance(f, str)]
+    if missing:
+        sys.exit("not measured: " + ", ".join(missing))
+
+
+if len(sys.argv) != 2:
+    sys.exit(__doc__)
+main(sys.argv[1])
