@@ -177,8 +177,8 @@ impl Column {
         self.albedo(self.value(base))
     }
 
-    /// Whether few tables hold it, so that it is told only where it is clearly better than what others
-    /// hold.
+    /// Whether few tables hold it, so that the verdict takes it only where it is clearly better than
+    /// what others hold.
     pub fn is_rare(self) -> bool {
         matches!(self, Column::LossR | Column::RadianceT | Column::Radiance)
     }

@@ -124,6 +124,8 @@ pub struct Audit {
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
+    /// Of a function: the published formula whose values it has, in a sentence.
+    pub published: Option<String>,
     /// What else is to be said of it, in sentences.
     pub remarks: Vec<String>,
 }

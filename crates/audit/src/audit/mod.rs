@@ -27,6 +27,7 @@ mod lookup;
 mod page;
 mod plain;
 mod preferred;
+mod published;
 mod sample;
 mod scan;
 mod screen;
@@ -148,8 +149,12 @@ pub fn audit(
         }
     }
     scan::through(&truth, &table, &live, &mut done)?;
+    done.published = published::named(&table, &done);
     match encoded::told(&truth, &table, &live, &tried, &done)? {
-        Some(told) => Ok(Audit { remarks: vec![told], ..done }),
+        Some(told) => {
+            done.remarks.push(told);
+            Ok(done)
+        }
         None => apart::with_others(done, &case, quantity),
     }
 }
@@ -330,6 +335,7 @@ fn finish(
         furnace,
         two_lobes,
         truth_error: truth.bound(best.lobe),
+        published: None,
         remarks: Vec::new(),
     })
 }

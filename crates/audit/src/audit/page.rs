@@ -39,6 +39,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         stated: false,
         conventions: audit.tried.iter().map(|t| convention(audit, t)).collect(),
         channels: audit.channels.iter().filter_map(|c| channel(audit, c)).collect(),
+        blend: audit.blend.clone(),
         furnace: audit.furnace.as_ref().filter(|f| f.dark == 0).map(|f| AuditFurnace {
             least: f.range[0],
             most: f.range[1],

@@ -79,7 +79,7 @@ struct Options {
     #[arg(long, value_name = "SIDE", value_parser = side)]
     pub side: Option<Side>,
     /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
-    #[arg(long, value_name = "M,..", value_delimiter = ',')]
+    #[arg(long, value_name = "M,..", value_delimiter = ',', allow_hyphen_values = true)]
     pub meaning: Vec<String>,
     /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
     #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]

@@ -48,6 +48,9 @@ pub struct AuditFindings {
     pub conventions: Vec<AuditConvention>,
     /// Channels that are judged.
     pub channels: Vec<AuditChannel>,
+    /// Lookup of f0 A + B at the worst f0, where channels hold both.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blend: Option<LookupErrors>,
     /// The furnace, where the channels make an albedo.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<AuditFurnace>,

@@ -90,6 +90,7 @@ fn a_blend_over_f0_is_taken_apart() {
     let e = found.channels[1].errors.as_ref().unwrap();
     near(e.max, 0.199, 0.1);
     near(e.rms, 0.108, 0.1);
+    assert!(said(&found).contains("B. Karis, Physically Based Shading on Mobile, 2014"), "{}", said(&found));
     // A sixth of the spread is no fit of anything, and that is said.
     assert_eq!(found.fit, Fit::None);
     assert!(
@@ -109,7 +110,9 @@ fn a_normalisation_and_an_albedo_of_alpha_are_told() {
     assert!(found.margin < 1.2 && said(&found).contains("Certainty: open"), "{}", said(&found));
     let alpha = |t: &lobefit_audit::audit::Tried| t.convention.axes[0].scale == Scale::Alpha;
     assert!(found.tried.iter().take(2).any(alpha), "{:?}", found.tried);
+    assert!(!said(&found).contains("published formula"), "{}", said(&found));
     let found = run("enterprise");
+    assert!(said(&found).contains("Dassault Systemes"), "{}", said(&found));
     assert_eq!(scales(&found), [(Scale::Alpha, false), (Scale::Mu, false)]);
     assert_eq!(found.best().columns, [Some(Column::E)]);
     let e = found.channels[0].errors.as_ref().unwrap();

@@ -53,6 +53,7 @@ pub fn findings(
             rank: found.held.iter().map(|h| h.figures.rms).fold(0.0, f64::max),
         }],
         channels: found.held.iter().map(|h| channel(found, h)).collect(),
+        blend: None,
         furnace: None,
         cost: None,
     }

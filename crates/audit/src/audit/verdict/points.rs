@@ -6,7 +6,7 @@ use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
 use crate::audit::table::Source;
-use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 const SAME: f64 = 1e-6;
@@ -25,7 +25,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
     errors.extend(audit.remarks.iter().cloned());
-    let convention: Vec<String> = [opening(audit)].into_iter().chain(idle(audit)).collect();
+    let named = audit.published.iter().cloned();
+    let convention: Vec<String> = [opening(audit)].into_iter().chain(named).chain(idle(audit)).collect();
     Verdict {
         grade: grade(audit, limit),
         headline: headline(audit, limit),
@@ -70,10 +71,13 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
             if audit.source == Source::Table { "fits no convention" } else { "is no approximation of it" };
         return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
     }
-    let lookup = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
-    match lookup.reduce(|a, b| if b.max > a.max { b } else { a }) {
+    // A split sum is used as f0 A + B: of A alone no pixel is made.
+    let channel = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
+    let channel = channel.reduce(|a, b| if b.max > a.max { b } else { a });
+    let of = if audit.blend.is_some() { " of f0 A + B" } else { "" };
+    match audit.blend.as_ref().or(channel) {
         Some(lookup) if lookup.max > worst.max => format!(
-            "{what} is off by at most {} in lookups ({}), {max} at texels{limit}",
+            "{what} is off by at most {} in lookups{of} ({}), {max} at texels{limit}",
             number(lookup.max),
             place(&lookup.at)
         ),
@@ -298,26 +302,36 @@ fn furnace(audit: &Audit) -> Option<String> {
     ))
 }
 
-/// What a shader gets between texels.
+/// What a shader gets between texels: of every channel, and of f0 A + B.
 fn lookups(audit: &Audit) -> Option<String> {
     if audit.fit == Fit::None || audit.two_lobes.is_some() {
         return None;
     }
-    let channel = audit.channels.iter().find(|c| c.lookup.is_some())?;
-    let (own, plain) = (channel.lookup.as_ref()?, channel.plain_lookup.as_ref()?);
-    let column = channel.column?.name();
     let centred = audit.best().axes.iter().all(|a| a.registration == Registration::Centre);
-    let mut text = format!(
-        "Looked up with linear interpolation{}, {column} is off by at most {} (RMS {}), worst at {}; by {} between the outermost texels.",
-        if centred { "" } else { " at the coordinates that its texels have" },
-        number(own.max),
-        number(own.rms),
-        place(&own.at),
-        number(own.inner),
-    );
-    if !centred {
+    let one = |name: &str, own: &LookupErrors| {
+        format!(
+            "{name} is off by at most {} (RMS {}), worst at {}, and by {} between the outermost texels",
+            number(own.max),
+            number(own.rms),
+            place(&own.at),
+            number(own.inner)
+        )
+    };
+    let channels = || audit.channels.iter().filter_map(|c| Some((c.column?.name(), c)));
+    let mut all: Vec<String> =
+        channels().filter_map(|(name, c)| Some(one(name, c.lookup.as_ref()?))).collect();
+    all.extend(audit.blend.as_ref().map(|blend| one("f0 A + B at the worst f0", blend)));
+    if all.is_empty() {
+        return None;
+    }
+    let where_they_are = if centred { "" } else { " at the coordinates that its texels have" };
+    let mut text = format!("Looked up with linear interpolation{where_they_are}, {}.", all.join("; "));
+    let plain = channels().filter_map(|(name, c)| Some((name, c.plain_lookup.as_ref()?)));
+    if let Some((name, plain)) =
+        plain.reduce(|a, b| if b.1.max > a.1.max { b } else { a }).filter(|_| !centred)
+    {
         text += &format!(
-            " A texture unit that takes them for centres, without a remap, is off by up to {} (RMS {}, mean {}).",
+            " A texture unit that takes them for centres, without a remap, is off by up to {} of {name} (RMS {}, mean {}).",
             number(plain.max),
             number(plain.rms),
             words::signed(plain.mean),

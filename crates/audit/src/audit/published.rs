@@ -1,0 +1,91 @@
+//! Published fits by name: a function with the values of a published formula is that formula,
+//! whoever ships it.
+
+use super::column::{Base, Column};
+use super::table::{AuditedTable, Source, place};
+use super::{Audit, Input};
+use lobefit::approximate::Entry;
+use lobefit::effects::{eon, reflection, sheen};
+use lobefit_shade::Hypothesis;
+
+/// Largest difference from a published formula: those who ship one round its constants and order its
+/// operations in their own way, and clamp what it gives.
+const SAME: f64 = 2e-3;
+
+/// One point in so many is compared.
+const STRIDE: usize = 7;
+
+/// That the function is a published one, in a sentence; none of a table, or of what is published by
+/// nobody that is known here.
+pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<String> {
+    if table.source != Source::Function {
+        return None;
+    }
+    let known: Vec<&Entry> = match done.quantity {
+        "ggx-reflection" => reflection::PUBLISHED_BLENDS.iter().chain(&reflection::PUBLISHED).collect(),
+        "ggx-average" => reflection::PUBLISHED_AVERAGES.iter().collect(),
+        "sheen-charlie" => sheen::PUBLISHED.iter().collect(),
+        "eon-single" => eon::PUBLISHED.iter().collect(),
+        _ => Vec::new(),
+    };
+    let points = points(table, done);
+    let entry = known.into_iter().find(|entry| is_same(entry, table, &points))?;
+    let publication = entry.publication?;
+    Some(format!("It has the values of a published formula, `{}`: {publication}.", entry.name()))
+}
+
+/// Places of the points that are compared, with alpha and mu there; mu of an average is 1.
+fn points(table: &AuditedTable, done: &Audit) -> Vec<(usize, [f64; 2])> {
+    let count: usize = table.size.iter().product();
+    let at = |i: usize| {
+        let mut inputs = [1.0; 2];
+        for ((axis, k), n) in done.best().axes.iter().zip(place(i, &table.size)).zip(&table.size) {
+            match axis.scale.input() {
+                Input::Alpha => inputs[0] = axis.node(k, *n),
+                Input::Mu => inputs[1] = axis.node(k, *n),
+                _ => {}
+            }
+        }
+        (i, inputs)
+    };
+    (0..count).step_by(STRIDE).map(at).collect()
+}
+
+/// Whether every channel is a column of a formula: of f0 A + B, of N, or of E.
+fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) -> bool {
+    let Ok(formula) = Hypothesis::parse(entry.file, entry.source) else { return false };
+    let at = |f0: f64| {
+        let column = |name: &String| -> Vec<f64> {
+            let input = |[alpha, mu]: [f64; 2]| match name.as_str() {
+                "roughness" => alpha.sqrt(),
+                "alpha" => alpha,
+                "f0" => f0,
+                _ => mu,
+            };
+            points.iter().map(|(_, inputs)| input(*inputs)).collect()
+        };
+        let columns: Vec<Vec<f64>> = formula.inputs().iter().map(column).collect();
+        let constants: Vec<f64> = formula.starts().into_iter().map(f64::from).collect();
+        formula.tape().evaluate(&columns, &constants).unwrap_or_default()
+    };
+    let blend = formula.inputs().iter().any(|name| name == "f0");
+    let [zero, one] = [0.0, 1.0].map(at);
+    if zero.len() != points.len() || one.len() != points.len() {
+        return false;
+    }
+    let inverse = entry.name().contains("_norm_");
+    let bases: Vec<Base> = zero
+        .into_iter()
+        .zip(one)
+        .map(|(zero, one)| [if inverse { 1.0 / one } else { one }, if blend { zero } else { f64::NAN }, 1.0])
+        .collect();
+    const COLUMNS: [Column; 5] = [Column::E, Column::B, Column::A, Column::Inverse, Column::Loss];
+    let varies = |values: &[f64]| values.iter().any(|v| *v != values[0]);
+    let holds = |values: &[f64], column: &Column| {
+        let off = |((i, _), base): (&(usize, [f64; 2]), &Base)| (values[*i] - column.value(*base)).abs();
+        points.iter().zip(&bases).map(off).all(|off| off <= SAME)
+    };
+    let mut channels = table.channels.iter().filter(|channel| varies(&channel.values)).peekable();
+    channels.peek().is_some()
+        && channels.all(|channel| COLUMNS.iter().any(|column| holds(&channel.values, column)))
+}
