@@ -251,7 +251,9 @@ fn untold(audit: &Audit) -> Option<String> {
 
 /// How far it is from the lobe that the quantity's name stands for.
 fn departure(audit: &Audit) -> Option<String> {
-    let (lobe, max) = audit.departure.as_ref().filter(|_| audit.fit != Fit::None)?;
+    // What the plain reading says already is not said again.
+    let said = |max: f64| audit.plain.as_ref().is_some_and(|plain| plain.max == max);
+    let (lobe, max) = audit.departure.as_ref().filter(|(_, max)| audit.fit != Fit::None && !said(*max))?;
     let (quantity, words, max) = (audit.quantity, lobe.words(), number(*max));
     Some(format!(
         "Held against {words}, which {quantity} is where nothing else is said, it is off by at most {max}."
