@@ -17,12 +17,22 @@ const VERBS: [(&str, &str, &[&str]); 5] = [
     ("cost", "lobefit-gpu", &["--gpu", "--reduced", "two words"]),
 ];
 
+/// Copies a file by another process. A descriptor for writing in this one would be inherited for a
+/// moment by whatever another test starts, and keep the copy from being run: "text file busy".
+fn copied(from: &Path, to: &Path) {
+    if cfg!(unix) {
+        assert!(Command::new("cp").args([from, to]).status().unwrap().success(), "{}", to.display());
+    } else {
+        fs::copy(from, to).unwrap();
+    }
+}
+
 /// Runs a copy of the program in `bin`, with `path` as PATH.
 fn run(bin: &Path, path: &Path, arguments: &[&str]) -> Output {
     let program = bin.join("lobefit");
     if !program.exists() {
         fs::create_dir_all(bin).unwrap();
-        fs::copy(env!("CARGO_BIN_EXE_lobefit"), &program).unwrap();
+        copied(Path::new(env!("CARGO_BIN_EXE_lobefit")), &program);
     }
     Command::new(program).args(arguments).env("PATH", path).output().unwrap()
 }
@@ -48,7 +58,10 @@ fn script(at: &Path, package: &str, text: &str) {
     use std::os::unix::fs::PermissionsExt;
 
     fs::create_dir_all(at).unwrap();
-    fs::write(at.join(package), format!("#!/bin/sh\n{text}\n")).unwrap();
+    let draft = at.join("draft");
+    fs::write(&draft, format!("#!/bin/sh\n{text}\n")).unwrap();
+    copied(&draft, &at.join(package));
+    fs::remove_file(draft).unwrap();
     fs::set_permissions(at.join(package), fs::Permissions::from_mode(0o755)).unwrap();
 }
 
