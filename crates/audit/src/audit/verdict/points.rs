@@ -41,7 +41,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
 fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
     let unfit = audit.fit == Fit::None && audit.two_lobes.is_none();
     let sound = |d: &Defect| advice::mending(d, audit.source).is_none();
-    let plain = audit.plain.is_none() && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
+    let read = audit.plain.as_ref().is_none_or(|plain| is_transposed(audit.best(), &plain.convention));
+    let plain = read && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
     match limit {
         _ if unfit => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
@@ -49,6 +50,17 @@ fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
         None if audit.fit == Fit::Whole && plain => Grade::Pass,
         _ => Grade::Fail,
     }
+}
+
+/// Whether two readings have the same axes in another order, which many files have: only a limit
+/// fails them for it.
+fn is_transposed(best: &Convention, plain: &Convention) -> bool {
+    let ordered = |convention: &Convention| {
+        let mut axes = convention.axes.clone();
+        axes.sort_by_key(|axis| axis.scale.input());
+        axes
+    };
+    (best.lobe == plain.lobe && best.columns == plain.columns) && ordered(best) == ordered(plain)
 }
 
 /// The end of a headline.
