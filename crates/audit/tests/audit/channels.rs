@@ -63,7 +63,10 @@ fn a_foreign_channel_does_not_condemn_the_others() {
     let a = |x: usize, y: usize| ggx(x, y).0 - ggx(x, y).1;
     let b = |x: usize, y: usize| ggx(x, y).1;
     let charlie = |x: usize, y: usize| sheen::albedo(at(y) * at(y), at(x));
-    let found = run(&table(&[("R", &a), ("G", &b), ("B", &charlie)]), "ggx-reflection", &Fixed::default());
+    // The axes are given: what is looked for is the meaning of the channels.
+    let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false)]);
+    let given = Fixed { axes, registrations: Some(vec![Registration::Centre]), ..Fixed::default() };
+    let found = run(&table(&[("R", &a), ("G", &b), ("B", &charlie)]), "ggx-reflection", &given);
     assert_eq!(
         (found.fit, found.best().columns.clone()),
         (Fit::Whole, vec![Some(Column::A), Some(Column::B), None])
@@ -79,14 +82,14 @@ fn a_foreign_channel_does_not_condemn_the_others() {
         found.verdict(None).to_string()
     );
     // Noise is none: it is left out, and a limit asks for a word about it.
-    let noise = table(&[("R", &a), ("G", &b), ("B", &|x, y| 0.5 + 0.5 * jitter(x, y))]);
-    let found = run(&noise, "ggx-reflection", &Fixed::default());
-    assert_eq!((found.fit, &found.channels[2].other), (Fit::Whole, &Some(Other::Unknown)));
+    let noise = table(&[("R", &|x, y| ggx(x, y).0), ("G", &|x, y| 0.5 + 0.5 * jitter(x, y))]);
+    let found = run(&noise, "ggx-reflection", &given);
+    assert_eq!((found.fit, &found.channels[1].other), (Fit::Whole, &Some(Other::Unknown)));
     assert!(!found.passes(Some(1e-3)));
-    assert!(found.unjudged().is_some_and(|why| why.contains("--meaning A,B,-")), "{:?}", found.unjudged());
-    let meanings = Some(vec![Some(Column::A), Some(Column::B), None]);
-    assert!(run(&noise, "ggx-reflection", &Fixed { meanings, ..Fixed::default() }).passes(Some(1e-3)));
-    let meanings = Some(vec![None; 3]);
+    assert!(found.unjudged().is_some_and(|why| why.contains("--meaning E,-")), "{:?}", found.unjudged());
+    let meanings = Some(vec![Some(Column::E), None]);
+    assert!(run(&noise, "ggx-reflection", &Fixed { meanings, ..given.clone() }).passes(Some(1e-3)));
+    let meanings = Some(vec![None; 2]);
     let none = Fixed { meanings, ..Fixed::default() };
     let refused = audit(&noise, quantity::find("ggx-reflection").unwrap(), &none, &|_| ()).unwrap_err();
     assert!(refused.to_string().contains("every channel is left out"), "{refused}");

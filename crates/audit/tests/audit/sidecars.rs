@@ -88,7 +88,10 @@ fn a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
         let file = format!("t.{extension}");
         assert!(sidecar != text(extension), "{words}: nothing was changed");
         write(&format!("{file}.json"), sidecar.as_bytes());
-        let (code, out, err) = audit(folder.path(), &file, "ggx-reflection", &[]);
+        // One reading alone is tried: all that the file may be without its sidecar takes long.
+        let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
+        let read = if words == "missing field" { &[][..] } else { &read[..] };
+        let (code, out, err) = audit(folder.path(), &file, "ggx-reflection:E", read);
         assert!(code.is_some_and(|c| c < 2), "{out}{err}");
         assert!(
             err.contains(&format!("{file}.json: not followed (")) && err.contains(words),
