@@ -65,7 +65,7 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
             points.iter().map(|(_, inputs)| input(*inputs)).collect()
         };
         let columns: Vec<Vec<f64>> = formula.inputs().iter().map(column).collect();
-        let constants: Vec<f64> = formula.starts().into_iter().map(f64::from).collect();
+        let constants: Vec<f64> = formula.starts();
         formula.tape().evaluate(&columns, &constants).unwrap_or_default()
     };
     let blend = formula.inputs().iter().any(|name| name == "f0");

@@ -54,7 +54,7 @@ pub struct Cell {
 /// The largest difference of f(l, v) and f(v, l).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Broken {
-    /// The difference over the larger of both, or over [`LEAST`] where both are smaller.
+    /// The difference over the larger of both, or over `LEAST` where both are smaller.
     pub share: f64,
     /// Both, without the cosine.
     pub values: [f64; 2],

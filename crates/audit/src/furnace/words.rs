@@ -24,7 +24,7 @@ const ALLOWED: f64 = 5e-3;
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
 
-/// The verdict on a function; without a limit [`ALLOWED`] is.
+/// The verdict on a function; without a limit `ALLOWED` is.
 pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
     let allowed = limit.unwrap_or(ALLOWED);
     let (cell, channel) = &found.most;

@@ -1,6 +1,6 @@
 //! The sheen lobe of Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), called
 //! Charlie, with the visibility of Neubelt and Pettineo (2013) that real-time renderers pair it
-//! with. The shadowing that its authors fitted stands in [`shadowed`](super::shadowed).
+//! with. The shadowing that its authors fitted stands in `shadowed`.
 
 use crate::optics::ggx::Vec3;
 use lobefit_math::ops;
