@@ -22,7 +22,7 @@ pub const SIDE_MIN: usize = 8;
 pub const SHADER: usize = 1 << 20;
 /// Most bytes of a shader source with the files that it includes.
 pub const INCLUDED: usize = 8 << 20;
-/// Most functions of a shader source that are read where none is named.
+/// Most functions of a shader source that are read where the user names no function.
 pub const FUNCTIONS: usize = 1024;
 /// Deepest include file inside another.
 pub const INCLUDE_DEPTH: usize = 32;

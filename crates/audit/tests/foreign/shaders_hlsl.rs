@@ -1,5 +1,5 @@
-//! HLSL: what has a counterpart in GLSL has the values of plain arithmetic, and what has none is
-//! refused at its place.
+//! HLSL: what has a counterpart in GLSL has the values of plain arithmetic, and what lacks a
+//! counterpart is refused at its place.
 
 use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
 
