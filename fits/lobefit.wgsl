@@ -5,8 +5,8 @@
 // GGX lobe, smith: correlated; alpha = roughness^2
 // Prefiltered probes; alpha = roughness^2
 // Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between
-// normal and view. Pass max(n_dot_v, 1e-4): a negative cosine may meet a pole, and with roughness 0 a cosine of 0
-// makes 0/0, a NaN.
+// normal and view. Errors are measured over the domains that the functions state. Pass max(n_dot_v, 1e-4): a negative
+// cosine may meet a pole, and with roughness 0 a cosine of 0 makes 0/0, a NaN.
 // f0 is the reflectance at normal incidence.
 // The energy compensation N has E N = 1: multiply the specular lobe by it. Of a metal take `_rgb`, which is
 // 1 + f0 (N - 1) per colour channel.

@@ -15,8 +15,8 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     }
     if parts.iter().any(|part| part.finding.ranges.contains_key("mu")) {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between".into());
-        out.push("normal and view. Pass max(n_dot_v, 1e-4): a negative cosine may meet a pole, and with roughness 0 a cosine of 0".into());
-        out.push("makes 0/0, a NaN.".into());
+        out.push("normal and view. Errors are measured over the domains that the functions state. Pass max(n_dot_v, 1e-4): a negative".into());
+        out.push("cosine may meet a pole, and with roughness 0 a cosine of 0 makes 0/0, a NaN.".into());
     } else if parts.iter().any(|part| !part.finding.ranges.is_empty()) {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
     }

@@ -10,9 +10,10 @@ use crate::approximate::{Emission, Fit};
 use crate::data::{Approximation, Axis, Cost, Form, Layout, Source, Table, Use, Warp};
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::manifest::Entries;
-use crate::report::numbers::{grouped, significant};
+use crate::report::numbers::{brief, grouped, significant};
 use crate::report::sections::words::{self, operations};
 use crate::report::{Answer, Furnace, FurnaceRow, Measured, Offer, Purpose, Role};
+use crate::scene::limits::TABLE_MU;
 use lobefit_shade::code::{self, Language};
 
 /// What happens where planes of a proxy meet, as the manifest has it, the most accurate first.
@@ -119,7 +120,19 @@ fn of_table(role: Role, table: &BakedTable, purpose: &str) -> Offer {
     let own = metric(a);
     let metric = if own == purpose { String::new() } else { own };
     let function = Some(table.names.lookup.clone());
-    Offer { metric, ..Offer::new(role, &a.name, function, (a.cost, Some(errors(a)))) }
+    let note = a.certificate.domain.get("mu").map_or_else(String::new, part);
+    Offer { metric, note, ..Offer::new(role, &a.name, function, (a.cost, Some(errors(a)))) }
+}
+
+/// What a card says of a table that is judged over a part of the views.
+fn part(mu: &[f64; 2]) -> String {
+    let [low, high] = mu.map(|x| f64::from(x as f32));
+    let all = TABLE_MU.map(|x| f64::from(x as f32));
+    if low <= all[0] && high >= all[1] {
+        return String::new();
+    }
+    let [low, high] = mu.map(|x| brief(x, 3));
+    format!("Its error is that over n_dot_v {low} to {high}; beyond it nothing is drawn of it.")
 }
 
 /// What the error of an approximation is; of a table it is that of its lookup.

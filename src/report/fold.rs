@@ -75,7 +75,8 @@ pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
         }
         let mut blocks = all;
         if open < blocks.len() {
-            while open > 0 && matches!(blocks[open - 1], Block::Heading { .. }) {
+            while open > 0 && matches!(blocks[open - 1], Block::Heading { .. } | Block::Approximation { .. })
+            {
                 open -= 1;
             }
             let rest = blocks.split_off(open);
@@ -125,7 +126,7 @@ fn lines(text: &str, width: f64) -> f64 {
 fn height(block: &Block) -> f64 {
     match block {
         Block::Text { text } => 24.0 * lines(text, 700.0) + 16.0,
-        Block::Heading { .. } => 56.0,
+        Block::Heading { .. } | Block::Approximation { .. } => 56.0,
         Block::Code { text } => 21.0 * text.lines().count() as f64 + 48.0,
         Block::Facts { rows } => rows.iter().map(|(_, value)| 24.0 * lines(value, 600.0)).sum::<f64>() + 16.0,
         Block::Links { rows } => 24.0 * rows.len() as f64 + 32.0,

@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
-use super::page::{Block, Card, Choice, Page, Section, TextTable};
+use super::page::{Block, Card, Choice, Page, Section, TextTable, figures_of, place_of};
 use super::{bar, fold};
 use crate::scene::UNNAMED;
 
@@ -149,6 +149,9 @@ fn block(out: &mut String, block: &Block) {
     match block {
         Block::Text { text } => put(out, format_args!("<p>{}</p>\n", Broken(text))),
         Block::Heading { text } => put(out, format_args!("<h3>{}</h3>\n", Broken(text))),
+        Block::Approximation { name } => {
+            put(out, format_args!("<h3 id=\"{}\">{}</h3>\n", Escaped(&figures_of(name)), Broken(name)));
+        }
         Block::Code { text } => put(out, format_args!("<pre><code>{}</code></pre>\n", Escaped(text))),
         Block::Cards(cards) => {
             let class = if fold::is_paired(cards) { "cards paired" } else { "cards" };
@@ -294,15 +297,33 @@ fn text_table(out: &mut String, table: &TextTable) {
         put(out, format_args!("<th{}>{}</th>", class(figures), Broken(name)));
     }
     out.push_str("</tr></thead>\n<tbody>\n");
-    for (row, muted) in table.rows.iter().zip(&table.muted) {
+    for (i, (row, muted)) in table.rows.iter().zip(&table.muted).enumerate() {
         put(out, format_args!("<tr{}>", if *muted { " class=\"muted\"" } else { "" }));
-        for (cell, (_, figures)) in row.iter().zip(&table.columns) {
-            put(out, format_args!("<td{}>{}</td>", class(figures), Broken(cell)));
+        for (column, (cell, (_, figures))) in row.iter().zip(&table.columns).enumerate() {
+            put(out, format_args!("<td{}>", class(figures)));
+            match table.names.as_ref().filter(|names| names.column == column) {
+                Some(names) => {
+                    let is_place = names.places.get(i).is_some_and(|is_place| *is_place);
+                    name(out, cell, (is_place, names.links.get(i).and_then(Option::as_deref)));
+                }
+                None => put(out, format_args!("{}", Broken(cell))),
+            }
+            out.push_str("</td>");
         }
         out.push_str("</tr>\n");
     }
     out.push_str("</tbody>\n</table></div>\n");
     captioned(out, &table.caption);
+}
+
+/// A name that links lead to, or that leads on.
+fn name(out: &mut String, name: &str, (is_place, link): (bool, Option<&str>)) {
+    let place = if is_place { format!(" id=\"{}\"", Escaped(&place_of(name))) } else { String::new() };
+    match link {
+        Some(link) => put(out, format_args!("<a{place} href=\"{}\">{}</a>", Escaped(link), Broken(name))),
+        None if is_place => put(out, format_args!("<span{place}>{}</span>", Broken(name))),
+        None => put(out, format_args!("{}", Broken(name))),
+    }
 }
 
 fn captioned(out: &mut String, caption: &str) {

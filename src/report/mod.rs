@@ -43,7 +43,7 @@ pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, Gp
 pub use html::html;
 pub use image::{Image, displayed, luminance};
 pub use json::document;
-pub use page::{Block, Card, Choice, Page, Section, TextTable};
+pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Pixels, Scale,
     Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,

@@ -43,6 +43,11 @@ pub enum Block {
         /// The words.
         text: String,
     },
+    /// The heading of an approximation's own figures, which a link may lead to.
+    Approximation {
+        /// Its name.
+        name: String,
+    },
     /// Text in a fixed pitch, its lines kept.
     Code {
         /// The lines.
@@ -137,6 +142,29 @@ pub struct TextTable {
     pub rows: Vec<Vec<String>>,
     /// Rows to set back in grey: somebody else's.
     pub muted: Vec<bool>,
+    /// The column of names that a reader follows or comes to, if there is one.
+    pub names: Option<Names>,
     /// What to see in it.
     pub caption: String,
+}
+
+/// What the names in a column lead to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Names {
+    /// The column.
+    pub column: usize,
+    /// Whether a link may lead to a row, by its name: once on a page.
+    pub places: Vec<bool>,
+    /// The address that each row's name leads to, if any.
+    pub links: Vec<Option<String>>,
+}
+
+/// The place of an approximation on its effect's page, as a link has it after `#`: its row among all.
+pub fn place_of(name: &str) -> String {
+    name.replace(' ', "-")
+}
+
+/// The place of its own figures, where a page has these.
+pub fn figures_of(name: &str) -> String {
+    format!("figures-{}", place_of(name))
 }

@@ -190,13 +190,16 @@ fn a_formula_without_a_value_where_its_constraints_hold_is_left_out() {
 #[test]
 fn a_table_may_state_the_cosines_that_it_is_judged_over() {
     let wants = |range: &str| format!(r#"{{"tables":[{{"size": [16, 16], "layout": "plain"{range}}}]}}"#);
-    let narrow = plain(&metal("[0.3, 1]", &wants(r#", "n_dot_v": [0.05, 1]"#)));
+    let narrow =
+        baked_with(r#""languages": ["wgsl"],"#, &metal("[0.3, 1]", &wants(r#", "n_dot_v": [0.05, 1]"#)));
     let wide = plain(&metal("[0.3, 1]", &wants("")));
     let domain = |b: &Baked| b.tables[0].approximation.certificate.domain["mu"];
     assert_eq!((domain(&narrow), domain(&wide)), ([0.05, 1.0], [0.001, 1.0]));
     assert!(narrow.tables[0].errors.lookup.max < 0.5 * wide.tables[0].errors.lookup.max);
     let text = String::from_utf8_lossy(&narrow.files["fits/lobefit.wgsl"]).into_owned();
     assert!(text.contains("over n_dot_v [0.05, 1], roughness [0.3, 1]"), "{text}");
+    let card = String::from_utf8_lossy(&narrow.files["reports/index.html"]).into_owned();
+    assert!(card.contains("Its error is that over n_dot_v 0.05 to 1"), "the card says so");
 }
 
 #[test]

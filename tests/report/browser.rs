@@ -24,6 +24,9 @@ const WIDTHS: [u32; 3] = [1400, 1280, 390];
 /// Most pixels of a page on a desk before a reader opens anything.
 const TALL: u32 = 6000;
 
+/// The same of a page on a phone.
+const NARROW: u32 = 9000;
+
 /// What was found of a page at a width.
 #[derive(Debug, Deserialize)]
 struct Seen {
@@ -41,6 +44,12 @@ struct Seen {
     tips: Vec<String>,
     links: Vec<String>,
     ids: BTreeSet<String>,
+    /// Names of places that are there twice.
+    twice: Vec<String>,
+    /// Tables that are filtered by whose their rows are.
+    filters: usize,
+    /// What a filter shows wrongly.
+    filtered: Vec<String>,
     #[serde(default)]
     live: Option<Live>,
 }
@@ -173,12 +182,19 @@ fn every_page_works_in_a_browser() {
         assert_eq!(one.font, "loaded", "{page} at {width}: the font");
         assert!(one.overflow <= 0, "{page} at {width} is {} pixels wider than its window", one.overflow);
         assert!(one.sorted.is_empty(), "{page} at {width}: tables that do not sort: {:?}", one.sorted);
-        assert!(width < 1000 || one.tall <= TALL, "{page} at {width} is {} pixels tall", one.tall);
+        let most = if width < 1000 { NARROW } else { TALL };
+        assert!(one.tall <= most, "{page} at {width} is {} pixels tall", one.tall);
         assert!(one.cut.is_empty(), "{page} at {width}: cards cut {:?}", one.cut);
+        assert!(one.twice.is_empty(), "{page} at {width}: places of one name: {:?}", one.twice);
+        assert!(one.filtered.is_empty(), "{page} at {width}: filters: {:?}", one.filtered);
         assert!(one.copied, "{page} at {width}: code without a button to copy it");
         assert!(one.tips.is_empty(), "{page} at {width}: nothing under the pointer on {:?}", one.tips);
         resolved(one, &originals, &ids);
     }
+    assert!(seen.iter().any(|one| one.filters > 0), "no table of ours and published formulas");
+    let led = seen.iter().filter(|one| one.page.ends_with("index.html"));
+    let led = led.flat_map(|one| &one.links).filter(|link| link.contains(".html#")).count();
+    assert!(led > 20, "{led} links from the overview to approximations");
     let live: Vec<&Live> = seen.iter().filter_map(|one| one.live.as_ref()).collect();
     assert!(!live.is_empty(), "no live page");
     live.into_iter().for_each(agrees);

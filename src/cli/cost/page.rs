@@ -73,6 +73,7 @@ impl Beside {
         let mut origin = origin(input, &plan::plan(&input.scene), &command(options, path))?;
         if path == Path::new(PAGE) {
             origin.pages = bar_from("").map_err(BakeError::from)?;
+            origin = origin.with_figures("../manifest.json");
         }
         let studies = reported(input.scene.smith)?;
         let (tables, times) = (self.manifest.entries.tables, self.times);

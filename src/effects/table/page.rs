@@ -5,7 +5,7 @@ use crate::data::Smith;
 use crate::report::numbers::grouped;
 use crate::report::sections::tables::{SIGNED, maps};
 use crate::report::sections::{called_for, furnace, tables, words};
-use crate::report::{Block, Page, ReportError, Section, TableFinding};
+use crate::report::{Block, Names, Page, ReportError, Section, TableFinding, TextTable, figures_of};
 
 const LIST: [(&str, bool); 8] = [
     ("name", false),
@@ -66,11 +66,18 @@ fn list(findings: &SlicedFindings) -> Section {
     };
     let caption = "The lookup error is that of the trilinear fetch of the quantised texels with the emitted code, against the \
                    truth at places off the grid. Maxima are rounded up.";
+    let table = words::table(&LIST, findings.tables.iter().map(row).collect(), caption);
+    let link = |t: &TableFinding| Some(format!("#{}", figures_of(&t.name)));
+    let names = Names {
+        column: 0,
+        places: vec![true; findings.tables.len()],
+        links: findings.tables.iter().map(link).collect(),
+    };
     Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
         lead: "Every table made for this effect.".into(),
-        blocks: vec![Block::Table(words::table(&LIST, findings.tables.iter().map(row).collect(), caption))],
+        blocks: vec![Block::Table(TextTable { names: Some(names), ..table })],
     }
 }
 

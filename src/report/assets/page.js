@@ -42,19 +42,43 @@ document.querySelectorAll(".wide table").forEach((table) => {
     });
   });
   if (rows.length < 8) return;
-  const filter = document.createElement("input");
-  filter.className = "filter";
-  filter.placeholder = "filter rows";
-  filter.setAttribute("aria-label", "filter rows");
-  filter.addEventListener("input", () => {
+  // By words; by whose they are, where some are set back in grey; by the most operations.
+  const filters = document.createElement("div");
+  filters.className = "filters";
+  const control = (kind, label, more) => {
+    const made = Object.assign(document.createElement(kind), more);
+    made.setAttribute("aria-label", label);
+    filters.append(made);
+    return made;
+  };
+  const filter = control("input", "filter rows", { placeholder: "filter rows" });
+  const theirs = rows.filter((row) => row.classList.contains("muted")).length;
+  const whose = theirs > 0 && theirs < rows.length && control("select", "whose");
+  if (whose) ["ours and published", "ours", "published"].forEach((text) => whose.add(new Option(text)));
+  const ops = heads.findIndex((head) => head.textContent === "ops");
+  const most = ops >= 0 && control("input", "most operations", { type: "number", min: 0, placeholder: "at most … operations" });
+  filters.addEventListener("input", () => {
     const words = filter.value.toLowerCase().split(/\s+/);
+    const limit = most && most.value !== "" ? Number(most.value) : Infinity;
+    const side = whose ? whose.selectedIndex : 0;
     rows.forEach((row) => {
       const text = row.textContent.toLowerCase();
-      row.hidden = !words.every((word) => text.includes(word));
+      const muted = row.classList.contains("muted");
+      const kept = side === 0 || muted === (side === 2);
+      row.hidden = !kept || !words.every((word) => text.includes(word)) || (ops >= 0 && number(row.cells[ops].textContent) > limit);
     });
   });
-  table.parentElement.before(filter);
+  table.parentElement.before(filters);
 });
+// A link may lead into what is folded.
+const reveal = () => {
+  const target = location.hash.length > 1 && document.getElementById(location.hash.slice(1));
+  if (!target) return;
+  for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+  target.scrollIntoView();
+};
+addEventListener("hashchange", reveal);
+reveal();
 document.querySelectorAll("pre").forEach((pre) => {
   if (!navigator.clipboard) return;
   const code = pre.firstElementChild || pre;

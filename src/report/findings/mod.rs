@@ -44,7 +44,7 @@ impl Origin {
     }
 
     /// The same with a file of figures beside the page.
-    pub(crate) fn with_figures(mut self, file: &str) -> Origin {
+    pub fn with_figures(mut self, file: &str) -> Origin {
         self.pages.push(("JSON".into(), file.into()));
         self
     }

@@ -3,7 +3,8 @@
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
-    ApproximationFinding, Block, Dot, ReportError, Scatter, Section, Spread, TextTable, check,
+    ApproximationFinding, Block, Dot, Names, ReportError, Scatter, Section, Spread, TextTable, check,
+    figures_of,
 };
 
 const COLUMNS: [(&str, bool); 10] = [
@@ -19,7 +20,8 @@ const COLUMNS: [(&str, bool); 10] = [
     ("source", false),
 ];
 
-pub(crate) fn section(all: &[ApproximationFinding]) -> Result<Option<Section>, ReportError> {
+/// All of them; names lead to the figures of those that the page shows, by name.
+pub(crate) fn section(all: &[ApproximationFinding], shown: &[&str]) -> Result<Option<Section>, ReportError> {
     if all.is_empty() {
         return Ok(None);
     }
@@ -28,7 +30,7 @@ pub(crate) fn section(all: &[ApproximationFinding]) -> Result<Option<Section>, R
     for group in groups(all) {
         blocks.extend(chart(&group)?);
     }
-    blocks.push(Block::Table(list(all)));
+    blocks.push(Block::Table(list(all, shown)));
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
@@ -125,7 +127,7 @@ fn dot(a: &ApproximationFinding) -> Dot {
     }
 }
 
-fn list(all: &[ApproximationFinding]) -> TextTable {
+fn list(all: &[ApproximationFinding], shown: &[&str]) -> TextTable {
     let caption = format!(
         "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, exp2 4; exp 5; \
          pow 9). Maxima are rounded up; where: the place of the maximum.{}",
@@ -133,6 +135,11 @@ fn list(all: &[ApproximationFinding]) -> TextTable {
     );
     let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), &caption);
     table.muted = all.iter().map(|a| a.published).collect();
+    let link = |a: &ApproximationFinding| {
+        shown.contains(&a.name.as_str()).then(|| format!("#{}", figures_of(&a.name)))
+    };
+    table.names =
+        Some(Names { column: 0, places: vec![true; all.len()], links: all.iter().map(link).collect() });
     table
 }
 

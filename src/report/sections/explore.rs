@@ -35,7 +35,7 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
     };
     Ok(Page {
         title: explore.origin.title("lobefit live", ""),
-        origin: explore.origin,
+        origin: explore.origin.with_figures("../manifest.json"),
         lead: format!(
             "{conclusion}Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
              material. In a white furnace a sphere that loses no energy cannot be seen."

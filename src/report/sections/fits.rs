@@ -178,7 +178,7 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
     let caption = "Left: truth (heavy) under the fit (colour), each line labelled with its roughness r; a fit \
          beyond the scale of the truth runs along the frame. Right: where it errs.";
     Ok(vec![
-        Block::Heading { text: s.fit.name.clone() },
+        Block::Approximation { name: s.fit.name.clone() },
         Block::Facts { rows: facts(s) },
         Block::Code { text: s.fit.formula.clone() },
         Block::Figures { svg: svg.to_vec(), caption: caption.into() },

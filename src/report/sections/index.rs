@@ -7,7 +7,9 @@ use serde_json::Value;
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Answer, Block, ReportError, Role, Section, check, numbers};
+use crate::report::{
+    Answer, Block, Names, ReportError, Role, Section, TextTable, check, figures_of, numbers, place_of,
+};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -20,6 +22,9 @@ const COLUMNS: [(&str, bool); 9] = [
     ("fetches", true),
     ("bytes", true),
 ];
+
+/// The column of names.
+const NAME: usize = 1;
 
 const CALLS: [(&str, bool); 9] = [
     ("call", false),
@@ -43,11 +48,7 @@ pub(super) fn sections(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Se
         id: "call".into(),
         title: "Who calls what".into(),
         lead: "Each emitted function once, with the materials and probes that call it.".into(),
-        blocks: vec![Block::Table(words::table(
-            &CALLS,
-            calls(manifest, answers)?,
-            "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.",
-        ))],
+        blocks: vec![calls(manifest, answers)?],
     };
     let made = Section {
         id: "made".into(),
@@ -55,11 +56,7 @@ pub(super) fn sections(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Se
         lead: "Tables and formulas in the order of the manifest, which has all their figures. The page of an effect has \
                its truth, its errors and its pictures, and every formula that was measured."
             .into(),
-        blocks: vec![Block::Table(words::table(
-            &COLUMNS,
-            rows(manifest),
-            "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
-        ))],
+        blocks: vec![rows(manifest)],
     };
     Ok(vec![behind("All functions", call), behind("All tables and formulas", made), called_for])
 }
@@ -128,7 +125,7 @@ fn states_error(scene: &Value) -> bool {
 }
 
 /// A row for each function, with who calls it.
-fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Vec<String>>, ReportError> {
+fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Block, ReportError> {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
         match found.iter_mut().find(|(known, _)| known.function == call.function) {
@@ -151,7 +148,21 @@ fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Vec<String>>, Re
         ];
         Ok(words.into_iter().chain(figures).collect())
     };
-    found.into_iter().map(row).collect()
+    let links = found.iter().map(|(call, _)| place(manifest, &call.effect, &call.name)).collect();
+    let caption =
+        "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.";
+    let rows = found.into_iter().map(row).collect::<Result<_, ReportError>>()?;
+    let names = Some(Names { column: 0, places: Vec::new(), links });
+    Ok(Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) }))
+}
+
+/// Where the page of an effect has the approximation of a name; none of what is neither a table nor a
+/// fit.
+fn place(manifest: &Manifest, effect: &str, name: &str) -> Option<String> {
+    let is_table = manifest.entries.tables.iter().any(|table| table.effect == effect && table.name == name);
+    let is_fit = manifest.entries.fits.iter().any(|fit| fit.effect == effect && fit.name == name);
+    let at = if is_table { figures_of(name) } else { place_of(name) };
+    (is_table || is_fit).then(|| format!("{effect}.html#{at}"))
 }
 
 /// Whether a card recommends what is called, its form for three channels among it.
@@ -163,13 +174,17 @@ fn recommended(call: &Call, answers: &[Answer]) -> &'static str {
 }
 
 /// Tables and fits by effect, in the order of the effects.
-fn rows(manifest: &Manifest) -> Vec<Vec<String>> {
+fn rows(manifest: &Manifest) -> Block {
     let of_effect = |effect: &str| {
         let entries = manifest.entries.of(effect);
         let tables = entries.tables.iter().map(table).collect::<Vec<_>>();
         tables.into_iter().chain(entries.fits.iter().map(fit)).collect::<Vec<_>>()
     };
-    manifest.effects.iter().flat_map(|e| of_effect(&e.effect)).collect()
+    let rows: Vec<Vec<String>> = manifest.effects.iter().flat_map(|e| of_effect(&e.effect)).collect();
+    let links = rows.iter().map(|row| place(manifest, &row[0], &row[NAME])).collect();
+    let caption = "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.";
+    let names = Some(Names { column: NAME, places: Vec::new(), links });
+    Block::Table(TextTable { names, ..words::table(&COLUMNS, rows, caption) })
 }
 
 fn table(t: &TableEntry) -> Vec<String> {

@@ -28,7 +28,9 @@ const SCREEN: f64 = 3840.0 * 2160.0;
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::section(findings)?];
-    sections.extend(approximations::section(&findings.approximations)?);
+    let tables = findings.tables.iter().map(|table| table.name.as_str());
+    let shown: Vec<&str> = tables.chain(findings.fits.iter().map(|fit| fit.name.as_str())).collect();
+    sections.extend(approximations::section(&findings.approximations, &shown)?);
     sections.extend(furnace::section(findings)?);
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(&findings.tables)?);

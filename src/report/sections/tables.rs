@@ -58,7 +58,8 @@ fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
     for f in &table.lookup_error {
         f.check(&section)?;
     }
-    let mut blocks = vec![Block::Heading { text: table.name.clone() }, Block::Facts { rows: facts(table) }];
+    let mut blocks =
+        vec![Block::Approximation { name: table.name.clone() }, Block::Facts { rows: facts(table) }];
     let flat = table.axes.len() == 2;
     if flat {
         let texels: Vec<Field> = table.channels.iter().map(|c| texels(table, c)).collect();

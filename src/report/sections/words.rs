@@ -77,5 +77,5 @@ pub fn worth_a_chart(dots: &[Dot]) -> bool {
 pub fn table(columns: &[(&str, bool)], rows: Vec<Vec<String>>, caption: &str) -> TextTable {
     let muted = vec![false; rows.len()];
     let columns = columns.iter().map(|(name, figures)| (name.to_string(), *figures)).collect();
-    TextTable { columns, rows, muted, caption: caption.into() }
+    TextTable { columns, rows, muted, names: None, caption: caption.into() }
 }

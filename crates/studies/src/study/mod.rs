@@ -119,7 +119,8 @@ impl dyn Study + '_ {
             tool: env!("CARGO_PKG_VERSION").into(),
             command: format!("lobefit report --study {}{of}{reduced}", self.name()),
             pages: bar_from("../../")?,
-        })
+        }
+        .with_figures("results.json"))
     }
 }
 

@@ -65,5 +65,5 @@ fn worst(lobe: &CouplingLobe, f0: f64, rows: &[FurnaceRow]) -> Block {
         numbers::place(f0)
     );
     let rows: Vec<Vec<String>> = rows.iter().map(row).collect();
-    Block::Table(TextTable { columns, muted: vec![false; rows.len()], rows, caption })
+    Block::Table(TextTable { columns, muted: vec![false; rows.len()], names: None, rows, caption })
 }

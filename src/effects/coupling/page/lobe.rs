@@ -9,7 +9,8 @@ use crate::report::{Block, ReportError, Section, check, numbers};
 /// Their sections, with the kind of lobe in title and anchor.
 pub(super) fn sections(lobe: &CouplingLobe) -> Result<Vec<Section>, ReportError> {
     let mut sections = Vec::new();
-    if let Some(mut costs) = approximations::section(&lobe.approximations)? {
+    let shown: Vec<&str> = lobe.fits.iter().map(|fit| fit.name.as_str()).collect();
+    if let Some(mut costs) = approximations::section(&lobe.approximations, &shown)? {
         costs.blocks.push(Block::Heading { text: "At any f0".into() });
         costs.blocks.push(anywhere(lobe)?);
         sections.push(costs);

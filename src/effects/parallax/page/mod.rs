@@ -6,15 +6,18 @@ mod measures;
 mod variation;
 mod widths;
 
+use std::collections::BTreeSet;
+
 use crate::effects::parallax::results::{ParallaxFindings, ParallaxLobe};
 use crate::report::sections::{approximations, called_for};
-use crate::report::{Page, ReportError, Section};
+use crate::report::{Block, Page, ReportError, Section, TextTable};
 
 /// The whole page.
 pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &findings.left_out)];
+    let mut known = BTreeSet::new();
     for one in &findings.lobes {
-        sections.extend(of_lobe(one)?);
+        sections.extend(of_lobe(one, &mut known)?);
     }
     Ok(Page {
         title: findings.origin.title("lobefit report", &findings.effect.effect),
@@ -29,10 +32,17 @@ pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
     })
 }
 
-/// The sections of a lobe, with its name in title and anchor.
-fn of_lobe(lobe: &ParallaxLobe) -> Result<Vec<Section>, ReportError> {
+/// The sections of a lobe, with its name in title and anchor. Published formulas are those of every lobe:
+/// links lead to the first list that has a name.
+fn of_lobe(lobe: &ParallaxLobe, known: &mut BTreeSet<String>) -> Result<Vec<Section>, ReportError> {
     let mut sections = vec![variation::section(lobe)?];
-    sections.extend(approximations::section(&lobe.approximations)?);
+    let mut list = approximations::section(&lobe.approximations, &[])?;
+    for block in list.iter_mut().flat_map(|section| &mut section.blocks) {
+        if let Block::Table(TextTable { names: Some(names), rows, .. }) = block {
+            names.places = rows.iter().map(|row| known.insert(row[names.column].clone())).collect();
+        }
+    }
+    sections.extend(list);
     sections.push(widths::section(lobe)?);
     sections.extend(chains::section(lobe));
     sections.extend(lookups::section(lobe));
