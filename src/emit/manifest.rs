@@ -426,9 +426,7 @@ impl TableEntry {
             cost: CostEntry::new(approximation),
         }
     }
-}
 
-impl TableEntry {
     /// The entry of a table that lies in these files.
     pub fn in_files(self, files: Vec<String>) -> TableEntry {
         let file = files.first().cloned().unwrap_or_default();
@@ -471,9 +469,7 @@ impl FitEntry {
             source: approximation.source.text().to_string(),
         })
     }
-}
 
-impl FitEntry {
     /// The entry of a factor under a lobe, with its error over all f0 and where it is proven safe.
     pub fn under(
         self,

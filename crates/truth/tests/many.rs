@@ -43,7 +43,7 @@ fn many_points_are_within_the_tolerance_that_was_asked_for() {
             let variant = variant(smith).of(quantity.choices());
             let tolerance = quantity.tolerance_of_many(&variant);
             let outputs = &quantity.outputs()[..1];
-            let dear = quantity.microseconds(outputs) > 500.0;
+            let dear = quantity.microseconds(outputs) > 50.0;
             let points = points(quantity, if dear { COMPARED } else { MANY });
             let truth = quantity.truth(&variant, &points, outputs, tolerance).expect("in the domain");
             assert!(truth.error <= tolerance, "{quantity:?}");

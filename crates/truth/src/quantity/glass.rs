@@ -50,6 +50,33 @@ impl GgxGlass {
         Ok(all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect())
     }
 
+    /// R from one side alone, in much less work than E, and the evaluations that it took.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    fn reflected(
+        &self,
+        (smith, side): (Smith, Side),
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Vec<f64>, u64), IntegrateError> {
+        let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
+        let [alpha, mu, ior] = asked.columns(self)?;
+        let kernel = Kernel::new(smith, tolerance)?;
+        in_groups([alpha, mu, ior], |same, out: &mut Vec<f64>| {
+            let ([alpha, mu, _], start) = (same[0], out.len());
+            let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
+            out.resize(start + iors.len(), 0.0);
+            if table::covers(alpha, mu, &iors) {
+                return kernel.reflected([alpha, mu], &iors, side, &mut out[start..]);
+            }
+            for (ior, r) in iors.iter().zip(&mut out[start..]) {
+                *r = glass::glass(smith, alpha, mu, *ior, side, tolerance)?.r;
+            }
+            Ok(iors.len() as u64)
+        })
+    }
+
     /// The energies of both sides or of one, and the evaluations that they took.
     fn energies(
         &self,
@@ -65,19 +92,27 @@ impl GgxGlass {
             Some(side) => kernel.only(side),
             None => kernel,
         };
-        let inputs: Vec<[f64; 3]> = (0..points.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
-        let chunk = |chunk: &[[f64; 3]]| {
-            let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
-            for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
-                evaluations += group(&kernel, smith, same, tolerance, &mut values)?;
-            }
-            Ok((values, evaluations))
-        };
-        let parts: Vec<(Vec<Energies>, u64)> =
-            inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
-        let evaluations = parts.iter().map(|(_, n)| n).sum();
-        Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
+        in_groups([alpha, mu, ior], |same, out| group(&kernel, smith, same, tolerance, out))
     }
+}
+
+/// Values at points, and the evaluations that they took: neighbours of one alpha and mu go together.
+fn in_groups<T: Send>(
+    [alpha, mu, ior]: [&[f64]; 3],
+    group: impl Fn(&[[f64; 3]], &mut Vec<T>) -> Result<u64, IntegrateError> + Sync,
+) -> Result<(Vec<T>, u64), IntegrateError> {
+    let inputs: Vec<[f64; 3]> = (0..alpha.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
+    let chunk = |chunk: &[[f64; 3]]| {
+        let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
+        for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
+            evaluations += group(same, &mut values)?;
+        }
+        Ok((values, evaluations))
+    };
+    let parts: Vec<(Vec<T>, u64)> =
+        inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
+    let evaluations = parts.iter().map(|(_, n)| n).sum();
+    Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
 }
 
 /// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the
@@ -156,10 +191,19 @@ impl Quantity for GgxGlass {
             return Ok(None);
         }
         let (places, side) = (asked.places(self)?, variant.side(self.name())?);
+        if asked.outputs == ["R"] {
+            let variant = (variant.smith(self.name())?, side);
+            let (r, evaluations) = self.reflected(variant, points, 0.5 * tolerance)?;
+            return Ok(Some(Truth { columns: vec![r], error: tolerance, evaluations }));
+        }
         let [outside, inside] = self.both_sides(variant.smith(self.name())?, points, 0.5 * tolerance)?;
         let all = if side == Side::Outside { outside } else { inside };
         let columns = places.iter().map(|place| all.columns[*place].clone()).collect();
         Ok(Some(Truth { columns, error: tolerance, ..all }))
+    }
+
+    fn microseconds(&self, outputs: &[&str]) -> f64 {
+        if outputs == ["R"] { 100.0 } else { 1e4 }
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

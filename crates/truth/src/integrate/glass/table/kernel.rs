@@ -138,6 +138,38 @@ impl Kernel {
     }
 }
 
+impl Kernel {
+    /// R alone, from one side, for every index of refraction into `out`, of the same length: the rings
+    /// without the transmitted energy, in a twentieth of the time. Returns the number of integrand
+    /// evaluations.
+    ///
+    /// # Errors
+    /// As [`Kernel::energies`].
+    pub fn reflected(
+        &self,
+        [alpha, mu]: [f64; 2],
+        iors: &[f64],
+        side: Side,
+        out: &mut [f64],
+    ) -> Result<u64, IntegrateError> {
+        check(alpha, mu, iors)?;
+        let lobe = Lobe::new(self.smith, alpha, mu);
+        let Kernel { effort, path, rules, series, .. } = self;
+        let rings = Reflection::new(&lobe, effort, rules, series, *path);
+        for (ior, r) in iors.iter().zip(out) {
+            *r = match side {
+                _ if ior - 1.0 < STRAIGHT => 0.0,
+                Side::Outside => rings.whole - rings.passed_outside(Seen::outside(*ior), *path),
+                Side::Inside => {
+                    let seen = Seen::inside(*ior);
+                    rings.whole - rings.passed_inside(&lobe, seen, effort, rules, *path)
+                }
+            };
+        }
+        Ok(rings.evaluations)
+    }
+}
+
 /// Whether a kernel's domain holds these.
 pub fn covers(alpha: f64, mu: f64, iors: &[f64]) -> bool {
     check(alpha, mu, iors).is_ok()
