@@ -43,7 +43,7 @@ fn reason(fit: &Fit, emitted: &[&Fit], context: &Context) -> Option<&'static str
     } else if context.hypotheses.iter().any(|user| user.source == fit.hypothesis.source()) {
         Some("of the user")
     } else if !emitted.iter().any(beats) {
-        Some("on the frontier (no emitted formula is as cheap and more accurate, or cheaper and as accurate)")
+        Some("on the frontier")
     } else if REFITTED.contains(&file) && !better_twin() {
         Some("of the source's form, with fitted constants")
     } else {

@@ -1,6 +1,7 @@
 //! The effect of `toy_effect.rs` goes the whole way that those of the catalogue go.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake, compare};
 use lobefit::effects::catalogue;
@@ -19,10 +20,11 @@ fn planned() -> (Scene, Plan) {
     (scene, plan)
 }
 
-fn baked() -> Baked {
+/// Its bake, for the tests that look at it.
+static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let (scene, plan) = planned();
     bake(&scene, &plan, &[], Selection::default(), &Silent).expect("a bake")
-}
+});
 
 #[test]
 fn it_takes_less_than_100_lines() {
@@ -52,7 +54,7 @@ fn it_is_planned_beside_the_others() {
 
 #[test]
 fn it_is_baked_emitted_and_shown() {
-    let baked = baked();
+    let baked = &*BAKED;
     assert!(baked.broken.is_empty(), "{:?}", baked.broken);
     let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest");
     let table = &manifest["tables"][0];
@@ -78,18 +80,17 @@ fn it_is_baked_emitted_and_shown() {
 
 #[test]
 fn it_is_checked() {
-    let (made, mut found) = (baked(), baked().files);
-    assert!(compare(&made, &found, &[], None, &Silent).is_empty());
+    let (made, mut found) = (&*BAKED, BAKED.files.clone());
+    assert!(compare(made, &found, &[], None, &Silent).is_empty());
     found.get_mut("tables/minnaert-16x12.exr").expect("a table").truncate(100);
-    let differences = compare(&made, &found, &[], None, &Silent);
+    let differences = compare(made, &found, &[], None, &Silent);
     assert!(differences.len() == 1 && differences[0].file.ends_with(".exr"), "{differences:?}");
 }
 
 /// Texels that lie are found by the promise of the table, at the points where it was measured.
 #[test]
 fn other_texels_are_measured_again() {
-    let baked = baked();
-    let made = &baked.tables[0];
+    let made = &BAKED.tables[0];
     let mut channels = made.table().expect("texels").channels.clone();
     assert!(made.measured_again(&channels).expect("a lookup") <= made.errors.lookup.max);
     channels[0].texels[100] += 0.1;

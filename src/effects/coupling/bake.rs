@@ -47,6 +47,9 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     made.code(context, |language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
     for (job, lobe) in called.work.iter().zip(&lobes) {
         made.fits_called(job, &lobe.fits, context.scene);
+        let brdf = format!("diffuse_coupled_{} is the BRDF that calls it.", lobe.spec.specular.name());
+        let emitted = lobe.fits.iter().filter(|fit| fit.emitted);
+        made.cautions.extend(emitted.map(|fit| (fit.hypothesis.name().to_string(), brdf.clone())));
     }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());

@@ -35,7 +35,10 @@ const FITS: ValueFits = ValueFits {
     curves: &[0.1, 0.2, 0.3, 0.5, 1.0],
     seconds: [2.0, 0.15],
     table: None,
-    around: Some(Around { print: scale, said: |_| Ok(String::new()) }),
+    around: Some(Around {
+        print: scale,
+        said: |_| Ok("sheen_base_scale makes of it what the layers below keep.".into()),
+    }),
 };
 
 /// Its tables, but for which are wanted.

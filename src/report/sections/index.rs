@@ -7,9 +7,7 @@ use serde_json::Value;
 use super::{called_for, words};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{
-    Answer, Block, Names, ReportError, Role, Section, TextTable, check, figures_of, numbers, place_of,
-};
+use crate::report::{Block, Names, ReportError, Section, TextTable, check, figures_of, numbers, place_of};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -38,7 +36,7 @@ const CALLS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-pub(super) fn sections(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Section>, ReportError> {
+pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
     if manifest.effects.is_empty() {
         return Ok(vec![called_for]);
@@ -48,7 +46,7 @@ pub(super) fn sections(manifest: &Manifest, answers: &[Answer]) -> Result<Vec<Se
         id: "call".into(),
         title: "Who calls what".into(),
         lead: "Each emitted function once, with the materials and probes that call it.".into(),
-        blocks: vec![calls(manifest, answers)?],
+        blocks: vec![calls(manifest)?],
     };
     let made = Section {
         id: "made".into(),
@@ -125,7 +123,7 @@ fn states_error(scene: &Value) -> bool {
 }
 
 /// A row for each function, with who calls it.
-fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Block, ReportError> {
+fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
         match found.iter_mut().find(|(known, _)| known.function == call.function) {
@@ -135,12 +133,12 @@ fn calls(manifest: &Manifest, answers: &[Answer]) -> Result<Block, ReportError> 
     }
     let row = |(call, names): (&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
-        let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([bytes.to_string()]);
+        let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
         let problem =
             || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
         let words = [
             manifest.signature(call).ok_or_else(problem)?,
-            recommended(call, answers).into(),
+            recommended(call, &manifest.entries.calls).into(),
             call.effect.clone(),
             numbers::shortened(&names.join(", ")),
             words::max(call.max_error),
@@ -165,12 +163,12 @@ fn place(manifest: &Manifest, effect: &str, name: &str) -> Option<String> {
     (is_table || is_fit).then(|| format!("{effect}.html#{at}"))
 }
 
-/// Whether a card recommends what is called, its form for three channels among it.
-fn recommended(call: &Call, answers: &[Answer]) -> &'static str {
-    let offers = answers.iter().flat_map(|answer| &answer.purposes).flat_map(|purpose| &purpose.choices);
-    let mut best = offers.filter(|offer| offer.role == Role::Recommended);
-    // A lookup has the name of its function.
-    if best.any(|offer| [&call.name, &call.function].contains(&&offer.name)) { "yes" } else { "" }
+/// Whether it is the one to take where a material or probe has a choice.
+fn recommended(call: &Call, calls: &[Call]) -> &'static str {
+    let stands_for = |one: &Call, other: &Call| one.of == other.of && one.purpose == other.purpose;
+    let is_chosen =
+        |one: &Call| one.recommended && calls.iter().filter(|other| stands_for(one, other)).count() > 1;
+    if calls.iter().any(|one| one.function == call.function && is_chosen(one)) { "yes" } else { "" }
 }
 
 /// Tables and fits by effect, in the order of the effects.
@@ -201,6 +199,7 @@ fn fit(f: &FitEntry) -> Vec<String> {
 }
 
 fn row(names: [&str; 5], max: f64, cost: &CostEntry) -> Vec<String> {
-    let figures = [words::max(max), cost.ops.to_string(), cost.fetches.to_string(), cost.bytes.to_string()];
+    let figures =
+        [words::max(max), cost.ops.to_string(), cost.fetches.to_string(), numbers::grouped(cost.bytes)];
     names.into_iter().map(String::from).chain(figures).collect()
 }

@@ -65,7 +65,7 @@ pub(crate) fn of_index(
         sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
-    sections.extend(index::sections(drawn.manifest, answers)?);
+    sections.extend(index::sections(drawn.manifest)?);
     Ok(Page {
         title: origin.title("lobefit report", ""),
         origin,

@@ -94,8 +94,8 @@ pub(super) fn guides() -> Vec<(f64, String)> {
 fn marks(marked: &Marked) -> Vec<Annotation> {
     let x = marked.evaluations as f64;
     vec![
-        Annotation { x, y: marked.noise, text: "sources: noise".into() },
-        Annotation { x, y: marked.bias, text: "sources: bias".into() },
+        Annotation { x, y: marked.noise, text: "path tracer: noise".into() },
+        Annotation { x, y: marked.bias, text: "path tracer: bias".into() },
     ]
 }
 

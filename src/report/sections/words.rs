@@ -41,8 +41,9 @@ pub fn place(at: &Place) -> String {
 
 /// `μ 0.01 to 1, roughness 0.02 to 1`.
 pub fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
-    let one = |(k, [a, b]): (&String, &[f64; 2])| {
-        format!("{}\u{a0}{}\u{a0}to\u{a0}{}", symbol(k), brief(*a, 3), brief(*b, 3))
+    let one = |(k, [a, b]): (&String, &[f64; 2])| match a == b {
+        true => format!("{}\u{a0}{}", symbol(k), brief(*a, 3)),
+        false => format!("{}\u{a0}{}\u{a0}to\u{a0}{}", symbol(k), brief(*a, 3), brief(*b, 3)),
     };
     ranges.iter().map(one).collect::<Vec<_>>().join(", ")
 }
