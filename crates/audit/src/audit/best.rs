@@ -58,10 +58,16 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'
         return Ok(Best { truth, audit, found, sieved, tried });
     }
     progress("other shadowings");
+    let rough = Truth::rough(spec_of(table, quantity)?, &forms, &sides(fixed))?.within(&fixed.domain);
+    let foreign = |lobe: &usize| rough.lobes()[*lobe].form.integrand.is_some();
+    let lobes: Vec<usize> = (0..rough.lobes().len()).filter(foreign).collect();
+    let likely = screen::screen(&rough, &few, &tried, &lobes)?;
+    let rank = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.fitted.rank);
+    if rank(&likely) * WORTH_A_TRY >= rank(&sieved) {
+        return Ok(Best { truth, audit, found, sieved, tried });
+    }
     let all = truth_of(table, quantity, fixed, &forms)?;
-    let foreign = |lobe: &usize| all.lobes()[*lobe].form.integrand.is_some();
-    let lobes: Vec<usize> = (0..all.lobes().len()).filter(foreign).collect();
-    let mut others = candidates(&all, case, screen::screen(&all, &few, &tried, &lobes)?)?;
+    let mut others = candidates(&all, case, likely)?;
     if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
         return Ok(Best { truth, audit, found, sieved, tried });
     }
@@ -74,6 +80,9 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'
 /// How many times better the shadowing of another than the quantity's variants must rank to be
 /// told.
 const BEYOND: f64 = 1.5;
+
+/// How many times better it must rank in the sieve to be looked at closely.
+const WORTH_A_TRY: f64 = 1.2;
 
 /// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
 /// by another shadowing: sampling noise and rounding leave less.
@@ -111,16 +120,24 @@ pub(super) fn truth_of<'a>(
     fixed: &Fixed,
     forms: &[&'static Form],
 ) -> Result<Truth<'a>, AuditError> {
-    let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
-    // A table without an axis for the cosine may be of averages over it.
+    Ok(Truth::new(spec_of(table, quantity)?, forms, &sides(fixed))?.within(&fixed.domain))
+}
+
+/// The sides that may be meant.
+fn sides(fixed: &Fixed) -> Vec<Side> {
+    fixed.side.map_or(vec![Side::Outside, Side::Inside], |side| vec![side])
+}
+
+/// What is known of a quantity, or of its averages: a table without an axis for the cosine may be of
+/// those.
+fn spec_of<'a>(table: &AuditedTable, quantity: &'a dyn Quantity) -> Result<truth::Spec<'a>, AuditError> {
     let own = truth::spec(quantity);
     let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
-    let spec = mean.or(own).ok_or_else(|| AuditError::Option {
+    mean.or(own).ok_or_else(|| AuditError::Option {
         option: "--as",
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
-    })?;
-    Ok(Truth::new(spec, forms, &sides)?.within(&fixed.domain))
+    })
 }
 
 fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {

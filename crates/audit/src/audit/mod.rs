@@ -95,7 +95,7 @@ pub const JUDGED_TEXELS: usize = 1 << 19;
 
 /// Most texels of a table of two axes of which all errors are held at once. Of a larger one a lattice
 /// is held, and the rest is looked through for the largest error.
-const HELD_TEXELS: usize = 1 << 20;
+const HELD_TEXELS: usize = 1 << 19;
 const HELD_SIDE: usize = 256;
 
 /// Most texels that a page shows of a table of two axes; of more a lattice.
