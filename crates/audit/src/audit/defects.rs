@@ -138,11 +138,12 @@ fn part(r: &Residuals) -> Option<Defect> {
 
 fn clamped(r: &Residuals) -> Option<Defect> {
     let ends = [r.judged.iter().map(|i| r.values[*i]).fold(f64::NEG_INFINITY, f64::max), 0.0];
+    let least = (10.0 * r.median()).max(1e-3);
     let mut told = None;
     for (end, upper) in ends.into_iter().zip([true, false]) {
         let beyond = |i: &&usize| {
             let past = if upper { r.truth(**i) - end } else { end - r.truth(**i) };
-            r.values[**i] == end && past > (10.0 * r.median()).max(1e-3)
+            r.values[**i] == end && past > least
         };
         let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
         if stuck.len() >= 2 {
