@@ -5,7 +5,7 @@ use super::column::Column;
 use super::found::{Audit, ChannelAudit, Fit, Other};
 use super::table::{AuditedTable, Source};
 use super::truth::spec;
-use super::{AuditError, Case, Fixed, best};
+use super::{AuditError, Best, Case, FITS, Fixed, best};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 
@@ -37,14 +37,15 @@ pub(super) fn with_others(done: Audit, case: &Case, quantity: &dyn Quantity) -> 
     let mut own = Vec::new();
     for k in live {
         let case = Case { table: &alone(table, *k), live: &[0], ..*case };
-        if best(&case, quantity)?.audit.fit == Fit::Whole {
+        if best(&case, quantity)?.off <= FITS {
             own.push(*k);
         }
     }
     if own.is_empty() || own.len() == live.len() {
         return Ok(done);
     }
-    let mut found = best(&Case { live: &own, ..*case }, quantity)?.audit;
+    let case = &Case { live: &own, ..*case };
+    let mut found = best(case, quantity)?.audit(case)?;
     if found.fit == Fit::None {
         return Ok(done);
     }
@@ -73,18 +74,19 @@ fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditErr
     };
     let mut inputs: Vec<_> = axes.iter().map(|a| a.scale.input()).collect();
     inputs.sort();
-    let mut nearest: Option<Audit> = None;
+    let case = Case { fixed: &fixed, ..*channel };
+    let mut nearest: Option<Best> = None;
     for quantity in QUANTITIES.into_iter().filter(|q| q.name() != beside.quantity) {
         let mut own = spec(quantity).map_or(Vec::new(), |spec| spec.inputs.to_vec());
         own.sort();
         if own != inputs {
             continue;
         }
-        let found = best(&Case { fixed: &fixed, ..*channel }, quantity)?.audit;
-        let better = nearest.as_ref().is_none_or(|b| found.tried[0].rank < b.tried[0].rank);
-        if found.fit == Fit::Whole && better {
+        let found = best(&case, quantity)?;
+        let better = nearest.as_ref().is_none_or(|b| found.found[0].fitted.rank < b.found[0].fitted.rank);
+        if found.off <= FITS && better {
             nearest = Some(found);
         }
     }
-    Ok(nearest)
+    nearest.map(|best| best.audit(&case)).transpose()
 }

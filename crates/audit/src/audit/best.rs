@@ -1,18 +1,23 @@
 //! The best convention of a table: of the quantity's own lobes, then of the shadowings of others.
 
-use super::convention::Fixed;
-use super::found::{Audit, ChannelAudit, Fit};
+use super::column::Column;
+use super::convention::{Fixed, Misfit};
+use super::errors::Residuals;
+use super::found::Audit;
+use super::judge::quickly;
 use super::lobe::Form;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::{self, Truth};
 use super::{
-    AuditError, Registration, SIEVE, TOLD, arguments, audited, candidates, check_axes, finish, screen,
+    AuditError, QUICK_ROUND, Registration, SIEVE, TOLD, arguments, audited, candidates, check_axes, finish,
+    screen,
 };
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
 
 /// A table with what is known of it.
+#[derive(Clone, Copy)]
 pub(super) struct Case<'a> {
     pub table: &'a AuditedTable,
     /// The channels that vary, by their place.
@@ -24,11 +29,20 @@ pub(super) struct Case<'a> {
 /// The best convention.
 pub(super) struct Best<'a> {
     pub truth: Truth<'a>,
-    pub audit: Audit,
     pub found: Vec<Candidate>,
     pub sieved: Vec<Candidate>,
     /// What was left open.
     pub tried: Fixed,
+    /// Of the first of those that were found, [`off`].
+    pub off: f64,
+}
+
+impl Best<'_> {
+    /// All that is to be known of it.
+    pub fn audit(&self, case: &Case) -> Result<Audit, AuditError> {
+        (case.progress)("errors under the best convention");
+        finish(&self.truth, case.table, case.live, case.fixed, &self.found, None)
+    }
 }
 
 /// The best convention of the quantity's own lobes, and where those leave something to be explained,
@@ -52,44 +66,52 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'
     let few = Sample::new(table, live, SIEVE[class], true);
     let sieved = screen::screen(&truth, &few, &tried, &tried.lobes(&truth))?;
     let found = candidates(&truth, case, sieved.clone())?;
-    progress("errors under the best convention");
-    let audit = finish(&truth, table, live, fixed, &found, None)?;
-    if fixed.form.is_some() || others.is_empty() || is_close(&audit) {
-        return Ok(Best { truth, audit, found, sieved, tried });
+    let off = off(&truth, case, &found[0])?;
+    if fixed.form.is_some() || others.is_empty() || off <= CLOSE {
+        return Ok(Best { truth, found, sieved, tried, off });
     }
     progress("other shadowings");
+    let rough = Truth::rough(spec_of(table, quantity)?, &forms, &sides(fixed))?.within(&fixed.domain);
+    let foreign = |lobe: &usize| rough.lobes()[*lobe].form.integrand.is_some();
+    let lobes: Vec<usize> = (0..rough.lobes().len()).filter(foreign).collect();
+    let likely = screen::screen(&rough, &few, &tried, &lobes)?;
+    let rank = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.fitted.rank);
+    if rank(&likely) * WORTH_A_TRY >= rank(&sieved) {
+        return Ok(Best { truth, found, sieved, tried, off });
+    }
     let all = truth_of(table, quantity, fixed, &forms)?;
-    let foreign = |lobe: &usize| all.lobes()[*lobe].form.integrand.is_some();
-    let lobes: Vec<usize> = (0..all.lobes().len()).filter(foreign).collect();
-    let mut others = candidates(&all, case, screen::screen(&all, &few, &tried, &lobes)?)?;
+    let mut others = candidates(&all, case, likely)?;
     if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
-        return Ok(Best { truth, audit, found, sieved, tried });
+        return Ok(Best { truth, found, sieved, tried, off });
     }
     let first = others.remove(0);
     others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
-    let audit = finish(&all, table, live, fixed, &others, None)?;
-    Ok(Best { truth: all, audit, found: others, sieved, tried })
+    let off = self::off(&all, case, &others[0])?;
+    Ok(Best { truth: all, found: others, sieved, tried, off })
 }
 
 /// How many times better the shadowing of another than the quantity's variants must rank to be
 /// told.
 const BEYOND: f64 = 1.5;
 
+/// How many times better it must rank in the sieve to be looked at closely.
+const WORTH_A_TRY: f64 = 1.2;
+
 /// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
 /// by another shadowing: sampling noise and rounding leave less.
 const CLOSE: f64 = 4e-3;
 
-/// Whether every judged channel is so near to the truth that no other shadowing is looked for.
-fn is_close(done: &Audit) -> bool {
-    let spread = |c: &ChannelAudit| {
-        let ends = c
-            .truth
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| [low.min(*t), high.max(*t)]);
-        ends[1] - ends[0]
+/// Root mean square of the errors of a candidate's worst channel beside the spread of its truth.
+pub(super) fn off(truth: &Truth, case: &Case, candidate: &Candidate) -> Result<f64, AuditError> {
+    let Case { table, live, .. } = *case;
+    let sample = Sample::new(table, live, QUICK_ROUND[usize::from(table.size.len() == 3)], false);
+    let judgement = quickly(truth, &sample, &candidate.axes, candidate.lobe)?;
+    let fitted = candidate.fitted.columns.iter().zip(&candidate.fitted.misfits);
+    let channel = |(values, (column, misfit)): (&Vec<f64>, (&Option<Column>, &Option<Misfit>))| {
+        let residuals = Residuals::new(&sample, &judgement, (*column)?, values);
+        Some((*misfit)?.rms / residuals.spread().max(0.0))
     };
-    let near = |c: &ChannelAudit| c.errors.as_ref().is_none_or(|e| e.rms <= CLOSE * spread(c));
-    done.fit == Fit::Whole && done.channels.iter().all(near)
+    Ok(sample.values.iter().zip(fitted).filter_map(channel).fold(0.0, f64::max))
 }
 
 /// The shadowing forms that may be meant, of a form that is given and that the quantity's variants
@@ -111,16 +133,24 @@ pub(super) fn truth_of<'a>(
     fixed: &Fixed,
     forms: &[&'static Form],
 ) -> Result<Truth<'a>, AuditError> {
-    let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
-    // A table without an axis for the cosine may be of averages over it.
+    Ok(Truth::new(spec_of(table, quantity)?, forms, &sides(fixed))?.within(&fixed.domain))
+}
+
+/// The sides that may be meant.
+fn sides(fixed: &Fixed) -> Vec<Side> {
+    fixed.side.map_or(vec![Side::Outside, Side::Inside], |side| vec![side])
+}
+
+/// What is known of a quantity, or of its averages: a table without an axis for the cosine may be of
+/// those.
+fn spec_of<'a>(table: &AuditedTable, quantity: &'a dyn Quantity) -> Result<truth::Spec<'a>, AuditError> {
     let own = truth::spec(quantity);
     let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
-    let spec = mean.or(own).ok_or_else(|| AuditError::Option {
+    mean.or(own).ok_or_else(|| AuditError::Option {
         option: "--as",
         value: quantity.name().into(),
         reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
-    })?;
-    Ok(Truth::new(spec, forms, &sides)?.within(&fixed.domain))
+    })
 }
 
 fn no_form(quantity: &dyn Quantity, form: &Form, forms: &[&Form]) -> AuditError {

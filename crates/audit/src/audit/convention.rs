@@ -178,24 +178,34 @@ const KEPT_FIFTHS: usize = 4;
 impl Misfit {
     /// Of errors, none of them NaN; an empty list fits perfectly.
     pub(super) fn of(errors: &[f64]) -> Misfit {
-        let mut squares: Vec<f64> = errors.iter().map(|e| e * e).collect();
-        let n = squares.len().max(1);
-        let kept = squares.len() * KEPT_FIFTHS / 5;
-        let max = squares.iter().copied().fold(0.0, f64::max).sqrt();
-        let all: f64 = squares.iter().sum();
+        let n = errors.len().max(1);
+        let kept = errors.len() * KEPT_FIFTHS / 5;
+        let (mut squares, mut all, mut most) = (Vec::with_capacity(errors.len()), 0.0, 0.0_f64);
+        for error in errors {
+            let square = error * error;
+            squares.push(square);
+            all += square;
+            most = most.max(square);
+        }
         if kept > 0 && kept < squares.len() {
             squares.select_nth_unstable_by(kept, f64::total_cmp);
         }
         let least: f64 = squares[..kept].iter().sum();
-        Misfit { rms: (all / n as f64).sqrt(), trimmed: (least / kept.max(1) as f64).sqrt(), max }
+        Misfit {
+            rms: (all / n as f64).sqrt(),
+            trimmed: (least / kept.max(1) as f64).sqrt(),
+            max: most.sqrt(),
+        }
     }
 
-    /// A bound of the rank of errors with these squares, from below: none of those that the trimmed
-    /// figure leaves out is above the largest.
-    pub(super) fn least_rank(squares: impl Iterator<Item = f64>) -> f64 {
-        let (mut n, mut sum, mut most) = (0, 0.0, 0.0_f64);
-        for square in squares {
-            (n, sum, most) = (n + 1, sum + square, most.max(square));
+    /// A bound of the rank of errors, from below: no square that the trimmed figure leaves out is above
+    /// the largest.
+    pub(super) fn least_rank(errors: &[f64]) -> f64 {
+        let (n, mut sum, mut most) = (errors.len(), 0.0, 0.0_f64);
+        for error in errors {
+            let square = error * error;
+            sum += square;
+            most = most.max(square);
         }
         let kept = n * KEPT_FIFTHS / 5;
         // A part in 1e9 of the sum covers its rounding, which takes another order here than in the

@@ -1,5 +1,6 @@
 //! What is wrong with a channel, told from the pattern of its errors.
 
+use super::FITS;
 use super::column::Column;
 use super::errors::Residuals;
 use super::table::{flat, place};
@@ -83,7 +84,7 @@ const ROUNDED: f64 = 1.5;
 pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
     let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, step, alpha)).collect();
     if found.is_empty() {
-        found.extend(part(r));
+        found.extend(part(r).or_else(|| edge(r)));
     }
     let (noise, rms) = (noise(r), rms(r));
     let rounding = rounding(r, step);
@@ -126,23 +127,52 @@ fn part(r: &Residuals) -> Option<Defect> {
     if small || squares(&off) < PART_OF_SQUARES * squares(&r.judged) {
         return None;
     }
+    Some(these(r, &off, over))
+}
+
+/// A first or last row, column or slice without which the rest fits: a clamp, or an end that was never
+/// filled.
+fn edge(r: &Residuals) -> Option<Defect> {
+    let dims = r.sample.dims();
+    let fits = |list: &[usize]| {
+        let squares = list.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>();
+        let truths = || list.iter().map(|i| r.truth(*i));
+        let spread = truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min);
+        (squares / list.len() as f64).sqrt() <= FITS * spread
+    };
+    if dims.contains(&1) || fits(&r.judged) {
+        return None;
+    }
+    let ends = (0..dims.len()).flat_map(|axis| [(axis, 0), (axis, dims[axis] - 1)]);
+    ends.into_iter().find_map(|(axis, end)| {
+        let (line, rest): (Vec<usize>, Vec<usize>) =
+            r.judged.iter().partition(|i| place(**i, &dims)[axis] == end);
+        let over = rest.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
+        let off: Vec<usize> = line.into_iter().filter(|i| r.errors[*i].abs() > over).collect();
+        (!off.is_empty() && !rest.is_empty() && fits(&rest)).then(|| these(r, &off, over))
+    })
+}
+
+/// The part of these texels, which are off by more than `over`.
+fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
     let mut range = vec![[usize::MAX, 0]; r.sample.size.len()];
-    for i in &off {
+    for i in off {
         for (range, k) in range.iter_mut().zip(r.texel(*i)) {
             *range = [range[0].min(k), range[1].max(k)];
         }
     }
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
-    Some(Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() })
+    Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() }
 }
 
 fn clamped(r: &Residuals) -> Option<Defect> {
     let ends = [r.judged.iter().map(|i| r.values[*i]).fold(f64::NEG_INFINITY, f64::max), 0.0];
+    let least = (10.0 * r.median()).max(1e-3);
     let mut told = None;
     for (end, upper) in ends.into_iter().zip([true, false]) {
         let beyond = |i: &&usize| {
             let past = if upper { r.truth(**i) - end } else { end - r.truth(**i) };
-            r.values[**i] == end && past > (10.0 * r.median()).max(1e-3)
+            r.values[**i] == end && past > least
         };
         let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
         if stuck.len() >= 2 {

@@ -1,12 +1,13 @@
 //! Values that were encoded, for display or to hold more than the format can: a table that fits only
 //! once that is undone.
 
+use super::best::off;
 use super::sample::Sample;
 use super::screen::screen;
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::{long, opening};
-use super::{Audit, AuditError, Case, Fit, Fixed, SIEVE, candidates, finish};
+use super::{Audit, AuditError, Case, FITS, Fit, Fixed, SIEVE, candidates, finish};
 use crate::foreign::{Channel, Step};
 use lobefit_math::ops;
 
@@ -95,11 +96,19 @@ pub(super) fn told(
         if said.is_some_and(|said| said != live.len()) {
             continue;
         }
-        let sieved = screen(truth, &Sample::new(&linear, &live, SIEVE[0], true), fixed, &fixed.lobes(truth))?;
         let case = Case { table: &linear, live: &live, fixed, progress: &|_| () };
-        let found = candidates(truth, &case, sieved)?;
-        let linear = finish(truth, &linear, &live, fixed, &found, None)?;
-        if linear.fit == Fit::Whole {
+        let mut found = followed(truth, &case)?;
+        if found.is_none() && said.is_none() && live.len() > 2 {
+            // A channel of another quantity does not condemn the others.
+            let mut own = Vec::new();
+            for k in &live {
+                own.extend(followed(truth, &Case { live: &[*k], ..case })?.map(|_| *k));
+            }
+            if own.len() > 1 {
+                found = followed(truth, &Case { live: &own, ..case })?;
+            }
+        }
+        if let Some(linear) = found {
             let (name, remedy) = (encoding.name, encoding.remedy);
             let (reading, worst) = (opening(&linear), long(linear.worst()));
             return Ok(Some(format!(
@@ -108,6 +117,18 @@ pub(super) fn told(
         }
     }
     Ok(None)
+}
+
+/// The audit of a table that follows a convention; none of any other.
+fn followed(truth: &Truth, case: &Case) -> Result<Option<Audit>, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
+    let few = Sample::new(table, live, SIEVE[0], true);
+    let found = candidates(truth, case, screen(truth, &few, fixed, &fixed.lobes(truth))?)?;
+    if off(truth, case, &found[0])? > FITS {
+        return Ok(None);
+    }
+    let audit = finish(truth, table, live, fixed, &found, None)?;
+    Ok((audit.fit == Fit::Whole).then_some(audit))
 }
 
 /// The linear value of an sRGB one in [0, 1] (IEC 61966-2-1).

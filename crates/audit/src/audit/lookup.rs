@@ -14,7 +14,7 @@ use super::truth::{Truth, Values};
 use lobefit::data::Place;
 
 /// Places along every axis at which lookups are judged: of one axis, of two and of three.
-const PLACES: [usize; 3] = [1024, 160, 24];
+const PLACES: [usize; 3] = [1024, 160, 16];
 
 /// Error of a lookup of one channel.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -95,7 +95,7 @@ pub const JUDGED_TEXELS: usize = 1 << 19;
 
 /// Most texels of a table of two axes of which all errors are held at once. Of a larger one a lattice
 /// is held, and the rest is looked through for the largest error.
-const HELD_TEXELS: usize = 1 << 20;
+const HELD_TEXELS: usize = 1 << 19;
 const HELD_SIDE: usize = 256;
 
 /// Most texels that a page shows of a table of two axes; of more a lattice.
@@ -139,7 +139,9 @@ pub fn audit(
     let table = apart::with_sum(audited.checked()?, quantity, fixed);
     let live = table.live(fixed.meanings.as_ref().map(Vec::len))?;
     let case = Case { table: &table, live: &live, fixed, progress };
-    let Best { truth, audit: mut done, found, sieved, tried } = best(&case, quantity)?;
+    let chosen = best(&case, quantity)?;
+    let mut done = chosen.audit(&case)?;
+    let Best { truth, found, sieved, tried, .. } = chosen;
     let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
     let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {

@@ -121,17 +121,27 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
 
 /// Which texels of a sample lie where the truth can be had.
 pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe: usize) -> Vec<bool> {
-    let along: Vec<Vec<bool>> = axes
-        .iter()
-        .enumerate()
-        .map(|(axis, reading)| {
-            let input = reading.scale.input();
-            sample.nodes(axis, reading).iter().map(|x| truth.judges(lobe, input, *x)).collect()
-        })
-        .collect();
-    let dims = sample.dims();
-    let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
-    (0..dims.iter().product()).map(all).collect()
+    let of = |(axis, reading): (usize, &AxisReading)| judged_along(truth, sample, (axis, reading), lobe);
+    let along: Vec<Vec<bool>> = axes.iter().enumerate().map(of).collect();
+    everywhere(along.iter().map(Vec::as_slice))
+}
+
+/// Which places of a sample along one axis lie where the truth can be had.
+pub(super) fn judged_along(
+    truth: &Truth,
+    sample: &Sample,
+    (axis, reading): (usize, &AxisReading),
+    lobe: usize,
+) -> Vec<bool> {
+    let input = reading.scale.input();
+    sample.nodes(axis, reading).iter().map(|x| truth.judges(lobe, input, *x)).collect()
+}
+
+/// At every texel whether all of its places along the axes are marked, the first axis fastest.
+pub(super) fn everywhere<'a>(along: impl Iterator<Item = &'a [bool]>) -> Vec<bool> {
+    along.fold(vec![true], |faster, own| {
+        own.iter().flat_map(|own| faster.iter().map(move |faster| *faster && *own)).collect()
+    })
 }
 
 /// A reading of an argument of a function under which fewer than one place in this many is judged
@@ -157,9 +167,7 @@ pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed, lobe: usize)
         all
     };
     let along: Vec<Vec<bool>> = (0..sample.at.len()).map(along).collect();
-    let dims = sample.dims();
-    let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
-    let mask: Vec<bool> = (0..dims.iter().product()).map(all).collect();
+    let mask = everywhere(along.iter().map(Vec::as_slice));
     let few = mask.iter().filter(|m| **m).count() * LEAST_OF_ARGUMENT < mask.len();
     (!few).then_some(mask)
 }
@@ -205,26 +213,25 @@ pub(super) fn fit_columns(
     if texels.is_empty() || few {
         return None;
     }
-    let misfit = |channel: &[f64], column: Column| {
-        let errors: Vec<f64> = texels.iter().map(|i| channel[*i] - column.value(base[*i])).collect();
-        Misfit::of(&errors)
+    let errors_of = |channel: &[f64], column: Column, errors: &mut Vec<f64>| {
+        errors.clear();
+        for i in &texels {
+            errors.push(channel[*i] - column.value(base[*i]));
+        }
     };
     let best = |k: usize, channel: &Vec<f64>| {
         // The first of the columns that fit best; those of which two sums tell that they do not are
         // passed over.
         let least = |tried: &[Column]| {
             let mut best: Option<(Column, Misfit)> = None;
+            let mut errors = Vec::with_capacity(texels.len());
             for column in tried {
-                let square = |i: &usize| {
-                    let error = channel[*i] - column.value(base[*i]);
-                    error * error
-                };
-                let bound = Misfit::least_rank(texels.iter().map(square));
+                errors_of(channel, *column, &mut errors);
                 let known = best.map_or(f64::INFINITY, |b| b.1.rank());
-                if bound > known {
+                if Misfit::least_rank(&errors) > known {
                     continue;
                 }
-                let found = misfit(channel, *column);
+                let found = Misfit::of(&errors);
                 if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
                     best = Some((*column, found));
                 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input, Registration, Scale};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, fit_columns, judged, ranked, shared, steps};
+use super::sample::{Candidate, Sample, View, everywhere, fit_columns, judged_along, ranked, shared, steps};
 use super::truth::Truth;
 
 /// Conventions that a sieve lets through.
@@ -119,16 +119,23 @@ impl Task<'_> {
         let steps = steps(&lengths, self.assigned);
         let combinations: usize = readings.iter().map(Vec::len).product();
         let shared = shared(self.truth, self.sample, self.fixed, self.lobe);
+        // Which places are judged under each reading, by input.
+        let along = |(list, axis): (&Vec<AxisReading>, &usize)| -> Vec<Vec<bool>> {
+            list.iter().map(|r| judged_along(self.truth, self.sample, (*axis, r), self.lobe)).collect()
+        };
+        let flags: Vec<Vec<Vec<bool>>> = readings.iter().zip(self.assigned).map(along).collect();
         let one = |index: usize| {
             let (mut rest, mut start) = (index, 0);
             let mut axes = vec![readings[0][0]; self.assigned.len()];
-            for (list, axis) in readings.iter().zip(self.assigned) {
-                let guess = rest % list.len();
-                rest /= list.len();
+            let mut own: Vec<&[bool]> = vec![&[]; self.assigned.len()];
+            for (input, axis) in self.assigned.iter().enumerate() {
+                let guess = rest % readings[input].len();
+                rest /= readings[input].len();
                 start += steps[*axis] * guess * dims[*axis];
-                axes[*axis] = list[guess];
+                axes[*axis] = readings[input][guess];
+                own[*axis] = &flags[input][guess];
             }
-            let judged = ranked(judged(self.truth, self.sample, &axes, self.lobe), shared.as_ref());
+            let judged = ranked(everywhere(own.into_iter()), shared.as_ref());
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
             let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })

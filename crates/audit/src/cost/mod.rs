@@ -33,6 +33,10 @@ pub fn cost(
     audit: &Audit,
     progress: &dyn Progress,
 ) -> Result<AuditCost, CliError> {
+    progress.stage("machine code");
+    // What cannot be compiled is said before ours are baked, which takes most of the time.
+    let audited = Files::from([(file(AUDITED), function.wgsl(AUDITED)?.into_bytes())]);
+    let record = compiled(&audited)?;
     let served = served::served(audit);
     let ours = match served {
         Some(served) => ours::formulas(served, audit.best().lobe.form.smith, progress)?,
@@ -42,15 +46,13 @@ pub fn cost(
     let mut domain = ours.first().map(|formula| formula.domain.clone()).unwrap_or_default();
     domain.retain(|input, _| axes().any(|name| name == input));
     let error = served.filter(|_| !ours.is_empty()).and_then(|of| of.used_as.worst(audit, &domain));
-    progress.stage("machine code");
-    let mut sources: Files = ours.iter().map(|of| (file(&of.name), of.code.clone().into_bytes())).collect();
-    sources.insert(file(AUDITED), function.wgsl(AUDITED)?.into_bytes());
-    let record = compiled(&sources)?;
+    let sources: Files = ours.iter().map(|of| (file(&of.name), of.code.clone().into_bytes())).collect();
+    let rows_of_ours = if ours.is_empty() { Vec::new() } else { compiled(&sources)?.rows };
     let families = record.families().into_iter().filter_map(|family| {
-        let rows = || record.rows.iter().filter(move |row| row.family == family);
-        let audited = rows().find(|row| row.function == AUDITED)?;
+        let audited = record.rows.iter().find(|row| row.family == family)?;
         let beside = |formula: &Formula| {
-            let row = rows().find(|row| row.function == formula.name)?;
+            let own = |row: &&IsaRow| row.family == family && row.function == formula.name;
+            let row = rows_of_ours.iter().find(own)?;
             Some(of_row(&formula.name, Some(formula.error), row))
         };
         let ours = error.map_or(Vec::new(), |_| ours.iter().filter_map(beside).collect());

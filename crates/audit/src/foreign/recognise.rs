@@ -1,6 +1,6 @@
 //! Which format a file is of.
 
-use super::image::{dds, exr, ktx2, npy, png};
+use super::image::{dds, exr, hdr, ktx2, npy, png};
 use super::shape::{self, Values};
 use super::{ForeignError, ForeignTable, Hints, RawFormat, Spot, limits, text};
 
@@ -11,14 +11,15 @@ pub(super) const EMPTY: &str = "the file is empty";
 const EXR_MAGIC: &[u8] = b"\x76\x2f\x31\x01";
 
 /// First bytes of known formats.
-const MAGIC: [(&[u8], Kind); 12] = [
+const MAGIC: [(&[u8], Kind); 13] = [
     (EXR_MAGIC, Kind::Exr),
     (b"DDS ", Kind::Dds),
     (b"\xabKTX 20\xbb\r\n\x1a\n", Kind::Ktx2),
     (b"\x89PNG\r\n\x1a\n", Kind::Png),
     (b"\x93NUMPY", Kind::Npy),
     (b"\xabKTX 11\xbb\r\n\x1a\n", Kind::Other("KTX 1", "convert it to KTX 2 or DDS")),
-    (b"#?RADIANCE", Kind::Other("Radiance HDR", "its 8-bit mantissas round by 0.4 %: export EXR instead")),
+    (b"#?RADIANCE", Kind::Hdr),
+    (b"#?RGBE", Kind::Hdr),
     (b"II*\0", Kind::Other("TIFF", "convert it to EXR or PNG")),
     (b"MM\0*", Kind::Other("TIFF", "convert it to EXR or PNG")),
     (b"\xff\xd8\xff", Kind::Other("JPEG", "its compression loses values: find the original")),
@@ -33,6 +34,7 @@ enum Kind {
     Ktx2,
     Png,
     Npy,
+    Hdr,
     Raw,
     Text,
     Other(&'static str, &'static str),
@@ -81,6 +83,7 @@ fn whole(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, F
         Kind::Ktx2 => ktx2::read(bytes, file, hints),
         Kind::Png => png::read(bytes, file, hints),
         Kind::Npy => npy::read(bytes, file, hints),
+        Kind::Hdr => hdr::read(bytes, file, hints),
     }
 }
 
@@ -92,7 +95,7 @@ fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
     let unknown = |message: String| Err(ForeignError::new(file, message));
     match extension.as_str() {
         "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(Kind::Raw),
-        "exr" | "dds" | "ktx2" | "png" | "npy" => {
+        "exr" | "dds" | "hdr" | "ktx2" | "png" | "npy" => {
             return unknown(format!(
                 "its name ends in .{extension}, its first bytes are not those of such a file: it is damaged or misnamed"
             ));
@@ -104,7 +107,7 @@ fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
         (true, _) => Ok(Kind::Text),
         (false, Some(_)) => Ok(Kind::Raw),
         (false, None) => unknown(
-            "it is no EXR, DDS, KTX 2, PNG, NPY or UTF-8 text: for numbers without a header state their format, one of \
+            "it is no EXR, DDS, KTX 2, PNG, NPY, Radiance file or UTF-8 text: for numbers without a header state their format, one of \
              f16, f32, f64, unorm8, unorm16"
                 .into(),
         ),

@@ -1,6 +1,7 @@
 //! What a file holds, as plain values.
 
 use half::f16;
+use lobefit_math::ops;
 
 /// How finely a format can tell values apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub enum Step {
     Unorm8,
     /// Integers / 65535.
     Unorm16,
+    /// Mantissas of 8 bits under the exponent of the largest of three.
+    Rgbe,
     /// Printed with this many digits after the decimal point.
     Decimals(u32),
 }
@@ -32,6 +35,9 @@ impl Step {
             }
             Step::Unorm8 => 0.5 / 255.0,
             Step::Unorm16 => 0.5 / 65535.0,
+            // Of the largest of the three: what is known of one alone.
+            Step::Rgbe if x == 0.0 => 0.0,
+            Step::Rgbe => 0.5 * ops::exp2(ops::log2(x.abs()).floor() - 7.0),
             Step::Decimals(n) => (0..n).fold(0.5, |step, _| step / 10.0),
         }
     }
@@ -43,6 +49,7 @@ impl Step {
             Step::Half => "half".into(),
             Step::Unorm8 => "8-bit unorm".into(),
             Step::Unorm16 => "16-bit unorm".into(),
+            Step::Rgbe => "RGBE".into(),
             Step::Decimals(n) => format!("{n} decimals"),
         }
     }

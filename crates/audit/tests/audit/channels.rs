@@ -184,6 +184,29 @@ fn an_encoding_of_several_channels_is_told() {
 }
 
 #[test]
+fn rgbd_with_a_channel_of_another_quantity_is_told() {
+    let (b, e) = (|x: usize, y: usize| ggx(x, y).1, |x: usize, y: usize| ggx(x, y).0);
+    let charlie = |x: usize, y: usize| sheen::albedo(at(y) * at(y), at(x));
+    let eight = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() / 255.0;
+    // Colours are (value alpha)^(1/2.2), alpha is the largest that keeps them below 1.
+    let alpha = |x: usize, y: usize| (1.0 / charlie(x, y).max(1.0) * 255.0).floor() / 255.0;
+    let stored = |v: f64, alpha: f64| eight(ops::pow(v * alpha, 1.0 / 2.2));
+    let mut rgbd = table(&[
+        ("R", &|x, y| stored(b(x, y), alpha(x, y))),
+        ("G", &|x, y| stored(e(x, y), alpha(x, y))),
+        ("B", &|x, y| stored(charlie(x, y), alpha(x, y))),
+        ("A", &alpha),
+    ]);
+    rgbd.step = Step::Unorm8;
+    let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false)]);
+    let given = Fixed { axes, registrations: Some(vec![Registration::Centre]), ..Fixed::default() };
+    let said = run(&rgbd, "ggx-reflection", &given).verdict(None).to_string();
+    for told in ["decoded from RGBD of gamma 2.2", "R = B (", "G = E ("] {
+        assert!(said.contains(told), "{told}: {said}");
+    }
+}
+
+#[test]
 fn an_average_of_sheen_is_one() {
     // Midpoints over the root of the cosine.
     let average = |alpha: f64| -> f64 {

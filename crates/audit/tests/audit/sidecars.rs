@@ -3,6 +3,7 @@
 use crate::common;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use common::{lobefit, stderr};
 use lobefit::bake::{Selection, Silent, bake};
@@ -24,9 +25,12 @@ const TABLES: [(&str, &str); 4] = [
     ("ggx-aniso-azimuth-correlated-8x6x4", "ggx-reflection-aniso"),
 ];
 
-fn baked() -> Files {
-    let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").files
+fn baked() -> &'static Files {
+    static BAKED: LazyLock<Files> = LazyLock::new(|| {
+        let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
+        bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").files
+    });
+    &BAKED
 }
 
 fn audit(folder: &Path, file: &str, quantity: &str, more: &[&str]) -> (Option<i32>, String, String) {

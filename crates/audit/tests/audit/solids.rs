@@ -94,7 +94,9 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     // z >= 4 and the surface is rough.
     let stale =
         |e: f64, [x, y, z]: [usize; 3]| if z >= 4 && x >= 5 && y <= 6 { (e + 0.25).min(1.0) } else { e };
-    let found = run(&shipped("glass_inv_E", &[N; 3], glass(1, stale)), "ggx-glass", &Fixed::default());
+    let form = Form::find("correlated");
+    let table = shipped("glass_inv_E", &[N; 3], glass(1, stale));
+    let found = run(&table, "ggx-glass", &Fixed { form, ..Fixed::default() });
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Inside));
     assert_eq!(found.fit, Fit::Part);
@@ -106,7 +108,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     assert!(mean > 0.1 && texels[0] > 100, "{texels:?} {mean}");
     assert_eq!(range[2][0], 4);
     assert!(
-        said(&found).contains("too high") && said(&found).contains("no convention fits as a whole"),
+        said(&found).contains("too high") && said(&found).contains("leave open fits as a whole"),
         "{}",
         said(&found)
     );
@@ -152,9 +154,8 @@ fn the_anisotropic_table_of_the_path_tracer_is_read_as_it_is() {
 fn unequal_sizes_and_other_orders_of_axes_are_read() {
     let size = [20, 12, 8];
     let e = of_the_path_tracer(size);
-    for (order, form) in
-        [([0, 1, 2], None), ([1, 2, 0], Form::find("separable")), ([2, 1, 0], Form::find("separable"))]
-    {
+    let form = Form::find("separable");
+    for order in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
         let sides = order.map(|k| size[k]);
         let value = |i: usize| {
             let along = [i % sides[0], i / sides[0] % sides[1], i / (sides[0] * sides[1])];
@@ -190,12 +191,37 @@ fn an_axis_of_the_inverse_index_is_told() {
             values.extend(out.iter().map(|e| e.r[0]));
         }
     }
-    let fixed = Fixed { side: Some(Side::Outside), ..Fixed::default() };
+    let (form, side) = (Form::find("correlated"), Some(Side::Outside));
+    let fixed = Fixed { form, side, ..Fixed::default() };
     let found = run(&shipped("R", &size, values), "ggx-glass", &fixed);
     let wanted =
         [Scale::IorInverseTwo, Scale::Roughness, Scale::Mu].map(|s| (s, Registration::Centre, false));
     assert_eq!(axes(&found), wanted);
     assert_eq!((found.best().columns.clone(), found.fit), (vec![Some(Column::R)], Fit::Whole));
+}
+
+#[test]
+fn transmitted_radiance_is_told_from_energy() {
+    let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
+    let (n, at) = (6, |i: usize| (i as f64 + 0.5) / 6.0);
+    let iors: Vec<f64> = (0..n).map(|z| 1.0 + at(z)).collect();
+    let mut values = vec![0.0; n * n * n];
+    for i in 0..n * n {
+        let (x, y) = (i % n, i / n);
+        let mut out = vec![Energies::default(); n];
+        kernel.energies(at(y) * at(y), at(x), &iors, &mut out).unwrap();
+        for (z, e) in out.iter().enumerate() {
+            // Radiance rises by the square of the index on the way out.
+            values[(z * n + y) * n + x] = e.r[1] + e.t[1] * iors[z] * iors[z];
+        }
+    }
+    let axes = Some([Scale::Mu, Scale::Roughness, Scale::IorUnit].map(|scale| (scale, false)).to_vec());
+    let (form, side) = (Form::find("correlated"), Some(Side::Inside));
+    let registrations = Some(vec![Registration::Centre]);
+    let fixed = Fixed { axes, registrations, form, side, ..Fixed::default() };
+    let found = run(&shipped("radiance", &[n; 3], values), "ggx-glass", &fixed);
+    assert_eq!((found.best().columns.clone(), found.fit), (vec![Some(Column::Radiance)], Fit::Whole));
+    assert!(found.worst() < 1e-5, "{}", found.worst());
 }
 
 #[test]
@@ -222,10 +248,37 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
 }
 
 #[test]
+fn an_end_that_is_wrong_does_not_condemn_the_rest() {
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    // The first row is too low, as samples that miss a sharp lobe leave it; the rest is as noisy as its
+    // quantiser makes it, so that no error stands out.
+    let value = |i: usize| {
+        let e = (sheen::albedo(at(i / 16), at(i % 16)) * 16.0).round() / 16.0;
+        if i < 16 { 0.2 * e } else { e }
+    };
+    let axes = Some(vec![(Scale::Mu, false), (Scale::Alpha, false)]);
+    let fixed = Fixed {
+        axes,
+        registrations: Some(vec![Registration::Centre]),
+        form: Form::find("neubelt"),
+        ..Fixed::default()
+    };
+    let table = shipped("Sheen_E", &[16, 16], (0..256).map(value).collect());
+    let found = run(&table, "sheen-charlie", &fixed);
+    assert_eq!(found.fit, Fit::Part);
+    assert!(said(&found).contains("y = 0; the others are not"), "{}", said(&found));
+}
+
+#[test]
 fn texels_that_are_not_sampled_are_told_and_pass_no_limit() {
     let size = [8200, 8, 8];
     let values = (0..8200 * 64).map(|i| 1.0 - 0.3 * ((i / 8200 % 8) as f64 / 8.0)).collect();
-    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &Fixed::default());
+    // One reading is enough: what is counted is texels.
+    let axes = [Scale::Mu, Scale::Roughness, Scale::Anisotropy].map(|scale| (scale, false));
+    let registrations = Some(vec![Registration::Centre]);
+    let fixed =
+        Fixed { axes: Some(axes.to_vec()), registrations, form: Form::find("separable"), ..Fixed::default() };
+    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &fixed);
     let errors = found.channels[0].errors.as_ref().unwrap();
     assert_eq!(errors.unsampled, 8200 * 64 - 64 * 64);
     assert!(

@@ -525,6 +525,30 @@ fn every_texel_is_judged() {
 }
 
 #[test]
+fn all_of_a_table_that_is_too_large_to_be_held_is_looked_through() {
+    let size = [1024, 544];
+    let at = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
+    let value = |x: usize, y: usize| 1.0 - 0.4 * at(y, size[1]) * (1.0 - at(x, size[0]));
+    let mut shipped = table(size, &[("R", &value)]);
+    // Beside every lattice of 256 places.
+    shipped.channels[0].values[333 * size[0] + 702] = 3.0;
+    let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false)]);
+    let fixed = Fixed { axes, registrations: Some(vec![Registration::Centre]), ..Fixed::default() };
+    let found = run(&shipped, "ggx-reflection", &fixed);
+    let errors = found.channels[0].errors.as_ref().unwrap();
+    assert_eq!((errors.judged, errors.all, errors.unsampled), (size[0] * size[1], size[0] * size[1], 0));
+    let smith = found.best().lobe.form.smith.unwrap();
+    let truth = |x: usize, y: usize| both(smith, at(y, size[1]) * at(y, size[1]), at(x, size[0])).0;
+    assert_eq!((errors.texel.as_slice(), errors.value), (&[702, 333][..], 3.0));
+    assert!((errors.truth - truth(702, 333)).abs() < 1e-6, "{errors:?}");
+    // The mean over every 32nd texel of both axes.
+    let some = (0..size[0] / 32 * (size[1] / 32)).map(|i| [16 + 32 * (i % 32), 16 + 32 * (i / 32)]);
+    let off: Vec<f64> = some.map(|[x, y]| value(x, y) - truth(x, y)).collect();
+    let mean = off.iter().sum::<f64>() / off.len() as f64;
+    assert!((errors.mean - mean).abs() < 1e-3 && errors.mean.abs() > 0.02, "{} {mean}", errors.mean);
+}
+
+#[test]
 fn a_constant_channel_is_judged_or_named() {
     let at = |i: usize| (i as f64 + 0.5) / 16.0;
     let value = |x: usize, y: usize| both(Smith::Correlated, at(y) * at(y), at(x));

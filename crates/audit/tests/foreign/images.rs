@@ -6,7 +6,7 @@ use crate::foreign_support;
 #[path = "../../../../tests/emit_support/solid.rs"]
 mod solid;
 
-use foreign_support::{dds, dds_extended, exr_of_parts, ktx2, png, value};
+use foreign_support::{dds, dds_extended, exr_of_parts, hdr, ktx2, png, value};
 use lobefit::data::{Container, Table, TexelFormat};
 use lobefit::emit;
 use lobefit_audit::foreign::{ForeignTable, Hints, RawFormat, Step, read_table};
@@ -319,4 +319,35 @@ fn an_image_that_is_cut_short_tells_where_and_what_was_read() {
         assert!(message.contains(&format!("the file ends after {kept} bytes")), "{message}");
         assert!(message.contains(told) && message.contains(&format!("byte {kept}: ")), "{message}");
     }
+}
+
+#[test]
+fn radiance_files_are_mantissas_times_a_power_of_two() {
+    let size = [12, 5];
+    let texels: Vec<[u8; 3]> = (0..60_u8).map(|t| [2 + t, 3 * t, 250 - t]).collect();
+    for runs in [true, false] {
+        let found = one(&hdr(size, &texels, runs), "t.hdr", &Hints::default());
+        assert_eq!((found.size.clone(), found.step), (size.to_vec(), Step::Rgbe));
+        for (c, channel) in found.channels.iter().enumerate() {
+            assert_eq!(channel.name, ["R", "G", "B"][c]);
+            let wanted: Vec<f64> = texels.iter().map(|t| f64::from(t[c]) / 256.0 / 2.0).collect();
+            assert_eq!(channel.values, wanted, "runs: {runs}");
+        }
+    }
+    let whole = hdr(size, &texels, true);
+    let cut = refused(&whole[..whole.len() - 3], "t.hdr");
+    assert!(cut.contains("cut short"), "{cut}");
+    let turned = String::from_utf8_lossy(&whole).replace("-Y 5", "+Y 5").into_bytes();
+    assert!(refused(&turned, "t.hdr").contains("-Y +X"));
+}
+
+#[test]
+fn channels_of_an_exr_file_are_in_the_order_of_their_names() {
+    let names = |channels: &[&str]| -> Vec<String> {
+        let found = one(&exr_of_parts(&[("a", channels)]), "t.exr", &Hints::default());
+        found.channels.into_iter().map(|c| c.name).collect()
+    };
+    assert_eq!(names(&["A", "B", "G", "R"]), ["R", "G", "B", "A"]);
+    assert_eq!(names(&["A", "B"]), ["A", "B"], "scale and bias");
+    assert_eq!(names(&["B", "G", "x.E"]), ["B", "G", "x.E"], "other names stay as they lie");
 }

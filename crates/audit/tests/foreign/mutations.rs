@@ -3,7 +3,7 @@
 
 use crate::foreign_support;
 
-use foreign_support::{dds, dds_extended, exr_of_parts, ktx2, png};
+use foreign_support::{dds, dds_extended, exr_of_parts, hdr, ktx2, png};
 use lobefit_audit::foreign::{Hints, RawFormat, read_table};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
@@ -34,6 +34,7 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("t.png", png(16, 32, 4, false, &data, true)),
         ("t.exr", exr_of_parts(&[("a", &["R", "G"])])),
         ("t.exr", exr_of_parts(&[("a", &["R"]), ("b", &["x.E", "x.F"])])),
+        ("t.hdr", hdr([16, 8], &[[7, 90, 200]; 128], true)),
         ("t.npy", npy),
         ("t.raw", data),
         ("t.h", text.clone().into_bytes()),

@@ -87,6 +87,28 @@ pub fn png(width: u32, height: u32, channels: usize, sixteen: bool, data: &[u8],
     bytes
 }
 
+/// A Radiance file of one exponent, 128, with the components of every line in runs, or texel by texel.
+pub fn hdr(size: [usize; 2], texels: &[[u8; 3]], runs: bool) -> Vec<u8> {
+    let [width, height] = size;
+    let head = "#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n";
+    let mut bytes = format!("{head}-Y {height} +X {width}\n").into_bytes();
+    for line in texels.chunks(width) {
+        if !runs {
+            bytes.extend(line.iter().flat_map(|[r, g, b]| [*r, *g, *b, 128]));
+            continue;
+        }
+        bytes.extend([2, 2, (width >> 8) as u8, width as u8]);
+        for c in 0..3 {
+            // Some as they are, the last two as runs of one.
+            bytes.push((width - 2) as u8);
+            bytes.extend(line[..width - 2].iter().map(|t| t[c]));
+            line[width - 2..].iter().for_each(|t| bytes.extend([129, t[c]]));
+        }
+        bytes.extend([128 + width as u8, 128]);
+    }
+    bytes
+}
+
 /// An EXR file of parts of 6 x 4 texels with the named channels.
 pub fn exr_of_parts(parts: &[(&str, &[&str])]) -> Vec<u8> {
     let layers: Vec<Layer<AnyChannels<FlatSamples>>> = parts

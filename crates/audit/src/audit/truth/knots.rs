@@ -70,16 +70,34 @@ pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[Base]) -> 
     let fill = |(i, out): (usize, &mut [Base])| {
         let (first, weights) = &places[i % places.len()];
         let from = &values[i / places.len() * block + first * step..];
-        for (line, weight) in from.chunks(step).zip(weights) {
-            for (sum, value) in out.iter_mut().zip(line) {
-                for (sum, value) in sum.iter_mut().zip(value) {
-                    *sum += weight * value;
-                }
-            }
+        match out {
+            [sum] => *sum = weighted(from, weights),
+            _ => (0..weights.len()).for_each(|k| add(out, &from[k * step..][..step], weights[k])),
         }
     };
     out.par_chunks_mut(step).with_min_len(TASK / step + 1).enumerate().for_each(fill);
     out
+}
+
+/// A sum of values times weights.
+fn weighted(values: &[Base], weights: &[f64]) -> Base {
+    let (values, mut sum) = (&values[..weights.len()], [0.0; 3]);
+    for k in 0..weights.len() {
+        for c in 0..3 {
+            sum[c] += weights[k] * values[k][c];
+        }
+    }
+    sum
+}
+
+/// Adds a line times a weight, as one row of numbers: of a loop over three at a time a compiler makes
+/// no vectors.
+fn add(out: &mut [Base], line: &[Base], weight: f64) {
+    let (out, line) = (out.as_flattened_mut(), line.as_flattened());
+    let line = &line[..out.len()];
+    for i in 0..out.len() {
+        out[i] += weight * line[i];
+    }
 }
 
 #[cfg(test)]

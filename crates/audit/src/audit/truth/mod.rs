@@ -4,6 +4,7 @@
 mod knots;
 mod spec;
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use rayon::prelude::*;
@@ -24,11 +25,17 @@ pub(super) use spec::{Spec, averaged, spec, with_azimuth};
 /// What columns are made of at every combination of the inputs given, the first input fastest.
 pub(super) type Values = Vec<Base>;
 
-/// The values of a lobe of a quantity at its knots.
-type AtKnots = ((&'static str, bool, Lobe), Arc<Values>);
+/// The values of a lobe of a quantity, or of its averages, at so many knots.
+type AtKnots = ((&'static str, bool, usize, Lobe), Arc<Values>);
 
 /// What is integrated once for all audits of a process.
 static KNOWN: Mutex<Vec<AtKnots>> = Mutex::new(Vec::new());
+
+/// Values of lobes at points beyond the knots, by the bits of their inputs.
+type Outer = BTreeMap<(usize, Vec<u64>), Base>;
+
+/// Most of those that are kept.
+const OUTER: usize = 1 << 16;
 
 /// A quantity's truth.
 pub(super) struct Truth<'a> {
@@ -38,6 +45,8 @@ pub(super) struct Truth<'a> {
     specs: Vec<Spec<'a>>,
     /// Values at the knots, for each lobe; nothing of a quantity without knots.
     values: Vec<Arc<Values>>,
+    /// What was integrated beyond the knots: readings share an edge.
+    outer: Mutex<Outer>,
     /// Ranges of inputs that are asked for.
     domain: Vec<(Input, [f64; 2])>,
 }
@@ -49,9 +58,29 @@ impl<'a> Truth<'a> {
         forms: &[&'static Form],
         sides: &[Side],
     ) -> Result<Truth<'a>, AuditError> {
+        Truth::by(spec, forms, sides, |spec| spec)
+    }
+
+    /// The same with few knots, for a sieve of lobes of which most are not meant: its quick values alone
+    /// are of use.
+    pub(super) fn rough(
+        spec: Spec<'a>,
+        forms: &[&'static Form],
+        sides: &[Side],
+    ) -> Result<Truth<'a>, AuditError> {
+        Truth::by(spec, forms, sides, Spec::rough)
+    }
+
+    fn by(
+        spec: Spec<'a>,
+        forms: &[&'static Form],
+        sides: &[Side],
+        changed: fn(Spec<'a>) -> Spec<'a>,
+    ) -> Result<Truth<'a>, AuditError> {
         let lobes = Lobe::of(spec.quantity, forms, sides);
-        let specs = lobes.iter().map(|lobe| spec.of_form(lobe.form)).collect();
-        let mut truth = Truth { spec, lobes, specs, values: Vec::new(), domain: Vec::new() };
+        let specs = lobes.iter().map(|lobe| changed(spec.of_form(lobe.form))).collect();
+        let (values, outer, domain) = (Vec::new(), Mutex::default(), Vec::new());
+        let mut truth = Truth { spec, lobes, specs, values, outer, domain };
         if !spec.knots.is_empty() {
             truth.values =
                 (0..truth.lobes.len()).map(|lobe| truth.at_knots(lobe)).collect::<Result<_, _>>()?;
@@ -62,7 +91,8 @@ impl<'a> Truth<'a> {
     /// The values of a lobe at the knots. They are not made under the lock: a thread that waits for
     /// others in it may be given another audit.
     fn at_knots(&self, lobe: usize) -> Result<Arc<Values>, AuditError> {
-        let key = (self.quantity(), self.spec.averaged, self.lobes[lobe]);
+        let count = self.specs[lobe].knots.iter().map(|knots| knots.count).sum();
+        let key = (self.quantity(), self.spec.averaged, count, self.lobes[lobe]);
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known().iter().find(|(known, _)| *known == key).map(|(_, values)| values.clone());
         if let Some(values) = found {
@@ -157,10 +187,26 @@ impl<'a> Truth<'a> {
             let mut inputs = points.columns().zip(knots);
             inputs.all(|((_, x), knots)| (knots.range[0]..=knots.range[1]).contains(&x[i]))
         };
-        let outside: Vec<bool> = (0..points.len()).map(|i| !inside(i)).collect();
-        let integrated = self.integrated(lobe, points.marked(&outside), tolerance)?;
-        let places = (0..values.len()).filter(|i| outside[*i]);
-        places.zip(integrated).for_each(|(i, value)| values[i] = value);
+        let key = |i: usize| (lobe, points.columns().map(|(_, x)| x[i].to_bits()).collect::<Vec<u64>>());
+        let outer = || self.outer.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut missing = vec![false; points.len()];
+        {
+            let outer = outer();
+            for i in (0..points.len()).filter(|i| !inside(*i)) {
+                match outer.get(&key(i)) {
+                    Some(known) => values[i] = *known,
+                    None => missing[i] = true,
+                }
+            }
+        }
+        let integrated = self.integrated(lobe, points.marked(&missing), tolerance)?;
+        let mut outer = outer();
+        for (i, value) in (0..points.len()).filter(|i| missing[*i]).zip(integrated) {
+            values[i] = value;
+            if outer.len() < OUTER {
+                outer.insert(key(i), value);
+            }
+        }
         Ok(values)
     }
 

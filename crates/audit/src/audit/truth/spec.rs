@@ -6,7 +6,7 @@ use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::audit::lobe::Form;
 use lobefit_math::ops;
-use lobefit_truth::quantity::{Choice, Quantity};
+use lobefit_truth::quantity::{Choice, Quantity, TRUTH_ERROR};
 
 /// How an audit computes the truth of a quantity.
 #[derive(Clone, Copy)]
@@ -48,8 +48,7 @@ impl<'a> Spec<'a> {
         let Some(quantity) = form.integrand else { return self };
         let narrowest = quantity.smallest_alpha();
         if quantity.has(Choice::Smith) {
-            // The rule that serves many points is enough where they are not the quantity's own.
-            return Spec { quantity, narrowest, tolerances: [1e-7; 2], bound: 1e-7, ..self };
+            return Spec { quantity, narrowest, ..self };
         }
         // Its truth is no analytic function of mu, and costs milliseconds.
         Spec {
@@ -65,6 +64,14 @@ impl<'a> Spec<'a> {
             bound: 1e-5,
             costly: true,
             ..self
+        }
+    }
+
+    /// The same with the knots that a sieve calls for, where the lobe is analytic: values within 1e-3.
+    pub(super) fn rough(self) -> Spec<'a> {
+        match (self.interpolated, self.knots.len()) {
+            (true, 2) => Spec { knots: &[ROUGH, ROUGH], ..self },
+            _ => self,
         }
     }
 
@@ -85,10 +92,13 @@ const fn log(range: [f64; 2], count: usize) -> Knots {
 }
 
 /// Chebyshev nodes in the logarithm of alpha or mu, in which E and B are analytic with
-/// singularities no nearer than i pi/2 (alpha^2 or mu^2 negative). Over [1e-5, 1]^2 of GGX 64 nodes
-/// leave 2e-8, a factor of 9 less for every 8 more; what lies below is integrated.
+/// singularities no nearer than i pi/2 (alpha^2 or mu^2 negative). Over [1e-4, 1]^2 of GGX 52 nodes
+/// leave 2e-8, a factor of 9 less for every 6 more; what lies below is integrated.
 const ANALYTIC: Knots =
-    Knots { coordinate: ops::log, input: ops::exp, range: [1e-5, 1.0], count: 64, cubic: false };
+    Knots { coordinate: ops::log, input: ops::exp, range: [LEAST_ALPHA, 1.0], count: 52, cubic: false };
+
+/// Fewer nodes: 24 leave 4e-4.
+const ROUGH: Knots = Knots { count: 24, ..ANALYTIC };
 
 /// Least alpha that is judged of an albedo that may have no bound at grazing view below it.
 const LEAST_ALPHA: f64 = 1e-4;
@@ -115,18 +125,18 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         ranges: &[],
         narrowest: quantity.smallest_alpha(),
         mirror_only: false,
-        tolerances: [5e-8; 2],
+        tolerances: [TRUTH_ERROR; 2],
         interpolated: true,
-        bound: 2e-8,
+        bound: 2.0 * TRUTH_ERROR,
         costly: false,
     };
     Some(match quantity.name() {
         "ggx-reflection" => lobe,
         // Its tail bends more.
-        "beckmann-reflection" => Spec { tolerances: [1e-7; 2], bound: 1e-5, ..lobe },
+        "beckmann-reflection" => Spec { bound: 1e-5, ..lobe },
         "ggx-average" => Spec {
             inputs: &[Input::Alpha],
-            knots: &[ANALYTIC],
+            knots: const { &[Knots { range: [1e-5, 1.0], count: 64, ..ANALYTIC }] },
             columns: &column::AVERAGE,
             outputs: &["E_avg"],
             normal: true,
@@ -168,10 +178,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         _ if is_albedo(quantity) => Spec {
             // E bends down to the least of cosines, for it rises to 40 there.
             knots: const {
-                &[
-                    Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC },
-                    Knots { range: [1e-7, 1.0], count: 96, ..ANALYTIC },
-                ]
+                &[Knots { count: 64, ..ANALYTIC }, Knots { range: [1e-7, 1.0], count: 96, ..ANALYTIC }]
             },
             columns: &column::ALBEDO,
             outputs: &["E"],
@@ -190,7 +197,7 @@ pub(in crate::audit) fn averaged(quantity: &dyn Quantity) -> Option<Spec<'_>> {
     let own = spec(quantity).filter(|_| is_albedo(quantity))?;
     Some(Spec {
         inputs: &[Input::Alpha],
-        knots: const { &[Knots { range: [LEAST_ALPHA, 1.0], ..ANALYTIC }] },
+        knots: const { &[Knots { count: 64, ..ANALYTIC }] },
         columns: &column::MEAN,
         averaged: true,
         bound: 1e-5,

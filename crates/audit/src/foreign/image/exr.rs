@@ -148,7 +148,7 @@ fn flat(file: &str, layer: &Layer<AnyChannels<FlatSamples>>) -> Image {
         name: layer.attributes.layer_name.as_ref().map_or(String::new(), ToString::to_string),
         kind: format!("EXR, {}{lossy}", words.join(" and ")),
         size: vec![layer.size.0, layer.size.1],
-        channels: list.iter().map(|c| channel(c.name.to_string(), &c.sample_data)).collect(),
+        channels: in_order(list.iter().map(|c| channel(c.name.to_string(), &c.sample_data)).collect()),
         step,
         note: match layer.attributes.other.iter().find(|(name, _)| *name == "lobefit") {
             Some((_, AttributeValue::Text(text))) => text.to_string(),
@@ -172,6 +172,20 @@ fn channel(name: String, samples: &FlatSamples) -> Channel {
         FlatSamples::U32(values) => values.iter().map(|v| f64::from(*v)).collect(),
     };
     Channel { name, values }
+}
+
+/// Channels of colours in the order in which a reader names them: a file holds them by the alphabet, A and
+/// B before R. Without red, A and B are no colours.
+fn in_order(mut channels: Vec<Channel>) -> Vec<Channel> {
+    let place = |c: &Channel| {
+        let (layer, name) = c.name.rsplit_once('.').unwrap_or(("", &c.name));
+        (layer.to_string(), "RGBA".find(name).filter(|_| name.len() == 1))
+    };
+    let coloured = channels.iter().any(|c| place(c).1 == Some(0));
+    if coloured && channels.iter().all(|c| place(c).1.is_some()) {
+        channels.sort_by_key(place);
+    }
+    channels
 }
 
 /// The layer of a name: a part of the file, or the channels `name.*` of one.

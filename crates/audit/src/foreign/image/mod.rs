@@ -3,6 +3,7 @@
 pub(super) mod dds;
 mod dxgi;
 pub(super) mod exr;
+pub(super) mod hdr;
 pub(super) mod ktx2;
 pub(super) mod npy;
 mod packed;
