@@ -8,15 +8,12 @@ use crate::film::{Film, Shot};
 use crate::grid::{Grid, Lod};
 use crate::measure::{Holes, Span, Tally, Trial, measured};
 use crate::passes::{Late, Passes};
-use crate::raster::Cuboid;
-use crate::world::{objects, world};
+use crate::site::Site;
 use lobefit::scene::{CameraPath, Culling, Pass};
 
-/// Boxes that are tested in each frame.
-const BOXES: usize = 8000;
 /// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
 pub const FRAMES: usize = 60;
-const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
+pub(crate) const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
 /// What a scene does not say: radius of the median and of the dilation, levels of detail, margin.
 const MEDIAN: usize = 1;
 const DILATION: usize = 2;
@@ -37,6 +34,11 @@ pub const ALL: Passes = Passes { median: MEDIAN, voxels: Some(LOD), dilation: DI
 pub struct Row {
     /// In words.
     pub name: String,
+    /// Size of the buffer.
+    pub buffer: [usize; 2],
+    /// Voxels of the grid, where it is splatted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub voxels: Option<[u32; 3]>,
     /// The passes and the margin.
     pub trial: Trial,
     /// What was measured.
@@ -56,17 +58,6 @@ pub struct Point {
     pub points: Tally,
     /// Of all passes of the scene.
     pub all: Tally,
-}
-
-/// One resolution.
-#[derive(Clone, Debug, Serialize)]
-pub struct Resolution {
-    /// Of the buffer.
-    pub buffer: [usize; 2],
-    /// Of the grid.
-    pub voxels: [u32; 3],
-    /// Of all passes of the scene.
-    pub tally: Tally,
 }
 
 /// Holes on a path.
@@ -114,14 +105,13 @@ pub struct Pictures {
 pub struct Results {
     /// What the scene asks for.
     pub culling: Culling,
-    /// Every way to make the buffer, on the scene's path.
+    /// Every way to make the buffer, on the scene's path, at its resolutions and at others: see
+    /// [`ways`].
     pub rows: Vec<Row>,
     /// Holes of the old depth by cause, on each path.
     pub causes: Vec<Causes>,
     /// Over latency at the usual speed, then over speed at the scene's latency.
     pub sweep: Vec<Point>,
-    /// Over resolutions.
-    pub resolutions: Vec<Resolution>,
     /// What the scene's parameters do, and the choice of least work that keeps [`ALLOWED`].
     pub choices: [Choice; 2],
     /// Combinations that the choice was made of.
@@ -144,7 +134,7 @@ pub fn passes(culling: &Culling) -> Passes {
 }
 
 /// Every way to make the buffer.
-fn ways() -> Vec<(String, Passes)> {
+fn sources() -> Vec<(String, Passes)> {
     let sources = [
         ("depth", Passes::POINTS),
         ("depth of twice the resolution", Passes { half: Some(true), ..Passes::NONE }),
@@ -157,33 +147,53 @@ fn ways() -> Vec<(String, Passes)> {
         (", dilation", 0, DILATION),
         (", median, dilation", MEDIAN, DILATION),
     ];
-    let mut ways: Vec<(String, Passes)> = Vec::new();
+    let mut all: Vec<(String, Passes)> = Vec::new();
     for (source, passes) in sources {
-        ways.extend(fills.map(|(fill, median, dilation)| {
+        all.extend(fills.map(|(fill, median, dilation)| {
             (format!("{source}{fill}"), Passes { median, dilation, ..passes })
         }));
     }
-    ways.push(("conservative".into(), Passes::CONSERVATIVE));
-    ways
+    all.push(("conservative".into(), Passes::CONSERVATIVE));
+    all
 }
 
-/// The world of a scene, its boxes to be culled, and what a scene asks for.
+/// A buffer's size with the grids and the ways that are measured with it.
+pub struct Ways {
+    /// Of the buffer.
+    pub buffer: [usize; 2],
+    /// Voxels of each grid, with the ways that are measured with them.
+    pub grids: Vec<([u32; 3], Vec<(String, Passes)>)>,
+}
+
+/// Every way to make the buffer of a scene: at its size, half and one and a half times that, with
+/// its grid, and voxels with grids of half and a quarter of the voxels along each axis. The scene's
+/// own come first.
+pub fn ways(culling: &Culling) -> Vec<Ways> {
+    let sized = |times: f64| culling.buffer.map(|n| ((f64::from(n) * times) as usize).max(16));
+    let grid = |part: u32| {
+        let own = sources().into_iter().filter(|(_, passes)| part == 1 || passes.voxels.is_some());
+        (culling.grid.map(|n| (n / part).max(2)), own.collect())
+    };
+    [1.0, 0.5, 1.5].map(|times| Ways { buffer: sized(times), grids: [1, 2, 4].map(grid).into() }).into()
+}
+
+/// What a scene asks for, and what is looked at.
+#[derive(Clone, Copy)]
 struct Set<'a> {
     culling: &'a Culling,
-    boxes: Vec<Cuboid>,
-    objects: Vec<Cuboid>,
+    site: &'a Site,
     size: [usize; 2],
 }
 
-impl Set<'_> {
+impl<'a> Set<'a> {
     fn shot(&self, path: CameraPath, start: usize, speed: f64) -> (Shot, usize) {
         (Shot { path, start, speed }, FRAMES)
     }
 
-    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'_> {
+    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'a> {
         let latency = self.culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
-        Film::new(&self.boxes, shot, self.size, fineness, &late)
+        Film::new(self.site, shot, self.size, fineness, &late)
     }
 
     fn span(&self, latency: usize) -> Span<'static> {
@@ -191,19 +201,32 @@ impl Set<'_> {
     }
 
     fn rows(&self) -> Vec<Row> {
-        let film = self.film(self.shot(self.culling.path, 4, 1.0), &[2, 4]);
-        let ways = ways();
-        let trials: Vec<Trial> =
-            ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
-        let tallies = measured(&film, &self.span(self.culling.latency as usize), &trials, &self.objects);
-        let rows = ways.into_iter().zip(trials).zip(tallies);
-        rows.map(|(((name, _), trial), tally)| Row { name, trial, tally }).collect()
+        let latency = self.culling.latency as usize;
+        let of_buffer = |Ways { buffer, grids }: Ways| {
+            let set = Set { size: buffer, ..*self };
+            let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2, 4]);
+            let of_grid = |(voxels, ways): ([u32; 3], Vec<(String, Passes)>)| {
+                let trials: Vec<Trial> =
+                    ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
+                let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
+                let row = move |(((name, passes), trial), tally): (((String, Passes), Trial), Tally)| Row {
+                    name,
+                    buffer,
+                    voxels: passes.voxels.map(|_| voxels),
+                    trial,
+                    tally,
+                };
+                ways.into_iter().zip(trials).zip(tallies).map(row).collect::<Vec<_>>()
+            };
+            grids.into_iter().flat_map(of_grid).collect::<Vec<_>>()
+        };
+        ways(self.culling).into_iter().flat_map(of_buffer).collect()
     }
 
     fn causes(&self, path: CameraPath) -> Causes {
         let film = self.film(self.shot(path, 4, 1.0), &[]);
         // No pass of voxels reads it.
-        let none = Grid::new([2; 3]);
+        let none = Grid::new([2; 3], &self.site.bounds);
         let mut sum = Holes::default();
         for &frame in &MEASURED {
             let late = frame - self.culling.latency as usize;
@@ -234,7 +257,7 @@ impl Set<'_> {
         let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
             let film = self.film(self.shot(*path, 4, *speed), &[]);
             let at = |latency: usize| {
-                let found = measured(&film, &self.span(latency), &trials, &self.objects);
+                let found = measured(&film, &self.span(latency), &trials);
                 Point { path: *path, latency, speed: *speed, points: found[0], all: found[1] }
             };
             latencies.clone().into_par_iter().map(at).collect::<Vec<_>>()
@@ -242,30 +265,12 @@ impl Set<'_> {
         cases.par_iter().flat_map_iter(one).collect()
     }
 
-    fn resolutions(&self) -> Vec<Resolution> {
-        let buffers = [0.5, 1.0, 1.5].map(|times| self.size.map(|n| ((n as f64 * times) as usize).max(16)));
-        let grids = [4, 2, 1].map(|part| self.culling.grid.map(|n| (n / part).max(2)));
-        let trial = Trial { passes: passes(self.culling), bias: BIAS };
-        let one = |buffer: &[usize; 2]| {
-            let set =
-                Set { size: *buffer, boxes: self.boxes.clone(), objects: self.objects.clone(), ..*self };
-            let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2]);
-            let at = |voxels: &[u32; 3]| {
-                let span = Span { voxels: *voxels, ..set.span(self.culling.latency as usize) };
-                let tally = measured(&film, &span, &[trial], &set.objects)[0];
-                Resolution { buffer: *buffer, voxels: *voxels, tally }
-            };
-            grids.iter().map(at).collect::<Vec<_>>()
-        };
-        buffers.iter().flat_map(one).collect()
-    }
-
     fn pictures(&self) -> Pictures {
         let (film, latency) =
             (self.film(self.shot(self.culling.path, 4, 1.0), &[]), self.culling.latency as usize);
         // Of those measured on a turn, it is the fastest here.
         let frame = MEASURED[7];
-        let mut grid = Grid::new(self.culling.grid);
+        let mut grid = Grid::new(self.culling.grid, &self.site.bounds);
         film.accumulated(&mut grid, 0..frame - latency + 1);
         let late =
             Late { camera: &film.cameras[frame - latency], depth: &film.depth[frame - latency], grid: &grid };
@@ -315,7 +320,7 @@ impl Set<'_> {
         let one = |(path, start): &(CameraPath, usize)| {
             let film = self.film(self.shot(*path, *start, 1.0), &[2]);
             let span = Span { frames: &MEASURED[6..], ..self.span(self.culling.latency as usize) };
-            measured(&film, &span, trials, &self.objects)
+            measured(&film, &span, trials)
         };
         let all: Vec<Vec<Tally>> = shots.par_iter().map(one).collect();
         let of = |i: usize| OnShots {
@@ -349,17 +354,14 @@ impl Set<'_> {
 }
 
 /// Measures the culling of a scene: the same results on every run, for any number of threads.
-pub fn results(culling: &Culling) -> Results {
-    let boxes = world(culling.world, culling.seed);
-    let (objects, size) = (objects(culling.seed, BOXES), culling.buffer.map(|n| n as usize));
-    let set = Set { culling, boxes, objects, size };
+pub fn results(culling: &Culling, site: &Site) -> Results {
+    let set = Set { culling, site, size: culling.buffer.map(|n| n as usize) };
     let (choices, combinations) = set.choices();
     Results {
         culling: culling.clone(),
         rows: set.rows(),
         causes: PATHS.map(|path| set.causes(path)).to_vec(),
         sweep: set.sweep(),
-        resolutions: set.resolutions(),
         choices,
         combinations,
         pictures: set.pictures(),
