@@ -218,13 +218,15 @@ def courtyard():
         turn = quarter * math.pi / 2
         at = (-24 * math.sin(turn), 0, -24 * math.cos(turn))
         roots.append(node(None, at, turn=turn, children=wing()))
-        roots.append(node(None, (37 * math.cos(turn), 0, -37 * math.sin(turn)), turn=turn + 0.2, children=fence(8)))
+        roots.append(node(None, (37 * math.cos(turn), 0, -37 * math.sin(turn)), turn=turn + 0.2, children=fence(20)))
+        roots.append(node(None, (30 * math.cos(turn + 0.8), 0, -30 * math.sin(turn + 0.8)), turn=turn + 2.4, children=fence(8)))
     roots.append(node(None, (4, 0, -3), turn=0.4, children=[node(BOX, scale=(5, 11, 5)), node(COLUMN, (0, 11, 0), (3, 4, 3))]))
     for k in range(14):
         x, z = dice.uniform(-17, 17), dice.uniform(-17, 17)
         turn = dice.uniform(0, 3)
         posts = [node(COLUMN, (x, 0, z), (0.12, 2.4, 0.12)) for x in (-1.2, 1.2) for z in (-0.8, 0.8)]
-        stall = [node(BOX, (0, 0, 0), (2, 0.9, 1)), node(BOX, (0, 2.4, 0), (3, 0.1, 2.2))] + posts
+        goods = [node(BOX, (0.5 * k - 1, 0.9, 0.25 * (k % 2)), (0.3, 0.2 + 0.05 * k, 0.3)) for k in range(5)]
+        stall = [node(BOX, (0, 0, 0), (2.6, 0.9, 1)), node(BOX, (0, 2.4, 0), (3, 0.1, 2.2))] + posts + goods
         if math.hypot(x - 4, z + 3) > 5:
             roots.append(node(None, (x, 0, z), turn=turn, children=stall))
     for k in range(22):

@@ -19,7 +19,7 @@ const APART: f32 = 0.5;
 const PLACES: usize = 3;
 const TRIED: usize = 4;
 /// Triangles of a primitive that an object of its own bounds, as renderers cull clusters.
-const CLUSTER: usize = 32;
+const CLUSTER: usize = 8;
 
 /// A site of the study: metres, z up.
 #[derive(Clone, Debug)]

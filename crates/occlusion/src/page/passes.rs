@@ -172,12 +172,12 @@ fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> 
         };
         let lines = SOURCES.iter().enumerate().map(line).collect();
         let mut chart = curves(&format!("{}, {} voxels", sized(buffer), sized(grid)), [label, rate.0], lines, SMALL);
-        chart.x.1 = Spread::Log;
+        (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
         chart.y_limits = Some((0.0, 1.05 * most));
         chart
     };
     let all = grids.iter().flat_map(|grid| buffers.iter().map(|buffer| chart(*grid, *buffer)));
-    all.map(|chart| Panel { chart, legend: true }).collect()
+    all.enumerate().map(|(i, chart)| Panel { chart, legend: i < buffers.len() }).collect()
 }
 
 /// Every row of the other resolutions.
