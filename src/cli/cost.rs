@@ -202,7 +202,12 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input, &plan, COMMAND)?, device(rayon::current_num_threads()))?;
+        let measured = timings(
+            &input.scene,
+            &baked,
+            origin(&input, &plan, COMMAND)?,
+            device(rayon::current_num_threads()),
+        )?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);

@@ -70,9 +70,9 @@ impl TextRule for WorldText {
         match [".glb", ".gltf"].into_iter().find(|extension| text.ends_with(extension)) {
             _ if Generator::ALL.iter().any(|(word, _)| *word == text) => Ok(()),
             Some(extension) => name::relative(text, extension),
-            None => {
-                Err(format!("`{text}` is neither town nor forest, and no path of a .glb or .gltf file with a mesh"))
-            }
+            None => Err(format!(
+                "`{text}` is neither town nor forest, and no path of a .glb or .gltf file with a mesh"
+            )),
         }
     }
 }

@@ -63,8 +63,7 @@ impl Site {
     pub fn of_mesh(mesh: &Mesh) -> Site {
         // glTF has y up.
         let upright = |[x, y, z]: [f32; 3]| [x, -z, y];
-        let triangles: Vec<[Place; 3]> =
-            mesh.triangles.iter().map(|corners| corners.map(upright)).collect();
+        let triangles: Vec<[Place; 3]> = mesh.triangles.iter().map(|corners| corners.map(upright)).collect();
         let parts = mesh.parts.iter().flat_map(|part| {
             let own = &triangles[part.clone()];
             let clusters = own.chunks(CLUSTER).filter(|one| one.len() < own.len());
@@ -96,10 +95,7 @@ fn bounds(triangles: &[[Place; 3]]) -> Cuboid {
 /// The same with a margin: the upper borders of a grid are not in it, and what is flat has a height.
 fn widened(of: &Cuboid) -> Cuboid {
     let margin = [0, 1, 2].map(|k| 0.5_f32.max(0.005 * (of.high[k] - of.low[k])));
-    Cuboid {
-        low: [0, 1, 2].map(|k| of.low[k] - margin[k]),
-        high: [0, 1, 2].map(|k| of.high[k] + margin[k]),
-    }
+    Cuboid { low: [0, 1, 2].map(|k| of.low[k] - margin[k]), high: [0, 1, 2].map(|k| of.high[k] + margin[k]) }
 }
 
 /// The start in a ninth of the footprint: of the places that are tried the one with most room, the
@@ -118,10 +114,9 @@ fn start(triangles: &[[Place; 3]], within: &Cuboid, ninth: [usize; 2]) -> Start 
         let free = free.min(eye[1] - within.low[1]).min(within.high[1] - eye[1]);
         Start { eye, room: f64::from((free - APART).max(APART)) }
     });
-    tried.reduce(|best, one| if one.room > best.room { one } else { best }).unwrap_or(Start {
-        eye: within.low,
-        room: f64::from(APART),
-    })
+    tried
+        .reduce(|best, one| if one.room > best.room { one } else { best })
+        .unwrap_or(Start { eye: within.low, room: f64::from(APART) })
 }
 
 /// An eye above the lowest surface at a place that has room above it, or else above the highest.

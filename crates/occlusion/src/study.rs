@@ -206,19 +206,16 @@ impl<'a> Set<'a> {
         let of_buffer = |Ways { buffer, grids }: Ways| {
             let set = Set { size: buffer, ..*self };
             let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2, 4]);
-            let of_grid = |(voxels, ways): ([u32; 3], Vec<(String, Passes)>)| {
-                let trials: Vec<Trial> =
-                    ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
-                let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
-                let row = move |(((name, passes), trial), tally): (((String, Passes), Trial), Tally)| Row {
-                    name,
-                    buffer,
-                    voxels: passes.voxels.map(|_| voxels),
-                    trial,
-                    tally,
+            let of_grid =
+                |(voxels, ways): ([u32; 3], Vec<(String, Passes)>)| {
+                    let trials: Vec<Trial> =
+                        ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
+                    let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
+                    let row = move |(((name, passes), trial), tally): (((String, Passes), Trial), Tally)| {
+                        Row { name, buffer, voxels: passes.voxels.map(|_| voxels), trial, tally }
+                    };
+                    ways.into_iter().zip(trials).zip(tallies).map(row).collect::<Vec<_>>()
                 };
-                ways.into_iter().zip(trials).zip(tallies).map(row).collect::<Vec<_>>()
-            };
             grids.into_iter().flat_map(of_grid).collect::<Vec<_>>()
         };
         ways(self.culling).into_iter().flat_map(of_buffer).collect()

@@ -90,7 +90,9 @@ impl<'a, 't> Images<'a, 't> {
             (Some(uri), _) => {
                 Place::Beside(relative(uri).map_err(|message| (format!("{path}.uri"), message))?, None)
             }
-            (None, Some(view)) => self.buffers.place((&self.storage.buffer_views, &self.storage.buffers), view)?,
+            (None, Some(view)) => {
+                self.buffers.place((&self.storage.buffer_views, &self.storage.buffers), view)?
+            }
             (None, None) => return Err((path, "it has neither `uri` nor `bufferView`".into())),
         };
         let inline = || match place {

@@ -110,7 +110,8 @@ pub fn mesh(bytes: &[u8], file: &str) -> Result<Mesh, SceneError> {
     let (json, chunk) = chunks(bytes).map_err(|message| whole((String::new(), message)))?;
     let document: Document = read_object(json, file, usize::MAX)?;
     version(&document.asset).map_err(whole)?;
-    let mut reader = Reader { bytes, document: &document, buffers: Buffers::new(chunk), mesh: Mesh::default() };
+    let mut reader =
+        Reader { bytes, document: &document, buffers: Buffers::new(chunk), mesh: Mesh::default() };
     reader.all().map_err(whole)?;
     Ok(reader.mesh)
 }
@@ -187,7 +188,9 @@ impl Reader<'_> {
             }
             EACH => count / 3,
             STRIP | FAN => count.saturating_sub(2),
-            _ => return Err((format!("{path}.mode"), format!("{mode} is none of glTF's kinds of primitives"))),
+            _ => {
+                return Err((format!("{path}.mode"), format!("{mode} is none of glTF's kinds of primitives")));
+            }
         };
         let first = self.mesh.triangles.len();
         if triangles > (TRIANGLES - first) as u64 {
@@ -266,7 +269,8 @@ impl Reader<'_> {
         let last = accessor.count.checked_sub(1).and_then(|n| n.checked_mul(stride));
         let end = last.and_then(|last| last.checked_add(size)?.checked_add(accessor.byte_offset));
         if end.is_none_or(|end| end > length) {
-            let message = format!("{} elements of {size} bytes, and its view has {length} bytes", accessor.count);
+            let message =
+                format!("{} elements of {size} bytes, and its view has {length} bytes", accessor.count);
             return wrong(".count", message);
         }
         Ok(Elements { place, first: accessor.byte_offset, stride, count: accessor.count, width: *width })
@@ -298,7 +302,12 @@ impl Reader<'_> {
     }
 
     /// A position where a node puts it.
-    fn position(&self, of: &Elements, (accessor, i): (usize, u64), to: &Transform) -> Result<[f32; 3], Wrong> {
+    fn position(
+        &self,
+        of: &Elements,
+        (accessor, i): (usize, u64),
+        to: &Transform,
+    ) -> Result<[f32; 3], Wrong> {
         let own = [0, 1, 2].map(|k| f64::from(f32::from_le_bytes(self.part(of, i, 4 * k))));
         let placed = to.applied(own);
         // Written so that what is not a number is refused.

@@ -39,7 +39,11 @@ fn percent(x: f64) -> String {
 }
 
 /// What passes do on the path of the scene with its buffer and its grid, and what they take.
-fn by<'r>(results: &'r Results, timed: Option<&[&'r Timed]>, passes: Passes) -> Option<(&'r Row, Option<&'r Timed>)> {
+fn by<'r>(
+    results: &'r Results,
+    timed: Option<&[&'r Timed]>,
+    passes: Passes,
+) -> Option<(&'r Row, Option<&'r Timed>)> {
     let own = own(results);
     let i = results.rows.iter().position(|row| own(row) && row.trial.passes == passes)?;
     Some((&results.rows[i], timed.map(|timed| timed[i])))
@@ -108,7 +112,7 @@ fn chosen(results: &Results) -> String {
     let [_, Choice { trial, reported, .. }] = &results.choices;
     let kept = if reported.most_culled <= ALLOWED[0] { "no more" } else { "more" };
     format!(
-        "Where {} may, take the parameters that were chosen for that ({}): on other shots they cull {}, on the worst of these {} ({kept} than allowed), \
+        "Where {} of them may, take the parameters that were chosen for that ({}): on other shots they cull {}, on the worst of these {} ({kept} than allowed), \
          and keep {}.",
         percent(ALLOWED[0]),
         worded(&trial.passes, trial.bias),

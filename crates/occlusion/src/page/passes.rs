@@ -6,7 +6,12 @@ use crate::passes::{Passes, Work};
 use crate::study::{ALL, Results, Row};
 use crate::times::Timed;
 use lobefit::report::numbers::{brief, grouped};
-use lobefit::report::{Block, Panel, ReportError, Section, Series, Spread, Style, TextTable, figures, words};
+use lobefit::report::{
+    Block, Curves, Panel, ReportError, Section, Series, Spread, Style, TextTable, figures, words,
+};
+
+const KEPT: Rate = ("wrongly kept, %", Tally::wrongly_kept);
+const CULLED: Rate = ("wrongly culled, %", Tally::wrongly_culled);
 
 /// Size of the plotted area of a chart of a sheet in pixels.
 const SMALL: (f64, f64) = (280.0, 150.0);
@@ -44,9 +49,7 @@ fn split(results: &Results, timed: Option<&[&Timed]>) -> Vec<Vec<String>> {
             let ms = spent.map_or("-".into(), |spent| brief(spent[i], 3));
             vec![row.name.clone(), pass.into(), brief(part(work, row.tally.texels), 3), ms]
         };
-        let tests = brief(part(row.tally.reads, row.tally.texels), 3);
-        let tests = vec![row.name.clone(), "tests of boxes".into(), tests, "-".into()];
-        own.map(cells).chain([tests]).collect::<Vec<_>>()
+        own.map(cells).collect::<Vec<_>>()
     };
     rows.flat_map(of_row).collect()
 }
@@ -72,13 +75,23 @@ fn holes_for_less(results: &Results, timed: Option<&[&Timed]>) -> String {
     let each = |((filled, cost), _): ((f64, f64), &Row)| cost / filled;
     let verdict = match (median.0.0 > 0.0 && half.0.0 > 0.0, each(median) < each(half)) {
         (false, _) => "one of them fills none".into(),
-        (true, true) => format!("the median takes {} times less {of} for each hole", brief(each(half) / each(median), 2)),
+        (true, true) => {
+            format!("the median takes {} times less {of} for each hole", brief(each(half) / each(median), 2))
+        }
         (true, false) => {
-            format!("depth of twice the resolution takes {} times less {of} for each hole", brief(each(median) / each(half), 2))
+            format!(
+                "depth of twice the resolution takes {} times less {of} for each hole",
+                brief(each(median) / each(half), 2)
+            )
         }
     };
     let worded = |((filled, cost), row): ((f64, f64), &Row)| {
-        format!("{} of the texels for {}{unit} more, and leaves {} wrongly kept", percent(filled), brief(cost, 2), percent(row.tally.wrongly_kept()))
+        format!(
+            "{} of the texels for {}{unit} more, and leaves {} wrongly kept",
+            percent(filled),
+            brief(cost, 2),
+            percent(row.tally.wrongly_kept())
+        )
     };
     format!(
         "Which hides holes for less? Of the points alone a median fills {}; depth of twice the resolution fills {}: {verdict}.",
@@ -94,8 +107,12 @@ pub(super) fn passes(
     device: &str,
 ) -> Result<Section, ReportError> {
     let measured = match timed {
-        Ok(_) => format!("Milliseconds: {device}; fastest of five runs of each pass, mean over the frames (times.json)."),
-        Err(why) => format!("Without milliseconds: {why}; `lobefit report --study occlusion --times` measures them."),
+        Ok(_) => format!(
+            "Milliseconds: {device}; fastest of five runs of each pass, mean over the frames (times.json)."
+        ),
+        Err(why) => {
+            format!("Without milliseconds: {why}; `lobefit report --study occlusion --times` measures them.")
+        }
     };
     let timed = timed.ok();
     let first = results.rows.first().map(|row| row.tally).unwrap_or_default();
@@ -110,12 +127,16 @@ pub(super) fn passes(
     let split = words::table(
         &[("buffer", false), ("pass", false), ("work", true), ("ms", true)],
         split(results, timed),
-        "Work of each pass for each texel of the buffer, beside its time. Accumulation adds the depth of a frame to the voxels. Tests of boxes are not timed: their number is the renderer's.",
+        "Work of each pass for each texel of the buffer, beside its time. Accumulation adds the depth of a frame to the voxels.",
     );
     let points = "Points of old depth leave cracks, most of which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
                   wide: it closes the holes of fences.";
-    let sheets = "What accuracy costs: marks of a line, from left to right, are its source alone, then with the median, the dilation, or both, as costs rise. Lower is better. \
-                  Columns: buffers of half, of one and of one and a half times the size. Rows: grids of a quarter, a half and all of the voxels along each axis.";
+    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass. \
+                  Lower is better. Other resolutions: at the end of this page.";
+    let culling = &results.culling;
+    let one = |rate| {
+        chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, super::CHART))
+    };
     Ok(Section {
         id: "passes".into(),
         title: "What each pass buys".into(),
@@ -123,14 +144,18 @@ pub(super) fn passes(
         blocks: vec![
             Block::Table(table(results, timed, &own(results), &caption)),
             Block::Table(split),
-            figures(&sheet(results, timed, ("wrongly kept, %", Tally::wrongly_kept)), sheets)?,
-            figures(&sheet(results, timed, ("wrongly culled, %", Tally::wrongly_culled)), "The same of what vanishes.")?,
+            figures(&[one(KEPT), one(CULLED)], charts)?,
         ],
     })
 }
 
 /// Rows of results with their rates and what they take.
-fn table(results: &Results, timed: Option<&[&Timed]>, keep: &dyn Fn(&Row) -> bool, caption: &str) -> TextTable {
+fn table(
+    results: &Results,
+    timed: Option<&[&Timed]>,
+    keep: &dyn Fn(&Row) -> bool,
+    caption: &str,
+) -> TextTable {
     let columns = [&[("buffer", false)][..], &RATES, &[("ms", true)]].concat();
     let rows = results.rows.iter().enumerate().filter(|(_, row)| keep(row)).map(|(i, row)| {
         let cells = rates(&row.tally).into_iter().chain([milliseconds(timed.map(|timed| timed[i]))]);
@@ -144,6 +169,40 @@ fn sized<const N: usize>(sizes: [impl ToString; N]) -> String {
     sizes.map(|n| n.to_string()).join(" x ")
 }
 
+/// A rate over cost, with a grid and a buffer.
+fn chart(
+    results: &Results,
+    timed: Option<&[&Timed]>,
+    (grid, buffer): ([u32; 3], [usize; 2]),
+    (rate, size): (Rate, (f64, f64)),
+) -> Curves {
+    let of = |source: &str, fill: &str| {
+        let name = format!("{source}{fill}");
+        let is_here = |row: &Row| row.buffer == buffer && row.voxels.is_none_or(|voxels| voxels == grid);
+        let i = results.rows.iter().position(|row| row.name == name && is_here(row))?;
+        let tally = &results.rows[i].tally;
+        let work = || 1e-3 * part(tally.work.total(), tally.frames);
+        let cost = timed.map_or_else(work, |timed| timed[i].milliseconds.total());
+        Some((cost, 100.0 * rate.1(tally)))
+    };
+    let lines = SOURCES.iter().enumerate().flat_map(|(k, source)| {
+        let fills = [["", ", median", ", median, dilation"], ["", ", dilation", ", median, dilation"]];
+        fills.map(|fills| Series {
+            name: (*source).into(),
+            points: fills.iter().filter_map(|fill| of(source, fill)).collect(),
+            style: Style::Marked(k),
+            end: None,
+        })
+    });
+    let label = if timed.is_some() { "ms" } else { "thousands of texels and voxels" };
+    let title = format!("{}, {} voxels", sized(buffer), sized(grid));
+    let mut chart = curves(&title, [label, rate.0], lines.collect(), size);
+    (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
+    let most = results.rows.iter().map(|row| 100.0 * rate.1(&row.tally)).fold(1.0, f64::max);
+    chart.y_limits = Some((0.0, 1.05 * most));
+    chart
+}
+
 /// A rate over cost, a chart for each size of the grid and of the buffer.
 fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> {
     let mut grids: Vec<[u32; 3]> = results.rows.iter().filter_map(|row| row.voxels).collect();
@@ -152,38 +211,17 @@ fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> 
     let mut buffers: Vec<[usize; 2]> = results.rows.iter().map(|row| row.buffer).collect();
     buffers.sort();
     buffers.dedup();
-    let cost = |i: usize, row: &Row| {
-        let work = || 1e-3 * part(row.tally.work.total(), row.tally.frames);
-        timed.map_or_else(work, |timed| timed[i].milliseconds.total())
-    };
-    let label = if timed.is_some() { "ms" } else { "thousands of texels and voxels" };
-    let most = results.rows.iter().map(|row| 100.0 * rate.1(&row.tally)).fold(1.0, f64::max);
-    let chart = |grid: [u32; 3], buffer: [usize; 2]| {
-        let line = |(k, source): (usize, &&str)| {
-            let own = results.rows.iter().enumerate().filter(|(_, row)| {
-                row.buffer == buffer
-                    && row.voxels.is_none_or(|voxels| voxels == grid)
-                    && row.name.split(',').next() == Some(source)
-            });
-            let mut points: Vec<(f64, f64)> =
-                own.map(|(i, row)| (cost(i, row), 100.0 * rate.1(&row.tally))).collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            Series { name: (*source).into(), points, style: Style::Marked(k), end: None }
-        };
-        let lines = SOURCES.iter().enumerate().map(line).collect();
-        let mut chart = curves(&format!("{}, {} voxels", sized(buffer), sized(grid)), [label, rate.0], lines, SMALL);
-        (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
-        chart.y_limits = Some((0.0, 1.05 * most));
-        chart
-    };
-    let all = grids.iter().flat_map(|grid| buffers.iter().map(|buffer| chart(*grid, *buffer)));
-    all.enumerate().map(|(i, chart)| Panel { chart, legend: i < buffers.len() }).collect()
+    let all = grids.iter().flat_map(|grid| buffers.iter().map(|buffer| (*grid, *buffer)));
+    let panel =
+        |(i, sizes)| Panel { chart: chart(results, timed, sizes, (rate, SMALL)), legend: i < buffers.len() };
+    all.enumerate().map(panel).collect()
 }
 
 /// Every row of the other resolutions.
 pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result<Section, ReportError> {
     let own = own(results);
-    let columns = [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, &[("ms", true)]].concat();
+    let columns =
+        [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, &[("ms", true)]].concat();
     let rows = results.rows.iter().enumerate().filter(|(_, row)| !own(row)).map(|(i, row)| {
         let first = [sized(row.buffer), row.voxels.map_or("-".into(), sized), row.name.clone()];
         let ms = milliseconds(timed.map(|timed| timed[i]));
@@ -191,10 +229,16 @@ pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result
     });
     let lead = "A grid of twice the voxel takes an eighth of the memory; texels that are too near grow with the size of voxels and of texels.";
     let caption = "Buffers and grids of other sizes than the scene's.";
+    let sheets = "What accuracy costs, as above. Columns: buffers of half, of one and of one and a half times the size. Rows: grids of a quarter, a half and \
+                  all of the voxels along each axis.";
     Ok(Section {
         id: "resolutions".into(),
         title: "Resolutions".into(),
         lead: lead.into(),
-        blocks: vec![Block::Table(words::table(&columns, rows.collect(), caption))],
+        blocks: vec![
+            figures(&sheet(results, timed, KEPT), sheets)?,
+            figures(&sheet(results, timed, CULLED), "The same of what vanishes.")?,
+            Block::Table(words::table(&columns, rows.collect(), caption)),
+        ],
     })
 }

@@ -90,10 +90,10 @@ pub(super) fn parameters(results: &Results) -> Section {
     let rows = [two("usual", own), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
     let lead = format!(
-        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests: all {} combinations on a turn, a strafe and a walk from \
-         two places each. The erosion takes the farthest of a square about every texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any \
-         shot and to keep {kept} of what is hidden. Chosen is the combination of least work that culls at most half as much, for other shots are other, \
-         or breaks this least. It is reported on shots from other places.",
+        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. Rates are counts, with steps in place of slopes: \
+         all {} combinations are tried, on a turn, a strafe and a walk from four places each. The erosion takes the farthest of a square about every \
+         texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Chosen is the \
+         combination of least work that does, or breaks this least. It is reported on shots from three other places.",
         results.combinations
     );
     Section {

@@ -1,6 +1,8 @@
 //! What functions of integers take, from their text in WGSL, by the operation model of formulas.
 
-use naga::{BinaryOperator, Expression, Function, Handle, Literal, MathFunction, Module, Span, Statement, TypeInner};
+use naga::{
+    BinaryOperator, Expression, Function, Handle, Literal, MathFunction, Module, Span, Statement, TypeInner,
+};
 
 use crate::hypothesis::parse;
 use crate::tape::{BinaryOp, Node, Op, Tape, UnaryOp};
@@ -132,7 +134,8 @@ impl Counter<'_> {
             Expression::Access { base, index } => match function.expressions[*base] {
                 Expression::Constant(table) => {
                     self.value(*index)?;
-                    let (components, bytes) = table_size(module, &module.types[module.constants[table].ty].inner);
+                    let (components, bytes) =
+                        table_size(module, &module.types[module.constants[table].ty].inner);
                     self.cost = MaskCost { fetches: self.cost.fetches + 1, bytes, ..self.cost };
                     let first = 1 + function.arguments.len() as u16;
                     Ok((first..first + components).map(|k| self.push(Op::Input(k))).collect())
