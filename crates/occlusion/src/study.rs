@@ -135,7 +135,7 @@ pub fn passes(culling: &Culling) -> Passes {
 }
 
 /// Every way to make the buffer.
-fn sources() -> Vec<(String, Passes)> {
+fn sources() -> Vec<Way> {
     let sources = [
         ("depth", Passes::POINTS),
         ("depth of twice the resolution", Passes { half: Some(true), ..Passes::NONE }),
@@ -148,22 +148,39 @@ fn sources() -> Vec<(String, Passes)> {
         (", dilation", 0, DILATION),
         (", median, dilation", MEDIAN, DILATION),
     ];
-    let mut all: Vec<(String, Passes)> = Vec::new();
+    let mut all: Vec<Way> = Vec::new();
     for (source, passes) in sources {
-        all.extend(fills.map(|(fill, median, dilation)| {
-            (format!("{source}{fill}"), Passes { median, dilation, ..passes })
+        all.extend(fills.map(|(fill, median, dilation)| Way {
+            name: format!("{source}{fill}"),
+            passes: Passes { median, dilation, ..passes },
         }));
     }
-    all.push(("conservative".into(), Passes::CONSERVATIVE));
+    all.push(Way { name: "conservative".into(), passes: Passes::CONSERVATIVE });
     all
 }
 
-/// A buffer's size with the grids and the ways that are measured with it.
+/// A way to make the buffer.
+pub struct Way {
+    /// In words.
+    pub name: String,
+    /// Its passes.
+    pub passes: Passes,
+}
+
+/// Ways that are measured with a grid.
+pub struct WithGrid {
+    /// Its voxels.
+    pub voxels: [u32; 3],
+    /// The ways.
+    pub ways: Vec<Way>,
+}
+
+/// A buffer's size with all that is measured of it.
 pub struct Ways {
     /// Of the buffer.
     pub buffer: [usize; 2],
-    /// Voxels of each grid, with the ways that are measured with them.
-    pub grids: Vec<([u32; 3], Vec<(String, Passes)>)>,
+    /// With each grid.
+    pub grids: Vec<WithGrid>,
 }
 
 /// Every way to make the buffer of a scene: at its size, half and one and a half times that, with
@@ -172,8 +189,8 @@ pub struct Ways {
 pub fn ways(culling: &Culling) -> Vec<Ways> {
     let sized = |times: f64| culling.buffer.map(|n| ((f64::from(n) * times) as usize).max(16));
     let grid = |part: u32| {
-        let own = sources().into_iter().filter(|(_, passes)| part == 1 || passes.voxels.is_some());
-        (culling.grid.map(|n| (n / part).max(2)), own.collect())
+        let own = sources().into_iter().filter(|way| part == 1 || way.passes.voxels.is_some());
+        WithGrid { voxels: culling.grid.map(|n| (n / part).max(2)), ways: own.collect() }
     };
     [1.0, 0.5, 1.5].map(|times| Ways { buffer: sized(times), grids: [1, 2, 4].map(grid).into() }).into()
 }
@@ -206,16 +223,19 @@ impl<'a> Set<'a> {
         let of_buffer = |Ways { buffer, grids }: Ways| {
             let set = Set { size: buffer, ..*self };
             let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2, 4]);
-            let of_grid =
-                |(voxels, ways): ([u32; 3], Vec<(String, Passes)>)| {
-                    let trials: Vec<Trial> =
-                        ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
-                    let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
-                    let row = move |(((name, passes), trial), tally): (((String, Passes), Trial), Tally)| {
-                        Row { name, buffer, voxels: passes.voxels.map(|_| voxels), trial, tally }
-                    };
-                    ways.into_iter().zip(trials).zip(tallies).map(row).collect::<Vec<_>>()
+            let of_grid = |WithGrid { voxels, ways }: WithGrid| {
+                let trial = |way: &Way| Trial { passes: way.passes, bias: BIAS };
+                let trials: Vec<Trial> = ways.iter().map(trial).collect();
+                let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
+                let row = move |(way, tally): (Way, Tally)| Row {
+                    voxels: way.passes.voxels.map(|_| voxels),
+                    trial: trial(&way),
+                    name: way.name,
+                    buffer,
+                    tally,
                 };
+                ways.into_iter().zip(tallies).map(row).collect::<Vec<_>>()
+            };
             grids.into_iter().flat_map(of_grid).collect::<Vec<_>>()
         };
         ways(self.culling).into_iter().flat_map(of_buffer).collect()

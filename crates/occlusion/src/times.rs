@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::film::{Film, Shot};
 use crate::grid::Grid;
-use crate::passes::{Late, Passes, Work};
+use crate::passes::{Late, Work};
 use crate::site::Site;
-use crate::study::{FRAMES, MEASURED, Row, Ways, ways};
+use crate::study::{FRAMES, MEASURED, Row, Way, Ways, WithGrid, ways};
 use lobefit::scene::Culling;
 
 /// Runs of each pass, of which the fastest counts.
@@ -62,8 +62,8 @@ impl Times {
         for Ways { buffer, grids } in ways(culling) {
             let shot = Shot { path: culling.path, start: 4, speed: 1.0 };
             let film = Film::new(site, (shot, FRAMES), buffer, &[2, 4], &late);
-            for (voxels, ways) in grids {
-                rows.extend(of_grid(&film, latency, (voxels, ways)));
+            for grid in grids {
+                rows.extend(of_grid(&film, latency, &grid));
             }
         }
         Times { method: METHOD, command, device, rows }
@@ -85,18 +85,18 @@ impl Times {
 }
 
 /// Times with a grid: of each way.
-fn of_grid(film: &Film, latency: usize, (voxels, ways): ([u32; 3], Vec<(String, Passes)>)) -> Vec<Timed> {
+fn of_grid(film: &Film, latency: usize, WithGrid { voxels, ways }: &WithGrid) -> Vec<Timed> {
     let mut rows: Vec<Timed> = ways
         .iter()
-        .map(|(name, passes)| Timed {
-            name: name.clone(),
+        .map(|way| Timed {
+            name: way.name.clone(),
             buffer: film.size,
-            voxels: passes.voxels.map(|_| voxels),
+            voxels: way.passes.voxels.map(|_| *voxels),
             work: 0,
             milliseconds: Work::default(),
         })
         .collect();
-    let mut grid = Grid::new(voxels, &film.site.bounds);
+    let mut grid = Grid::new(*voxels, &film.site.bounds);
     let mut next = 0;
     for &frame in &MEASURED {
         let late = frame - latency;
@@ -110,7 +110,7 @@ fn of_grid(film: &Film, latency: usize, (voxels, ways): ([u32; 3], Vec<(String, 
             arrived = film.accumulated(&mut grid, late..late + 1);
             fastest = fastest.min(start.elapsed().as_secs_f64());
         }
-        for (row, (_, passes)) in rows.iter_mut().zip(&ways) {
+        for (row, Way { passes, .. }) in rows.iter_mut().zip(ways) {
             let depth = film.fine(passes.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
             let run = || passes.run(late, &film.cameras[frame], film.size);

@@ -189,7 +189,10 @@ impl Reader<'_> {
             EACH => count / 3,
             STRIP | FAN => count.saturating_sub(2),
             _ => {
-                return Err((format!("{path}.mode"), format!("{mode} is none of glTF's kinds of primitives")));
+                return Err((
+                    format!("{path}.mode"),
+                    format!("{mode} is none of glTF's kinds of primitives"),
+                ));
             }
         };
         let first = self.mesh.triangles.len();

@@ -25,8 +25,8 @@ pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<
     let sections = vec![
         pictures::pictures(results)?,
         passes::passes(results, timed.as_deref().map_err(|why| *why), device)?,
-        sweeps::parameters(results),
         sweeps::sweeps(results)?,
+        sweeps::parameters(results),
         sweeps::holes(results),
         passes::resolutions(results, timed.as_deref().ok())?,
     ];
@@ -107,20 +107,28 @@ fn sideways(results: &Results) -> String {
     })
 }
 
-/// What the chosen parameters do on other shots, and whether they keep what is allowed.
+/// What the chosen parameters do on other shots, and whether they keep what is allowed there.
 fn chosen(results: &Results) -> String {
     let [_, Choice { trial, reported, .. }] = &results.choices;
-    let kept = if reported.most_culled <= ALLOWED[0] { "no more" } else { "more" };
-    format!(
-        "Where {} of them may, take the parameters that were chosen for that ({}): on other shots they cull {}, on the worst of these {} ({kept} than allowed), \
-         and keep {}.",
-        percent(ALLOWED[0]),
-        worded(&trial.passes, trial.bias),
+    let allowed = percent(ALLOWED[0]);
+    let what = worded(&trial.passes, trial.bias);
+    let rates = format!(
+        "on other shots they cull {}, on the worst of these {}, and keep {}",
         percent(reported.sum.wrongly_culled()),
         percent(reported.most_culled),
         percent(reported.sum.wrongly_kept())
-    )
+    );
+    if reported.most_culled <= ALLOWED[0] {
+        format!(
+            "Where {allowed} of them may, take the parameters that were chosen for that ({what}): {rates}."
+        )
+    } else {
+        format!(
+            "Where {allowed} of them may, take it too: of parameters chosen for that ({what}) it is not kept, for {rates}."
+        )
+    }
 }
+
 /// A rate: its label, and what it is of a tally.
 type Rate = (&'static str, fn(&Tally) -> f64);
 

@@ -12,7 +12,7 @@ const GREYS: [f32; 2] = [1.0, 120.0];
 const RIGHT: f32 = 0.01;
 const FULL: f32 = 0.2;
 /// Fewest pixels of a picture's width: its title needs them, and so do eyes.
-const WIDE: usize = 240;
+const WIDE: usize = 320;
 
 /// A picture of at least [`WIDE`] columns, each texel a square of pixels.
 fn readable(title: &str, [width, height]: [usize; 2], levels: &[u8], palette: Vec<u8>) -> Pixels {

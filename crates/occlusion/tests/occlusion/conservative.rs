@@ -94,9 +94,9 @@ fn no_seen_box_among_triangles_is_culled() {
     assert_eq!(wrong, 0);
 }
 
-/// A million boxes in frames: minutes.
+/// A million boxes in frames.
 #[test]
-#[ignore = "a minute of processor time"]
+#[ignore = "ten seconds of processor time"]
 fn no_seen_box_of_a_million_is_culled() {
     let [wrong, right, all] = over(2000, 2200);
     println!("{all} boxes in frames, {right} culled, {wrong} of them seen");

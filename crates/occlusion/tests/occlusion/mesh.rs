@@ -62,7 +62,7 @@ fn read(bytes: &[u8]) -> Mesh {
 fn nodes_put_triangles_where_they_belong() {
     let plain = read(&with(NODES, NODES));
     assert_eq!(plain.triangles[1], [[0.0, 1.0, 0.0], [2.0, 1.0, 2.0], [0.0, 1.0, 2.0]]);
-    assert_eq!(plain.parts, [0..2]);
+    assert_eq!((plain.parts.len(), plain.parts[0].clone()), (1, 0..2));
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let nested = format!(
         r#""scene":0,"scenes":[{{"nodes":[1]}}],"nodes":[{{"mesh":0,"rotation":[0,{half},0,{half}],"scale":[3,1,1]}},
@@ -90,8 +90,6 @@ fn strips_fans_bytes_and_text_are_read() {
     let bytes = r#"{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}"#;
     let short = r#"{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}"#;
     assert_eq!(corners(&with(short, bytes)), [[all[0][0], all[0][0], all[0][1]]]);
-    let text = String::from_utf8(with(NODES, NODES)[20..].to_vec());
-    assert!(text.is_err(), "the buffer is no text");
     let uri = r#""buffers":[{"uri":"data:application/octet-stream;base64,AAAAAAAAgD8AAAAAAAAAQAAAgD8AAAAAAAAAQAAAgD8AAABA"}]"#;
     let json = [r#"{"asset":{"version":"2.0"}"#, NODES, uri].join(",")
         + r#","accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]}"#;
@@ -191,7 +189,7 @@ fn hostile_files_are_refused_by_name() {
         (
             NODES,
             r#""nodes":[{"mesh":0,"scale":[1e300,1e300,1]},{}]"#.into(),
-            "accessors[0]: element 1 lies at ",
+            "accessors[0]: element 0 lies at ",
         ),
         (NODES, r#""nodes":[{"mesh":0,"scale":[1e999,1,1]}]"#.into(), "nodes[0].scale"),
         (
@@ -237,7 +235,7 @@ fn hostile_files_are_refused_by_name() {
 /// 1997), in f64; triangles without area are not drawn.
 #[test]
 fn depth_of_triangles_is_that_of_rays() {
-    const SIZE: [usize; 2] = [48, 32];
+    const SIZE: [usize; 2] = [32, 20];
     let site = courtyard();
     let mut solids = Solids { boxes: Vec::new(), triangles: site.solids.triangles.clone() };
     solids.triangles.extend([[[1.0; 3]; 3], [[0.0; 3], [9.0; 3], [4.5; 3]]]);
