@@ -120,13 +120,16 @@ fn boxes_around_the_camera() {
 /// camera in a cell sees nothing of it.
 #[test]
 fn borders_of_the_grid_and_the_camera_in_a_cell() {
-    for voxels in [[64, 64, 32], [8, 64, 2], [2, 2, 2]] {
-        let mut grid = Grid::new(voxels, &BOUNDS);
-        assert!(grid.set([0.0; 3]) && grid.set([0, 1, 2].map(|k| BOUNDS.high[k].next_down())));
-        assert!(
-            !grid.set(BOUNDS.high) && !grid.set([BOUNDS.high[0], 0.0, 0.0]) && !grid.set([-1e-6, 0.0, 0.0])
-        );
-        assert!(!grid.set([f32::NAN, 0.0, 0.0]) && !grid.set([0.0, f32::INFINITY, 0.0]));
+    let moved = Cuboid { low: [-7.0, 3.0, -1.0], high: [9.0, 4.0, 1.0] };
+    for (voxels, bounds) in
+        [([64, 64, 32], BOUNDS), ([8, 64, 2], BOUNDS), ([2, 2, 2], BOUNDS), ([8, 2, 4], moved)]
+    {
+        let mut grid = Grid::new(voxels, &bounds);
+        let Cuboid { low, high } = bounds;
+        assert!(grid.set(low) && grid.set(high.map(f32::next_down)));
+        assert!(!grid.set(high) && !grid.set([high[0], low[1], low[2]]));
+        assert!(!grid.set([low[0] - 1e-6, low[1], low[2]]));
+        assert!(!grid.set([f32::NAN, low[1], low[2]]) && !grid.set([low[0], f32::INFINITY, low[2]]));
         assert_eq!(grid.count(), 2);
     }
     let mut grid = Grid::new([64, 64, 32], &BOUNDS);
