@@ -202,7 +202,12 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input, &plan, COMMAND)?, device())?;
+        let measured = timings(
+            &input.scene,
+            &baked,
+            origin(&input, &plan, COMMAND)?,
+            device(rayon::current_num_threads()),
+        )?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
@@ -223,7 +228,7 @@ fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, Cli
         let origin = origin(input, plan, COMMAND)?;
         let empty = Timings {
             origin,
-            device: device(),
+            device: device(rayon::current_num_threads()),
             points: Vec::new(),
             tables: None,
             evaluations: Vec::new(),
@@ -257,12 +262,13 @@ pub fn origin(input: &Input, plan: &Plan, command: &str) -> Result<Origin, CliEr
 }
 
 /// The processor as the system names it, and the threads in use.
-fn device() -> String {
+pub fn device(threads: usize) -> String {
     const LIMIT: u64 = 1 << 20;
     let text = store::read(Path::new("/proc/cpuinfo"), LIMIT).unwrap_or_default();
     let text = String::from_utf8_lossy(&text);
     let model =
         text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':').map(|(_, m)| m.trim()));
-    let threads = rayon::current_num_threads();
-    format!("{} ({}), {threads} threads", model.unwrap_or("processor not named"), std::env::consts::ARCH)
+    let plural = if threads == 1 { "" } else { "s" };
+    let model = model.unwrap_or("processor not named");
+    format!("{model} ({}), {threads} thread{plural}", std::env::consts::ARCH)
 }

@@ -1,12 +1,14 @@
 //! Occlusion culling by depth that arrives late: what the lookups of sub-voxels are emitted for,
 //! and what `lobefit report --study occlusion` simulates.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
-use super::limits;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize};
+
 use super::number::{BufferSide, GridSide, Latency, Numbers, Seed, Whole};
-use super::value::{List, Maybe, Word, about, from_file};
+use super::value::{List, Maybe, Text, TextRule, Word, about, from_file};
+use super::{limits, name};
 
 /// Quarter resolution of 1280 x 720.
 const BUFFER: [u32; 2] = [320, 180];
@@ -34,15 +36,69 @@ pub struct Culling {
     pub passes: Vec<Pass>,
 }
 
-/// A procedural world.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
+/// What is looked at.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
 pub enum World {
+    /// A procedural one.
+    Generated(Generator),
+    /// The triangles of a glTF file, by its path relative to the scene.
+    Mesh(String),
+}
+
+/// A procedural world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Generator {
     /// Blocks of houses with arches, fences and poles.
-    #[default]
     Town,
     /// Trunks, crowns and fences.
     Forest,
+}
+
+impl Generator {
+    const ALL: [(&str, Generator); 2] = [("town", Generator::Town), ("forest", Generator::Forest)];
+}
+
+/// What a string has to be.
+struct WorldText;
+
+impl TextRule for WorldText {
+    const EXPECTED: &'static str = "town, forest, or the relative path of a .glb or .gltf file, in quotes";
+
+    fn check(text: &str) -> Result<(), String> {
+        match [".glb", ".gltf"].into_iter().find(|extension| text.ends_with(extension)) {
+            _ if Generator::ALL.iter().any(|(word, _)| *word == text) => Ok(()),
+            Some(extension) => name::relative(text, extension),
+            None => Err(format!(
+                "`{text}` is neither town nor forest, and no path of a .glb or .gltf file with a mesh"
+            )),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for World {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = Text::<WorldText>::deserialize(deserializer)?.0;
+        let known = Generator::ALL.into_iter().find(|(word, _)| *word == text);
+        Ok(known.map_or(World::Mesh(text), |(_, generator)| World::Generated(generator)))
+    }
+}
+
+impl JsonSchema for World {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "World".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let words = Generator::ALL.map(|(word, _)| word);
+        json_schema!({ "anyOf": [
+            { "type": "string", "enum": words },
+            { "type": "string", "pattern": "\\.(glb|gltf)$", "maxLength": limits::STRING_BYTES },
+        ] })
+    }
 }
 
 /// A camera's path.
@@ -85,9 +141,10 @@ impl Pass {
 #[schemars(rename = "Culling")]
 #[serde(deny_unknown_fields, default, expecting = "an object that describes culling, which may be empty")]
 struct CullingFile {
-    /// What is looked at: `town` (the default) or `forest`.
-    world: Maybe<Word<World>>,
-    /// Seed of the world; default 1.
+    /// What is looked at: `town` (the default), `forest`, or the triangles of a glTF file by its path
+    /// relative to the scene, which the study alone reads.
+    world: Maybe<World>,
+    /// Seed of a world that is generated; default 1.
     seed: Maybe<Whole<Seed>>,
     /// How the camera moves: `turn` (the default), `strafe` or `walk`.
     path: Maybe<Word<CameraPath>>,
@@ -116,7 +173,7 @@ impl TryFrom<CullingFile> for Culling {
             return Err(about("grid", format!("{voxels} voxels are more than {}", limits::VOXELS)));
         }
         Ok(Culling {
-            world: file.world.0.map_or_else(World::default, |w| w.0),
+            world: file.world.0.unwrap_or(World::Generated(Generator::Town)),
             seed: file.seed.0.map_or(1, |n| n.0),
             path: file.path.0.map_or_else(CameraPath::default, |w| w.0),
             buffer: file.buffer.0.map_or(BUFFER, |n| n.0.map(|n| n.0)),

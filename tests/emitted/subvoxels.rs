@@ -75,6 +75,23 @@ fn every_language_returns_the_exact_values() {
     assert!(programs::run(&code, 3, body, &points) == expected, "rust");
 }
 
+/// The costs of the manifest, against the operations of the text counted by hand.
+#[test]
+fn costs_are_those_of_the_text() {
+    let by_hand = [
+        // 4 and, 4 counts, 3 multiply-adds, a product; 4 conversions; rcp and 3 mul; compare, 3 select
+        (4 + 4 + 3 + 1 + 4 + (4 + 3) + (1 + 3), 0, 0),
+        // and
+        (1, 1, 256 * 3 * 4),
+        // of both words 3 shifts, 3 or, and, mul, shift; 2 and, shift, or
+        (2 * (3 + 3 + 1 + 1 + 1) + 2 + 1 + 1, 0, 0),
+    ];
+    for (function, expected) in MASK_FUNCTIONS.iter().zip(by_hand) {
+        let cost = function.cost().expect("a cost");
+        assert_eq!((cost.ops, cost.fetches, cost.bytes), expected, "{}", function.name);
+    }
+}
+
 #[test]
 fn compilers_take_the_files() {
     compile_library(&file(Language::Rust, &subvoxels(Language::Rust)));

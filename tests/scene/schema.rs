@@ -44,8 +44,12 @@ fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &m
             },
             "const" => value == rule,
             "pattern" => {
-                assert_eq!(rule, "\\.json$", "a pattern that this test does not know");
-                value.as_str().is_some_and(|s| s.ends_with(".json"))
+                let ends: &[&str] = match rule.as_str() {
+                    Some("\\.json$") => &[".json"],
+                    Some("\\.(glb|gltf)$") => &[".glb", ".gltf"],
+                    _ => panic!("{rule} is a pattern that this test does not know"),
+                };
+                value.as_str().is_some_and(|s| ends.iter().any(|end| s.ends_with(end)))
             }
             "enum" => rule.as_array().expect("a list").contains(value),
             "oneOf" => rule.as_array().expect("a list").iter().filter(|r| passes(r)).count() == 1,

@@ -1,5 +1,6 @@
 //! Foreign files of materials as scenes: the JSON that one would write by hand, and notes on what a file
-//! says that the scene does not hold. Nothing here opens a file; images come through [`Files`].
+//! says that the scene does not hold; and the triangles of a glTF file ([`mesh()`]). Nothing here opens a
+//! file; images come through [`Files`].
 
 mod gltf;
 pub mod limits;
@@ -11,6 +12,7 @@ mod texture;
 
 use lobefit_strict::SceneError;
 
+pub use gltf::mesh::{Mesh, mesh};
 pub use note::{About, Note};
 pub use texture::{Files, Textures};
 

@@ -7,6 +7,14 @@ pub const MATERIALS: usize = 65_536;
 pub const GLASS_IOR: f64 = 3.0;
 /// Most meshes of a glTF file; as many images, textures, buffers and views of buffers.
 pub const GLTF_LIST: usize = 1 << 20;
+/// Largest glTF file whose triangles are read, bytes.
+pub const MESH_BYTES: u64 = 64 << 20;
+/// Most nodes and scenes of a glTF file whose triangles are read.
+pub const GLTF_NODES: usize = 1 << 16;
+/// Most primitives that its nodes draw, and that one mesh has.
+pub const PARTS: usize = 1 << 16;
+/// Most triangles that its nodes draw.
+pub const TRIANGLES: usize = 1 << 20;
 /// Most extensions that a glTF file uses.
 pub const GLTF_EXTENSIONS: usize = 1024;
 /// Most nodes of a MaterialX document: elements, texts and comments, of some 100 bytes each.

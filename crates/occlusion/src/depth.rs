@@ -32,17 +32,17 @@ impl Depth {
         }
     }
 
-    /// Written texels of a square about a texel, inside of the buffer.
-    fn around(&self, x: usize, y: usize, radius: usize) -> impl Iterator<Item = f32> {
+    /// Rows of a square about a texel, inside of the buffer.
+    fn around(&self, x: usize, y: usize, radius: usize) -> impl Iterator<Item = &[f32]> {
         let [width, height] = self.size;
         let columns = x.saturating_sub(radius)..(x + radius + 1).min(width);
         let rows = y.saturating_sub(radius)..(y + radius + 1).min(height);
-        rows.flat_map(move |row| self.texels[row * width..][columns.clone()].iter().copied())
+        rows.map(move |row| &self.texels[row * width..][columns.clone()])
     }
 
     /// Puts into each empty texel what `fill` makes of the buffer there, all at once; texels
     /// touched.
-    fn filled(&mut self, radius: usize, fill: impl Fn(&Depth, usize, usize) -> f32) -> u64 {
+    fn filled(&mut self, radius: usize, mut fill: impl FnMut(&Depth, usize, usize) -> f32) -> u64 {
         let width = self.size[0];
         let holes: Vec<usize> = (0..self.texels.len()).filter(|i| self.texels[*i] == EMPTY).collect();
         let values: Vec<f32> = holes.iter().map(|i| fill(self, i % width, i / width)).collect();
@@ -56,10 +56,14 @@ impl Depth {
     /// Fills empty texels with the median of the square about them, where more than half of it is
     /// written: the farther of two in the middle. Texels touched.
     pub fn median(&mut self, radius: usize) -> u64 {
+        let mut written = Vec::with_capacity((2 * radius + 1) * (2 * radius + 1));
         self.filled(radius, |depth, x, y| {
-            let mut written: Vec<f32> = depth.around(x, y, radius).collect();
-            let whole = written.len();
-            written.retain(|z| *z != EMPTY);
+            let mut whole = 0;
+            written.clear();
+            for row in depth.around(x, y, radius) {
+                whole += row.len();
+                written.extend(row.iter().copied().filter(|z| *z != EMPTY));
+            }
             if 2 * written.len() <= whole {
                 return EMPTY;
             }
@@ -72,7 +76,7 @@ impl Depth {
     /// up to a radius that has anything. Texels touched.
     pub fn dilation(&mut self, radius: usize) -> u64 {
         self.filled(radius, |depth, x, y| {
-            let farthest = |r| depth.around(x, y, r).fold(EMPTY, f32::max);
+            let farthest = |r| depth.around(x, y, r).flatten().copied().fold(EMPTY, f32::max);
             (1..=radius).map(farthest).find(|z| *z != EMPTY).unwrap_or(EMPTY)
         })
     }

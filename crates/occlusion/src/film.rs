@@ -7,20 +7,17 @@ use rayon::prelude::*;
 use crate::camera::Camera;
 use crate::depth::Depth;
 use crate::grid::Grid;
-use crate::raster::{Cuboid, rendered};
+use crate::raster::rendered;
+use crate::site::Site;
 use lobefit::scene::CameraPath;
 use lobefit_math::ops::{cos, sin};
-
-/// Metres of a street's middle from the origin, of the eye above it.
-const STREETS: [f32; 3] = [32.0, 64.0, 96.0];
-const EYE: f32 = 1.7;
 
 /// How a camera moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shot {
     /// Its path.
     pub path: CameraPath,
-    /// Where it starts: one of nine crossings.
+    /// Which of the nine places of a site it starts from.
     pub start: usize,
     /// Times the usual speed, at which a turn is 3 degrees a frame, a step sideways 0.25 m and one
     /// ahead 0.35 m.
@@ -29,28 +26,30 @@ pub struct Shot {
 
 impl Shot {
     /// The camera of a frame.
-    pub fn camera(&self, frame: usize, size: [usize; 2]) -> Camera {
-        let crossing = [STREETS[self.start % 3], STREETS[self.start / 3 % 3]];
-        // From the middle crossing the first look is along a street.
+    pub fn camera(&self, frame: usize, site: &Site, size: [usize; 2]) -> Camera {
+        let start = &site.starts[self.start];
+        // From the middle place the first look is along y: in a town along a street.
         let (time, first) = (frame as f64 * self.speed, 1.45 + 0.7 * (self.start as f64 - 4.0));
         // Degrees a frame at the fastest are those of the amplitude times the frequency.
         let swing = |amplitude: f64, most: f64| amplitude * sin(time * most / amplitude);
+        let step = |most: f64, each: f64| swing(most.min(start.room), each);
         let (along, angles) = match self.path {
             CameraPath::Turn => {
                 (0.0, [first + swing(1.2, 3_f64.to_radians()), -0.05 + 0.05 * cos(0.1 * time)])
             }
-            CameraPath::Strafe => (swing(9.0, 0.25), [0.1 * first, 0.0]),
-            CameraPath::Walk => (swing(24.0, 0.35), [std::f64::consts::FRAC_PI_2 + swing(0.5, 0.02), 0.0]),
+            CameraPath::Strafe => (step(9.0, 0.25), [0.1 * first, 0.0]),
+            CameraPath::Walk => (step(24.0, 0.35), [std::f64::consts::FRAC_PI_2 + swing(0.5, 0.02), 0.0]),
         };
-        Camera::new([crossing[0], crossing[1] + along as f32, EYE], angles, size)
+        let [x, y, z] = start.eye;
+        Camera::new([x, y + along as f32, z], angles, size)
     }
 }
 
 /// Cameras and depth of the frames of a shot, at the resolution of the buffer and finer.
 #[derive(Clone, Debug)]
 pub struct Film<'a> {
-    /// The world.
-    boxes: &'a [Cuboid],
+    /// What is looked at.
+    pub site: &'a Site,
     /// Size of the buffer.
     pub size: [usize; 2],
     /// Cameras, frame by frame.
@@ -64,22 +63,22 @@ pub struct Film<'a> {
 impl<'a> Film<'a> {
     /// Renders the frames of a shot; finer ones at `frames`.
     pub fn new(
-        boxes: &'a [Cuboid],
+        site: &'a Site,
         (shot, count): (Shot, usize),
         size: [usize; 2],
         fineness: &[usize],
         frames: &[usize],
     ) -> Film<'a> {
-        let cameras: Vec<Camera> = (0..count).map(|frame| shot.camera(frame, size)).collect();
-        let depth = cameras.par_iter().map(|camera| rendered(camera, boxes, size)).collect();
+        let cameras: Vec<Camera> = (0..count).map(|frame| shot.camera(frame, site, size)).collect();
+        let depth = cameras.par_iter().map(|camera| rendered(camera, &site.solids, size)).collect();
         let at = |times: usize| {
             let one = |(i, camera): (usize, &Camera)| {
-                frames.contains(&i).then(|| rendered(camera, boxes, size.map(|n| n * times)))
+                frames.contains(&i).then(|| rendered(camera, &site.solids, size.map(|n| n * times)))
             };
             (times, cameras.par_iter().enumerate().map(one).collect())
         };
         let fine = fineness.iter().map(|times| at(*times)).collect();
-        Film { boxes, size, cameras, depth, fine }
+        Film { site, size, cameras, depth, fine }
     }
 
     /// The depth of a frame, so many times as fine: rendered here where [`Film::new`] was not
@@ -93,7 +92,7 @@ impl<'a> Film<'a> {
             Some(depth) => Cow::Borrowed(depth),
             None => {
                 let size = self.size.map(|n| n * times);
-                Cow::Owned(rendered(&self.cameras[frame], self.boxes, size))
+                Cow::Owned(rendered(&self.cameras[frame], &self.site.solids, size))
             }
         }
     }

@@ -2,10 +2,8 @@
 
 use crate::camera::{Camera, Place};
 use crate::depth::{Depth, EMPTY};
+use crate::raster::Cuboid;
 use lobefit_math::subvoxel::{centroid, from_morton, morton, supervoxel_mask};
-
-/// Metres that a grid spans along x, y and z, from the origin.
-pub const EXTENT: [f32; 3] = [128.0, 128.0, 64.0];
 
 /// Voxels of 2 x 2 x 2 sub-voxels, eight of which lie in a word.
 #[derive(Clone, Debug)]
@@ -17,6 +15,8 @@ pub struct Grid {
     words: Vec<u64>,
     /// Words with any sub-voxel, as they came.
     occupied: Vec<u32>,
+    /// Its lower corner.
+    low: Place,
     /// Side of a sub-voxel along each axis, metres.
     side: Place,
 }
@@ -31,8 +31,8 @@ pub struct Lod {
 }
 
 impl Grid {
-    /// Of so many voxels along each axis, powers of two of at least 2.
-    pub fn new(voxels: [u32; 3]) -> Grid {
+    /// Of so many voxels along each axis, powers of two of at least 2, which span a box.
+    pub fn new(voxels: [u32; 3], bounds: &Cuboid) -> Grid {
         let supers = voxels.map(|n| n / 2);
         let digits = supers.iter().map(|n| n.trailing_zeros()).min().unwrap_or_default();
         Grid {
@@ -40,7 +40,8 @@ impl Grid {
             digits,
             words: vec![0; supers.iter().map(|n| *n as usize).product()],
             occupied: Vec::new(),
-            side: [0, 1, 2].map(|k| EXTENT[k] / (2 * voxels[k]) as f32),
+            low: bounds.low,
+            side: [0, 1, 2].map(|k| (bounds.high[k] - bounds.low[k]) / (2 * voxels[k]) as f32),
         }
     }
 
@@ -64,7 +65,7 @@ impl Grid {
     /// Sets the sub-voxel of a place, in which its lower borders lie; nothing outside of the grid.
     /// Whether it was set.
     pub fn set(&mut self, place: Place) -> bool {
-        let at = [0, 1, 2].map(|k| (place[k] / self.side[k]).floor());
+        let at = [0, 1, 2].map(|k| ((place[k] - self.low[k]) / self.side[k]).floor());
         // Written so that what is not a number is outside.
         if !(0..3).all(|k| at[k] >= 0.0 && at[k] < (4 * self.supers[k]) as f32) {
             return false;
@@ -107,7 +108,7 @@ impl Grid {
         let mut touched = self.occupied.len() as u64;
         for &index in &self.occupied {
             let (word, place) = (self.words[index as usize], self.place(index));
-            let low = [0, 1, 2].map(|k| 4.0 * place[k] as f32 * self.side[k]);
+            let low = [0, 1, 2].map(|k| self.low[k] + 4.0 * place[k] as f32 * self.side[k]);
             // A step of 4, 2 or 1 sub-voxels from a corner in these units.
             let mut point = |corner: Place, centre: Place, step: f32| {
                 let at = [0, 1, 2].map(|k| low[k] + (corner[k] + step * centre[k]) * self.side[k]);

@@ -4,13 +4,15 @@
 //!
 //! | module | purpose |
 //! |---|---|
-//! | [`camera`], [`world`], [`raster`] | what is seen: procedural worlds of boxes, their depth |
+//! | [`camera`], [`raster`] | what is seen of boxes and triangles: their depth |
+//! | [`world`], [`site`] | what there is to see: procedural worlds, or the mesh of a file; what is culled; where cameras stand |
 //! | [`film`] | a camera's path, frame by frame |
 //! | [`depth`], [`reproject`], [`grid`] | buffers, and the passes that make and fill them |
 //! | [`passes`] | the reconstruction |
 //! | [`cull`] | boxes tested against a buffer |
 //! | [`measure`] | errors, holes by their cause, boxes wrongly culled and kept |
 //! | [`study`] | everything that is measured of a scene |
+//! | [`times`] | how long passes take on a machine |
 //! | [`page`] | what a page shows of it |
 
 /// Hash of the code of this package, which results follow from.
@@ -26,5 +28,7 @@ pub mod page;
 pub mod passes;
 pub mod raster;
 pub mod reproject;
+pub mod site;
 pub mod study;
+pub mod times;
 pub mod world;

@@ -156,23 +156,25 @@ pub struct Span<'a> {
     pub voxels: [u32; 3],
 }
 
-/// Measures trials over frames of a film, with boxes that are tested: a tally for each trial.
-pub fn measured(film: &Film, span: &Span, trials: &[Trial], boxes: &[Cuboid]) -> Vec<Tally> {
+/// Measures trials over frames of a film, with the objects of its site: a tally for each trial.
+pub fn measured(film: &Film, span: &Span, trials: &[Trial]) -> Vec<Tally> {
     let mut tallies = vec![Tally::default(); trials.len()];
-    let mut grid = Grid::new(span.voxels);
+    let mut grid = Grid::new(span.voxels, &film.site.bounds);
     let mut next = 0;
     for &frame in span.frames {
         let late = frame - span.latency;
-        film.accumulated(&mut grid, next..late + 1);
+        film.accumulated(&mut grid, next..late);
+        let arrived = film.accumulated(&mut grid, late..late + 1);
         next = late + 1;
         let (camera, truth) = (&film.cameras[frame], &film.depth[frame]);
         let tested: Vec<Tested> =
-            boxes.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
+            film.site.objects.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
         let one = |trials: &&[Trial]| {
             let passes = trials[0].passes;
             let depth = film.fine(passes.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
-            let (buffer, work, _) = passes.run(late, camera, film.size);
+            let (buffer, mut work, _) = passes.run(late, camera, film.size);
+            work.accumulate = if passes.voxels.is_some() { arrived } else { 0 };
             let tested = |trial: &Trial| tally((&buffer, work), (truth, camera), &tested, trial.bias);
             trials.iter().map(tested).collect()
         };

@@ -1,8 +1,9 @@
 //! The reconstruction of a depth buffer, pass by pass.
 
+use std::ops::Add;
 use std::time::Instant;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::camera::Camera;
 use crate::depth::Depth;
@@ -30,34 +31,41 @@ pub struct Passes {
     pub conservative: bool,
 }
 
-/// What each pass took: reprojection, medians, splats of voxels, dilation. Accumulating the voxels
-/// is not among them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+/// What each pass took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Work<T> {
     /// Of the points.
     pub reproject: T,
     /// Of both medians.
     pub median: T,
+    /// Of the depth of a frame, added to the voxels; [`Passes::run`] is given them, and counts none.
+    pub accumulate: T,
     /// Of the splats.
     pub voxels: T,
     /// Of the dilation and the erosion.
     pub dilation: T,
 }
 
-impl Work<u64> {
+impl<T: Copy + Add<Output = T>> Work<T> {
     /// All passes.
-    pub fn total(&self) -> u64 {
-        self.reproject + self.median + self.voxels + self.dilation
+    pub fn total(&self) -> T {
+        self.reproject + self.median + self.accumulate + self.voxels + self.dilation
+    }
+
+    /// What `with` makes of each pass of two.
+    pub fn zip(self, other: Work<T>, with: impl Fn(T, T) -> T) -> Work<T> {
+        Work {
+            reproject: with(self.reproject, other.reproject),
+            median: with(self.median, other.median),
+            accumulate: with(self.accumulate, other.accumulate),
+            voxels: with(self.voxels, other.voxels),
+            dilation: with(self.dilation, other.dilation),
+        }
     }
 
     /// The sum of two.
-    pub fn plus(self, other: Work<u64>) -> Work<u64> {
-        Work {
-            reproject: self.reproject + other.reproject,
-            median: self.median + other.median,
-            voxels: self.voxels + other.voxels,
-            dilation: self.dilation + other.dilation,
-        }
+    pub fn plus(self, other: Work<T>) -> Work<T> {
+        self.zip(other, |a, b| a + b)
     }
 }
 

@@ -3,28 +3,26 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::camera::Camera;
 use crate::depth::Depth;
 use crate::film::{Film, Shot};
 use crate::grid::{Grid, Lod};
 use crate::measure::{Holes, Span, Tally, Trial, measured};
 use crate::passes::{Late, Passes};
-use crate::raster::Cuboid;
-use crate::world::{objects, world};
+use crate::site::Site;
 use lobefit::scene::{CameraPath, Culling, Pass};
 
-/// Boxes that are tested in each frame.
-const BOXES: usize = 8000;
 /// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
 pub const FRAMES: usize = 60;
-const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
+pub(crate) const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
 /// What a scene does not say: radius of the median and of the dilation, levels of detail, margin.
 const MEDIAN: usize = 1;
 const DILATION: usize = 2;
 const LOD: Lod = Lod { near: 12.0, far: 48.0 };
 const BIAS: f32 = 0.01;
-/// Largest part of the visible boxes that parameters may cull on any shot, and of the hidden ones that
-/// they may keep on all together. They are chosen on few shots: there they may cull half of it.
-pub const ALLOWED: [f64; 2] = [0.005, 0.15];
+/// Largest part of the visible boxes that parameters may cull on any of the shots that they are chosen
+/// on, and of the hidden ones that they may keep on all of these together.
+pub const ALLOWED: [f64; 2] = [0.005, 0.2];
 
 /// Every path.
 const PATHS: [CameraPath; 3] = [CameraPath::Turn, CameraPath::Strafe, CameraPath::Walk];
@@ -37,6 +35,11 @@ pub const ALL: Passes = Passes { median: MEDIAN, voxels: Some(LOD), dilation: DI
 pub struct Row {
     /// In words.
     pub name: String,
+    /// Size of the buffer.
+    pub buffer: [usize; 2],
+    /// Voxels of the grid, where it is splatted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub voxels: Option<[u32; 3]>,
     /// The passes and the margin.
     pub trial: Trial,
     /// What was measured.
@@ -56,17 +59,6 @@ pub struct Point {
     pub points: Tally,
     /// Of all passes of the scene.
     pub all: Tally,
-}
-
-/// One resolution.
-#[derive(Clone, Debug, Serialize)]
-pub struct Resolution {
-    /// Of the buffer.
-    pub buffer: [usize; 2],
-    /// Of the grid.
-    pub voxels: [u32; 3],
-    /// Of all passes of the scene.
-    pub tally: Tally,
 }
 
 /// Holes on a path.
@@ -114,14 +106,13 @@ pub struct Pictures {
 pub struct Results {
     /// What the scene asks for.
     pub culling: Culling,
-    /// Every way to make the buffer, on the scene's path.
+    /// Every way to make the buffer, on the scene's path, at its resolutions and at others: see
+    /// [`ways`].
     pub rows: Vec<Row>,
     /// Holes of the old depth by cause, on each path.
     pub causes: Vec<Causes>,
     /// Over latency at the usual speed, then over speed at the scene's latency.
     pub sweep: Vec<Point>,
-    /// Over resolutions.
-    pub resolutions: Vec<Resolution>,
     /// What the scene's parameters do, and the choice of least work that keeps [`ALLOWED`].
     pub choices: [Choice; 2],
     /// Combinations that the choice was made of.
@@ -144,7 +135,7 @@ pub fn passes(culling: &Culling) -> Passes {
 }
 
 /// Every way to make the buffer.
-fn ways() -> Vec<(String, Passes)> {
+fn sources() -> Vec<Way> {
     let sources = [
         ("depth", Passes::POINTS),
         ("depth of twice the resolution", Passes { half: Some(true), ..Passes::NONE }),
@@ -157,33 +148,70 @@ fn ways() -> Vec<(String, Passes)> {
         (", dilation", 0, DILATION),
         (", median, dilation", MEDIAN, DILATION),
     ];
-    let mut ways: Vec<(String, Passes)> = Vec::new();
+    let mut all: Vec<Way> = Vec::new();
     for (source, passes) in sources {
-        ways.extend(fills.map(|(fill, median, dilation)| {
-            (format!("{source}{fill}"), Passes { median, dilation, ..passes })
+        all.extend(fills.map(|(fill, median, dilation)| Way {
+            name: format!("{source}{fill}"),
+            passes: Passes { median, dilation, ..passes },
         }));
     }
-    ways.push(("conservative".into(), Passes::CONSERVATIVE));
-    ways
+    all.push(Way { name: "conservative".into(), passes: Passes::CONSERVATIVE });
+    all
 }
 
-/// The world of a scene, its boxes to be culled, and what a scene asks for.
+/// A way to make the buffer.
+pub struct Way {
+    /// In words.
+    pub name: String,
+    /// Its passes.
+    pub passes: Passes,
+}
+
+/// Ways that are measured with a grid.
+pub struct WithGrid {
+    /// Its voxels.
+    pub voxels: [u32; 3],
+    /// The ways.
+    pub ways: Vec<Way>,
+}
+
+/// A buffer's size with all that is measured of it.
+pub struct Ways {
+    /// Of the buffer.
+    pub buffer: [usize; 2],
+    /// With each grid.
+    pub grids: Vec<WithGrid>,
+}
+
+/// Every way to make the buffer of a scene: at its size, half and one and a half times that, with
+/// its grid, and voxels with grids of half and a quarter of the voxels along each axis. The scene's
+/// own come first.
+pub fn ways(culling: &Culling) -> Vec<Ways> {
+    let sized = |times: f64| culling.buffer.map(|n| ((f64::from(n) * times) as usize).max(16));
+    let grid = |part: u32| {
+        let own = sources().into_iter().filter(|way| part == 1 || way.passes.voxels.is_some());
+        WithGrid { voxels: culling.grid.map(|n| (n / part).max(2)), ways: own.collect() }
+    };
+    [1.0, 0.5, 1.5].map(|times| Ways { buffer: sized(times), grids: [1, 2, 4].map(grid).into() }).into()
+}
+
+/// What a scene asks for, and what is looked at.
+#[derive(Clone, Copy)]
 struct Set<'a> {
     culling: &'a Culling,
-    boxes: Vec<Cuboid>,
-    objects: Vec<Cuboid>,
+    site: &'a Site,
     size: [usize; 2],
 }
 
-impl Set<'_> {
+impl<'a> Set<'a> {
     fn shot(&self, path: CameraPath, start: usize, speed: f64) -> (Shot, usize) {
         (Shot { path, start, speed }, FRAMES)
     }
 
-    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'_> {
+    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'a> {
         let latency = self.culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
-        Film::new(&self.boxes, shot, self.size, fineness, &late)
+        Film::new(self.site, shot, self.size, fineness, &late)
     }
 
     fn span(&self, latency: usize) -> Span<'static> {
@@ -191,19 +219,32 @@ impl Set<'_> {
     }
 
     fn rows(&self) -> Vec<Row> {
-        let film = self.film(self.shot(self.culling.path, 4, 1.0), &[2, 4]);
-        let ways = ways();
-        let trials: Vec<Trial> =
-            ways.iter().map(|(_, passes)| Trial { passes: *passes, bias: BIAS }).collect();
-        let tallies = measured(&film, &self.span(self.culling.latency as usize), &trials, &self.objects);
-        let rows = ways.into_iter().zip(trials).zip(tallies);
-        rows.map(|(((name, _), trial), tally)| Row { name, trial, tally }).collect()
+        let latency = self.culling.latency as usize;
+        let of_buffer = |Ways { buffer, grids }: Ways| {
+            let set = Set { size: buffer, ..*self };
+            let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2, 4]);
+            let of_grid = |WithGrid { voxels, ways }: WithGrid| {
+                let trial = |way: &Way| Trial { passes: way.passes, bias: BIAS };
+                let trials: Vec<Trial> = ways.iter().map(trial).collect();
+                let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
+                let row = move |(way, tally): (Way, Tally)| Row {
+                    voxels: way.passes.voxels.map(|_| voxels),
+                    trial: trial(&way),
+                    name: way.name,
+                    buffer,
+                    tally,
+                };
+                ways.into_iter().zip(tallies).map(row).collect::<Vec<_>>()
+            };
+            grids.into_iter().flat_map(of_grid).collect::<Vec<_>>()
+        };
+        ways(self.culling).into_iter().flat_map(of_buffer).collect()
     }
 
     fn causes(&self, path: CameraPath) -> Causes {
         let film = self.film(self.shot(path, 4, 1.0), &[]);
         // No pass of voxels reads it.
-        let none = Grid::new([2; 3]);
+        let none = Grid::new([2; 3], &self.site.bounds);
         let mut sum = Holes::default();
         for &frame in &MEASURED {
             let late = frame - self.culling.latency as usize;
@@ -234,7 +275,7 @@ impl Set<'_> {
         let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
             let film = self.film(self.shot(*path, 4, *speed), &[]);
             let at = |latency: usize| {
-                let found = measured(&film, &self.span(latency), &trials, &self.objects);
+                let found = measured(&film, &self.span(latency), &trials);
                 Point { path: *path, latency, speed: *speed, points: found[0], all: found[1] }
             };
             latencies.clone().into_par_iter().map(at).collect::<Vec<_>>()
@@ -242,30 +283,21 @@ impl Set<'_> {
         cases.par_iter().flat_map_iter(one).collect()
     }
 
-    fn resolutions(&self) -> Vec<Resolution> {
-        let buffers = [0.5, 1.0, 1.5].map(|times| self.size.map(|n| ((n as f64 * times) as usize).max(16)));
-        let grids = [4, 2, 1].map(|part| self.culling.grid.map(|n| (n / part).max(2)));
-        let trial = Trial { passes: passes(self.culling), bias: BIAS };
-        let one = |buffer: &[usize; 2]| {
-            let set =
-                Set { size: *buffer, boxes: self.boxes.clone(), objects: self.objects.clone(), ..*self };
-            let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2]);
-            let at = |voxels: &[u32; 3]| {
-                let span = Span { voxels: *voxels, ..set.span(self.culling.latency as usize) };
-                let tally = measured(&film, &span, &[trial], &set.objects)[0];
-                Resolution { buffer: *buffer, voxels: *voxels, tally }
-            };
-            grids.iter().map(at).collect::<Vec<_>>()
-        };
-        buffers.iter().flat_map(one).collect()
-    }
-
     fn pictures(&self) -> Pictures {
         let (film, latency) =
             (self.film(self.shot(self.culling.path, 4, 1.0), &[]), self.culling.latency as usize);
-        // Of those measured on a turn, it is the fastest here.
-        let frame = MEASURED[7];
-        let mut grid = Grid::new(self.culling.grid);
+        // What is 10 m ahead has moved farthest since the depth that has arrived.
+        let ahead = |frame: usize| {
+            let Camera { eye, axes, .. } = film.cameras[frame];
+            [0, 1, 2].map(|k| eye[k] + 10.0 * axes[2][k])
+        };
+        let moved = |frame: usize| {
+            let [from, to] = [ahead(frame - latency), ahead(frame)];
+            (0..3).map(|k| (to[k] - from[k]) * (to[k] - from[k])).sum::<f32>()
+        };
+        let fastest = MEASURED.into_iter().max_by(|a, b| moved(*a).total_cmp(&moved(*b)));
+        let frame = fastest.unwrap_or(MEASURED[0]);
+        let mut grid = Grid::new(self.culling.grid, &self.site.bounds);
         film.accumulated(&mut grid, 0..frame - latency + 1);
         let late =
             Late { camera: &film.cameras[frame - latency], depth: &film.depth[frame - latency], grid: &grid };
@@ -299,7 +331,7 @@ impl Set<'_> {
         let voxels = lods.map(|(near, far)| Some(Lod { near, far }));
         for [median, dilation] in [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2], [2, 0], [2, 1], [2, 2]] {
             for voxels in voxels.into_iter().chain([None]) {
-                for erosion in [0, 1, 2] {
+                for erosion in [0, 1, 2, 3] {
                     let passes = Passes { half, median, voxels, dilation, erosion, ..Passes::NONE };
                     trials.extend([0.01, 0.1].map(|bias| Trial { passes, bias }));
                 }
@@ -309,13 +341,13 @@ impl Set<'_> {
     }
 
     /// What trials do on shots, three paths from places: all shots of each trial.
-    fn on(&self, starts: &[usize], trials: &[Trial]) -> Vec<OnShots> {
+    fn on(&self, (starts, frames): (&[usize], &[usize]), trials: &[Trial]) -> Vec<OnShots> {
         let shots: Vec<_> =
             PATHS.into_iter().flat_map(|path| starts.iter().map(move |start| (path, *start))).collect();
         let one = |(path, start): &(CameraPath, usize)| {
             let film = self.film(self.shot(*path, *start, 1.0), &[2]);
-            let span = Span { frames: &MEASURED[6..], ..self.span(self.culling.latency as usize) };
-            measured(&film, &span, trials, &self.objects)
+            let span = Span { frames, ..self.span(self.culling.latency as usize) };
+            measured(&film, &span, trials)
         };
         let all: Vec<Vec<Tally>> = shots.par_iter().map(one).collect();
         let of = |i: usize| OnShots {
@@ -333,15 +365,16 @@ impl Set<'_> {
         let mut trials = self.combinations();
         let count = trials.len();
         trials.push(own);
-        let found = self.on(&[0, 5], &trials);
+        let found = self.on((&[0, 2, 5, 7], &MEASURED[6..]), &trials);
         let broken = |i: usize| {
-            let rates = [2.0 * found[i].most_culled, found[i].sum.wrongly_kept()];
+            let rates = [found[i].most_culled, found[i].sum.wrongly_kept()];
             (0..2).map(|k| rates[k] / ALLOWED[k]).fold(1.0, f64::max)
         };
-        let work = |i: &usize| found[*i].sum.work.total();
-        let rank = |a: &usize, b: &usize| broken(*a).total_cmp(&broken(*b)).then(work(a).cmp(&work(b)));
+        // Of two of the same work the one that culls less.
+        let cost = |i: usize| (found[i].sum.work.total(), found[i].sum.culled);
+        let rank = |a: &usize, b: &usize| broken(*a).total_cmp(&broken(*b)).then(cost(*a).cmp(&cost(*b)));
         let best = (0..count).min_by(rank).unwrap_or(count);
-        let reported = self.on(&[2, 7], &[trials[count], trials[best]]);
+        let reported = self.on((&[1, 3, 8], &MEASURED), &[trials[count], trials[best]]);
         let choice =
             |i: usize, k: usize| Choice { trial: trials[i], chosen: found[i], reported: reported[k] };
         ([choice(count, 0), choice(best, 1)], count)
@@ -349,17 +382,14 @@ impl Set<'_> {
 }
 
 /// Measures the culling of a scene: the same results on every run, for any number of threads.
-pub fn results(culling: &Culling) -> Results {
-    let boxes = world(culling.world, culling.seed);
-    let (objects, size) = (objects(culling.seed, BOXES), culling.buffer.map(|n| n as usize));
-    let set = Set { culling, boxes, objects, size };
+pub fn results(culling: &Culling, site: &Site) -> Results {
+    let set = Set { culling, site, size: culling.buffer.map(|n| n as usize) };
     let (choices, combinations) = set.choices();
     Results {
         culling: culling.clone(),
         rows: set.rows(),
         causes: PATHS.map(|path| set.causes(path)).to_vec(),
         sweep: set.sweep(),
-        resolutions: set.resolutions(),
         choices,
         combinations,
         pictures: set.pictures(),

@@ -1,8 +1,11 @@
-//! Procedural worlds of boxes in the extent of a grid, by name and seed.
+//! Procedural worlds of boxes within [`BOUNDS`], by name and seed.
 
 use crate::camera::Place;
 use crate::raster::Cuboid;
-use lobefit::scene::World;
+use lobefit::scene::Generator;
+
+/// What a grid spans of a generated world, metres.
+pub const BOUNDS: Cuboid = Cuboid { low: [0.0; 3], high: [128.0, 128.0, 64.0] };
 
 /// A generator of pseudo-random numbers (SplitMix64; Steele, Lea and Flood 2014).
 #[derive(Clone, Debug)]
@@ -29,14 +32,14 @@ const BLOCK: f32 = 32.0;
 const HALF_STREET: f32 = 4.0;
 
 /// Everything that stands in a world, its ground first.
-pub fn world(kind: World, seed: u32) -> Vec<Cuboid> {
+pub fn world(kind: Generator, seed: u32) -> Vec<Cuboid> {
     let mut random = Random::new(u64::from(seed));
     let mut boxes = vec![Cuboid { low: [-512.0, -512.0, -1.0], high: [640.0, 640.0, 0.0] }];
     for block in 0..BLOCKS * BLOCKS {
         let [x, y] = [block % BLOCKS, block / BLOCKS].map(|n| BLOCK * n as f32);
         match kind {
-            World::Town => town(&mut random, [x, y, 0.0], block, &mut boxes),
-            World::Forest => forest(&mut random, [x, y, 0.0], &mut boxes),
+            Generator::Town => town(&mut random, [x, y, 0.0], block, &mut boxes),
+            Generator::Forest => forest(&mut random, [x, y, 0.0], &mut boxes),
         }
     }
     boxes

@@ -48,11 +48,15 @@ struct Options {
     /// Fewer and smaller pictures, in seconds
     #[arg(long)]
     reduced: bool,
+    /// Time the passes on this machine first, and keep the record beside the page, which shows it
+    /// from then on (occlusion)
+    #[arg(long)]
+    times: bool,
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
     /// Say which studies in a folder are not of this version
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["study", "scene", "reduced", "out"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["study", "scene", "reduced", "times", "out"])]
     check: Option<PathBuf>,
     #[command(flatten)]
     threads: ThreadsOption,
@@ -89,7 +93,24 @@ fn of_scene(study: &dyn Study, file: &Path) -> Result<Box<dyn Study>, CliError> 
     let scene = Scene::from_json(&store::read(file, limits::FILE_BYTES)?, &name)?;
     let refused =
         || CliError::Usage(format!("--scene {name}: it does not call for the study {}", study.name()));
-    study.of_scene(&scene).ok_or_else(refused)
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let beside = |path: &str, field: &str, limit: u64| {
+        let named = |source| CliError::NamedFile { scene: name.clone(), field: field.into(), source };
+        let path = store::inside(folder, path).map_err(named)?;
+        Ok((path.display().to_string(), store::read(&path, limit).map_err(named)?))
+    };
+    study.of_scene(&scene, &beside)?.ok_or_else(refused)
+}
+
+/// The record of times that a study's page shows: measured now, or what lies beside the page.
+fn record(options: &Options, study: &dyn Study, size: Size) -> Result<Option<Vec<u8>>, CliError> {
+    if options.times {
+        let found = study.timed(size, format!("{} --times", study.command(size)))?;
+        let refused = || CliError::Usage(format!("--times: the study {} times nothing", study.name()));
+        return found.ok_or_else(refused).map(Some);
+    }
+    let file = study.times_file(size);
+    Ok(store::read_set(&options.out, [file.as_str()], FILE_BYTES)?.remove(&file))
 }
 
 /// Runs a study and writes it.
@@ -98,8 +119,19 @@ fn make(options: &Options, study: &dyn Study) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
     let progress = Spinner::new(options.quiet || options.json);
-    let files = options.threads.install(|| Ok(study::run(study, size, &progress)?))?;
+    let record = options.threads.install(|| record(options, study, size))?;
+    let timed = record.as_deref().map(|record| study.with_times(record)).transpose();
+    let timed = timed.map_err(|e| {
+        let file = study.times_file(size);
+        CliError::Usage(format!("{file}: no record of `{} --times`: {e}", study.command(size)))
+    })?;
+    let timed = timed.flatten();
+    let study = timed.as_deref().unwrap_or(study);
+    let mut files = options.threads.install(|| Ok(study::run(study, size, &progress)?))?;
     drop(progress);
+    if let Some(record) = record.filter(|_| options.times) {
+        files.insert(study.times_file(size), record);
+    }
     let written = folder.write(&files)?;
     if options.json {
         let [_, results] = study.files(size);

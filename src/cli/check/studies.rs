@@ -39,7 +39,7 @@ struct Stale {
 pub(super) fn placed(name: &str) -> bool {
     let rest = name.strip_prefix(FOLDER).and_then(|rest| rest.strip_prefix('/'));
     rest.and_then(|rest| rest.split_once('/'))
-        .is_some_and(|(_, file)| ["index.html", "results.json"].contains(&file))
+        .is_some_and(|(_, file)| ["index.html", "results.json", "times.json"].contains(&file))
 }
 
 /// Asks for the studies in a folder, if there are any.

@@ -11,7 +11,7 @@ use crate::emit::call::{Call, MaskLookup};
 use crate::emit::manifest::CostEntry;
 use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
 use crate::scene::{Goals, Pass, Scene};
-use lobefit_shade::code::{MASK_FUNCTIONS, MaskFunction, subvoxels};
+use lobefit_shade::code::{MASK_FUNCTIONS, MaskCost, MaskFunction, subvoxels};
 
 /// The effect.
 pub struct Occlusion;
@@ -94,16 +94,15 @@ impl Effect for Occlusion {
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         let mut made = Made::new(called, Some(0.0), METRIC);
         for function in &MASK_FUNCTIONS {
-            made.part.entries.masks.push(entry(function));
-            made.part.entries.calls.push(call(function));
+            let cost = cost(function)?;
+            made.part.entries.masks.push(entry(function, cost.clone()));
+            made.part.entries.calls.push(call(function, cost));
         }
         made.code(context, |language| Ok(subvoxels(language)))?;
         if context.reports(self.name()) {
             let finding = called.finding(Some(0.0), METRIC);
-            made.page(
-                page(context.origin()),
-                &Figures { effect: finding, functions: made.part.entries.masks.clone() },
-            )?;
+            let functions = made.part.entries.masks.clone();
+            made.page(page(context.origin(), &functions), &Figures { effect: finding, functions })?;
         }
         Ok(made)
     }
@@ -116,23 +115,24 @@ struct Figures {
     functions: Vec<MaskLookup>,
 }
 
-fn cost(function: &MaskFunction) -> CostEntry {
-    CostEntry { ops: function.ops, fetches: u32::from(function.bytes > 0), bytes: function.bytes }
+fn cost(function: &MaskFunction) -> Result<CostEntry, BakeError> {
+    let MaskCost { ops, fetches, bytes } = function.cost().map_err(|e| BakeError::Effect(Box::new(e)))?;
+    Ok(CostEntry { ops, fetches, bytes })
 }
 
-fn entry(function: &MaskFunction) -> MaskLookup {
+fn entry(function: &MaskFunction, cost: CostEntry) -> MaskLookup {
     MaskLookup {
         effect: Occlusion.name().into(),
         function: function.name.into(),
         inputs: function.inputs.iter().map(ToString::to_string).collect(),
         gives: function.gives.into(),
-        cost: cost(function),
+        cost,
     }
 }
 
 /// What the culling calls, each for itself: which way to the centroid is cheaper, compiled code
 /// says.
-fn call(function: &MaskFunction) -> Call {
+fn call(function: &MaskFunction, cost: CostEntry) -> Call {
     Call {
         effect: Occlusion.name().into(),
         of: CULLING.into(),
@@ -143,20 +143,19 @@ fn call(function: &MaskFunction) -> Call {
         file: None,
         max_error: 0.0,
         metric: METRIC.into(),
-        cost: cost(function),
+        cost,
         price: None,
     }
 }
 
-fn page(origin: Origin) -> Page {
+fn page(origin: Origin, functions: &[MaskLookup]) -> Page {
     let columns = [("function", false), ("gives", false), ("ops", true), ("fetches", true), ("bytes", true)];
-    let row = |function: &MaskFunction| {
-        let CostEntry { ops, fetches, bytes } = cost(function);
-        let call = format!("{}({})", function.name, function.inputs.join(", "));
-        vec![call, function.gives.into(), ops.to_string(), fetches.to_string(), bytes.to_string()]
+    let row = |MaskLookup { function, inputs, gives, cost, .. }: &MaskLookup| {
+        let call = format!("{function}({})", inputs.join(", "));
+        vec![call, gives.clone(), cost.ops.to_string(), cost.fetches.to_string(), cost.bytes.to_string()]
     };
     let caption = "Errors are 0: the nearest floats of the exact means, where a division is rounded once. Compiled costs: docs/occlusion.md.";
-    let table = words::table(&columns, MASK_FUNCTIONS.iter().map(row).collect(), caption);
+    let table = words::table(&columns, functions.iter().map(row).collect(), caption);
     let lead = "Bit b = x + 2 y + 4 z of a mask is the sub-voxel at (x, y, z), each 0 or 1, with its centre at 0.25 or 0.75 of the cell. Mask 0 \
                 has no centroid: (-1, -1, -1) stands for it. Byte b of a super-voxel of 64 bits is the mask of the cell at (x, y, z) of the same order.";
     let section = Section {

@@ -9,6 +9,9 @@ fn what_is_no_culling_is_refused() {
     let culling = |fields: &str| top(&format!("\"culling\":{{{fields}}}"));
     refused(vec![
         case(culling("\"speed\":1"), "culling.speed: unknown field `speed`"),
+        case(culling("\"world\":\"city\""), "culling.world: `city` is neither town nor forest"),
+        case(culling("\"world\":\"../a.glb\""), "culling.world: `../a.glb` holds an empty part"),
+        case(culling("\"world\":{}"), "culling.world: "),
         case(culling("\"path\":\"fly\""), "culling.path: unknown variant `fly`"),
         case(culling("\"latency\":0"), "culling.latency: 0 is outside [1, 8]"),
         case(culling("\"latency\":2.5"), "culling.latency: "),

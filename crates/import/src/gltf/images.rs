@@ -1,14 +1,11 @@
 //! Where the images of a glTF file are: in the file, in another's buffer, or in files beside it.
 
-use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
-
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use lobefit_strict::value::{List, Maybe};
 use lobefit_strict::{SceneError, read_object};
 use serde::Deserialize;
 
+use super::Wrong;
+use super::buffers::{Buffer, Buffers, View, at, data, is_data};
 use crate::limits::GLTF_LIST;
 use crate::texture::{Outcome, Place, Textures, relative};
 
@@ -52,37 +49,11 @@ struct Image {
     buffer_view: Maybe<usize>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase", expecting = "an object that describes a view of a buffer")]
-struct View {
-    buffer: usize,
-    #[serde(default)]
-    byte_offset: u64,
-    byte_length: u64,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(rename_all = "camelCase", default, expecting = "an object that describes a buffer")]
-struct Buffer {
-    uri: Maybe<String>,
-}
-
-/// What is wrong with a field: its path, and the message.
-pub(super) type Wrong = (String, String);
-
 /// The images of a document.
 pub(super) struct Images<'a, 't> {
     storage: Storage,
     textures: &'a mut Textures<'t>,
     buffers: Buffers,
-}
-
-/// Where the buffers of a document are.
-struct Buffers {
-    /// First byte of the chunk behind the JSON of a binary file, and its length.
-    chunk: Option<[u64; 2]>,
-    /// The bytes of those in the text that were asked for, by their number.
-    decoded: BTreeMap<usize, Vec<u8>>,
 }
 
 impl<'a, 't> Images<'a, 't> {
@@ -96,7 +67,7 @@ impl<'a, 't> Images<'a, 't> {
         textures: &'a mut Textures<'t>,
         chunk: Option<[u64; 2]>,
     ) -> Result<Images<'a, 't>, SceneError> {
-        let buffers = Buffers { chunk, decoded: BTreeMap::new() };
+        let buffers = Buffers::new(chunk);
         Ok(Images { storage: read_object(json, file, usize::MAX)?, textures, buffers })
     }
 
@@ -119,11 +90,13 @@ impl<'a, 't> Images<'a, 't> {
             (Some(uri), _) => {
                 Place::Beside(relative(uri).map_err(|message| (format!("{path}.uri"), message))?, None)
             }
-            (None, Some(view)) => self.buffers.place(&self.storage, view)?,
+            (None, Some(view)) => {
+                self.buffers.place((&self.storage.buffer_views, &self.storage.buffers), view)?
+            }
             (None, None) => return Err((path, "it has neither `uri` nor `bufferView`".into())),
         };
         let inline = || match place {
-            Place::Buffer(buffer, [from, to]) => Ok(self.buffers.decoded[&buffer][from..to].to_vec()),
+            Place::Buffer(buffer, range) => Ok(self.buffers.decoded(buffer, range).to_vec()),
             _ => data(image.uri.0.as_deref().unwrap_or_default()),
         };
         self.textures.image(&place, inline).map_err(|message| (path, message))
@@ -133,59 +106,4 @@ impl<'a, 't> Images<'a, 't> {
     pub fn quantile(&self) -> f64 {
         self.textures.quantile()
     }
-}
-
-impl Buffers {
-    /// Where the bytes of a view are; a buffer in the text is decoded the first time.
-    fn place(&mut self, storage: &Storage, index: usize) -> Result<Place, Wrong> {
-        let view = at(&storage.buffer_views, index, "bufferViews", "view")?;
-        let path = format!("bufferViews[{index}]");
-        let beyond = || (path.clone(), "it reaches beyond its buffer".to_string());
-        let end = view.byte_offset.checked_add(view.byte_length).ok_or_else(beyond)?;
-        let buffer = at(&storage.buffers, view.buffer, "buffers", "buffer")?;
-        let wrong = |field: &str, message: String| (format!("buffers[{}]{field}", view.buffer), message);
-        match (&buffer.uri.0, self.chunk) {
-            (None, Some([first, length])) if view.buffer == 0 => {
-                let within = end <= length;
-                within.then_some(Place::Own([first + view.byte_offset, view.byte_length])).ok_or_else(beyond)
-            }
-            (None, _) => Err(wrong("", "it has no `uri`".into())),
-            (Some(uri), _) if is_data(uri) => {
-                let bytes = match self.decoded.entry(view.buffer) {
-                    Entry::Occupied(known) => known.into_mut(),
-                    Entry::Vacant(free) => free.insert(data(uri).map_err(|m| wrong(".uri", m))?),
-                };
-                let range = usize::try_from(view.byte_offset).ok().zip(usize::try_from(end).ok());
-                let range = range.filter(|(_, to)| *to <= bytes.len());
-                range.map(|(from, to)| Place::Buffer(view.buffer, [from, to])).ok_or_else(beyond)
-            }
-            (Some(uri), _) => {
-                let name = relative(uri).map_err(|m| wrong(".uri", m))?;
-                Ok(Place::Beside(name, Some([view.byte_offset, view.byte_length])))
-            }
-        }
-    }
-}
-
-/// An entry of a list of the document.
-fn at<'l, T, const MAX: usize>(
-    list: &'l Maybe<List<T, MAX>>,
-    index: usize,
-    field: &str,
-    one: &str,
-) -> Result<&'l T, Wrong> {
-    let list = list.0.as_ref().map_or(&[][..], |list| &list.0);
-    let none = || (field.to_string(), format!("{one} {index} is none of the file's {}", list.len()));
-    list.get(index).ok_or_else(none)
-}
-
-/// Whether a URI holds its bytes itself.
-fn is_data(uri: &str) -> bool {
-    uri.starts_with("data:")
-}
-
-/// The bytes that a `data:` URI holds.
-fn data(uri: &str) -> Result<Vec<u8>, String> {
-    let (_, text) = uri.split_once(";base64,").ok_or("its `data:` is not in base64")?;
-    STANDARD.decode(text).map_err(|e| format!("its base64 is broken: {e}"))
 }

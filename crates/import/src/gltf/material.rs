@@ -3,8 +3,9 @@
 use lobefit_strict::number::{In, Numbers};
 use lobefit_strict::value::Maybe;
 
+use super::Wrong;
 use super::document::{Extensions, Glossiness, Material, Metallic, Texture};
-use super::images::{Images, Wrong};
+use super::images::Images;
 use crate::note::Said;
 use crate::scene::Parts;
 use crate::surface::{Reflectance, Shape, Surface, f0_of};

@@ -2,9 +2,12 @@
 //! is from 0 to the factor. What is drawn counts: the materials of primitives and of their variants, or
 //! all where the file has no mesh.
 
+mod buffers;
 mod document;
 mod images;
 pub(crate) mod material;
+pub(crate) mod mesh;
+mod nodes;
 
 use std::collections::BTreeSet;
 
@@ -18,6 +21,9 @@ use super::texture::Textures;
 use document::{Document, KNOWN, Material};
 use images::Images;
 use material::parts;
+
+/// What is wrong with a field: its path, and the message.
+type Wrong = (String, String);
 
 /// What a binary file begins with.
 pub(crate) const MAGIC: &[u8] = b"glTF";
@@ -41,10 +47,7 @@ pub(crate) fn read(
         |path: &str, message: String| SceneError::Whole { file: file.into(), path: path.into(), message };
     let (json, chunk) = chunks(bytes).map_err(|message| whole("", message))?;
     let document: Document = read_object(json, file, usize::MAX)?;
-    if !document.asset.version.starts_with("2.") {
-        let message = format!("`{}` is not a version of glTF 2", document.asset.version);
-        return Err(whole("asset.version", message));
-    }
+    version(&document.asset).map_err(|(path, message)| whole(&path, message))?;
     let mut images = match textures {
         Some(textures) => Some(Images::of(json, file, textures, chunk)?),
         None => None,
@@ -74,6 +77,13 @@ pub(crate) fn read(
         writer.note(About::Missing, text, None);
     }
     Ok(writer.finish())
+}
+
+/// Refuses another version than 2.
+fn version(asset: &document::Asset) -> Result<(), Wrong> {
+    let is_known = asset.version.starts_with("2.");
+    let message = || format!("`{}` is not a version of glTF 2", asset.version);
+    is_known.then_some(()).ok_or_else(|| ("asset.version".into(), message()))
 }
 
 /// The JSON of a file, all of it or the first chunk of a binary one; of a binary one the first byte of
@@ -113,7 +123,7 @@ struct Drawn {
 }
 
 /// Which materials are drawn; the place of an index that no material has, and the message.
-fn drawn(document: &Document, count: usize) -> Result<Drawn, (String, String)> {
+fn drawn(document: &Document, count: usize) -> Result<Drawn, Wrong> {
     let meshes = document.meshes.0.as_ref().map_or(&[][..], |list| &list.0);
     if meshes.is_empty() {
         return Ok(Drawn { of: (0..count).collect(), has_default: false });

@@ -4,9 +4,10 @@
 use lobefit_occlusion::camera::{Camera, NEAR};
 use lobefit_occlusion::cull::{Verdict, test};
 use lobefit_occlusion::depth::{Depth, EMPTY};
-use lobefit_occlusion::grid::{EXTENT, Grid, Lod};
-use lobefit_occlusion::raster::{Cuboid, is_seen, rendered};
+use lobefit_occlusion::grid::{Grid, Lod};
+use lobefit_occlusion::raster::{Cuboid, Solids, is_seen, rendered};
 use lobefit_occlusion::reproject::{reproject, reproject_conservatively};
+use lobefit_occlusion::world::BOUNDS;
 
 const SIZE: [usize; 2] = [32, 32];
 
@@ -108,10 +109,10 @@ fn boxes_without_area_or_place() {
 #[test]
 fn boxes_around_the_camera() {
     let camera = ahead();
-    let around = rendered(&camera, &[Cuboid { low: [-2.0; 3], high: [2.0; 3] }], SIZE);
+    let around = rendered(&camera, &Solids::of(&[Cuboid { low: [-2.0; 3], high: [2.0; 3] }]), SIZE);
     assert!(around.texels.iter().all(|z| *z == f32::INFINITY), "its faces look away");
     let below = Cuboid { low: [-9.0, -9.0, -2.0], high: [9.0, 9.0, -0.01] };
-    let cut = rendered(&camera, &[below], SIZE);
+    let cut = rendered(&camera, &Solids::of(&[below]), SIZE);
     assert!(cut.texels.iter().all(|z| *z >= NEAR * 0.999) && cut.texels.iter().any(|z| z.is_finite()));
 }
 
@@ -119,15 +120,22 @@ fn boxes_around_the_camera() {
 /// camera in a cell sees nothing of it.
 #[test]
 fn borders_of_the_grid_and_the_camera_in_a_cell() {
-    for voxels in [[64, 64, 32], [8, 64, 2], [2, 2, 2]] {
-        let mut grid = Grid::new(voxels);
-        assert!(grid.set([0.0; 3]) && grid.set([0, 1, 2].map(|k| EXTENT[k].next_down())));
-        assert!(!grid.set(EXTENT) && !grid.set([EXTENT[0], 0.0, 0.0]) && !grid.set([-1e-6, 0.0, 0.0]));
-        assert!(!grid.set([f32::NAN, 0.0, 0.0]) && !grid.set([0.0, f32::INFINITY, 0.0]));
+    let moved = Cuboid { low: [-7.0, 3.0, -1.0], high: [9.0, 4.0, 1.0] };
+    for (voxels, bounds) in
+        [([64, 64, 32], BOUNDS), ([8, 64, 2], BOUNDS), ([2, 2, 2], BOUNDS), ([8, 2, 4], moved)]
+    {
+        let mut grid = Grid::new(voxels, &bounds);
+        let Cuboid { low, high } = bounds;
+        // From a corner that is not the origin, distances are rounded.
+        let below = |x: f32| if low == [0.0; 3] { x.next_down() } else { x - 1e-6 };
+        assert!(grid.set(low) && grid.set(high.map(below)));
+        assert!(!grid.set(high) && !grid.set([high[0], low[1], low[2]]));
+        assert!(!grid.set([low[0] - 1e-6, low[1], low[2]]));
+        assert!(!grid.set([f32::NAN, low[1], low[2]]) && !grid.set([low[0], f32::INFINITY, low[2]]));
         assert_eq!(grid.count(), 2);
     }
-    let mut grid = Grid::new([64, 64, 32]);
-    let cell = EXTENT[0] / 64.0;
+    let mut grid = Grid::new([64, 64, 32], &BOUNDS);
+    let cell = BOUNDS.high[0] / 64.0;
     let middle = [16.0 * cell + 0.6 * cell, 16.0 * cell + 0.6 * cell, 4.0 * cell + 0.6 * cell];
     assert!(grid.set(middle));
     for back in [0.0, 0.2 * cell] {

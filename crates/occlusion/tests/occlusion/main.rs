@@ -3,5 +3,6 @@
 
 mod conservative;
 mod hard;
+mod mesh;
 mod parts;
 mod study;

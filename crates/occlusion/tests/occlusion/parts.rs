@@ -2,10 +2,11 @@
 
 use lobefit_occlusion::camera::Camera;
 use lobefit_occlusion::depth::{Depth, EMPTY};
-use lobefit_occlusion::grid::{EXTENT, Grid, Lod};
+use lobefit_occlusion::grid::{Grid, Lod};
 use lobefit_occlusion::measure::{Holes, error};
-use lobefit_occlusion::raster::{Cuboid, rendered};
+use lobefit_occlusion::raster::{Cuboid, Solids, rendered};
 use lobefit_occlusion::reproject::reproject;
+use lobefit_occlusion::world::BOUNDS;
 
 const SIZE: [usize; 2] = [64, 40];
 
@@ -22,7 +23,7 @@ fn depth_is_that_of_rays() {
         Cuboid { low: [-90.0, -90.0, -1.0], high: [90.0, 90.0, 0.0] },
     ];
     let camera = looking([10.0, 0.0, 1.7], 0.05);
-    let depth = rendered(&camera, &boxes, SIZE);
+    let depth = rendered(&camera, &Solids::of(&boxes), SIZE);
     let [corner, across, down] = camera.rays(SIZE);
     for (i, found) in depth.texels.iter().enumerate() {
         let (x, y) = ((i % SIZE[0]) as f32 + 0.5, (i / SIZE[0]) as f32 + 0.5);
@@ -54,7 +55,7 @@ fn reprojection_of_now_is_now_and_holes_have_causes() {
         Cuboid { low: [40.0, -90.0, -50.0], high: [41.0, 90.0, 50.0] },
     ];
     let camera = looking([0.0, 0.0, 0.0], 0.0);
-    let depth = rendered(&camera, &boxes, SIZE);
+    let depth = rendered(&camera, &Solids::of(&boxes), SIZE);
     let into = |to: &Camera| {
         let mut out = Depth::empty(SIZE);
         reproject(&depth, &camera, to, &mut out);
@@ -63,7 +64,7 @@ fn reprojection_of_now_is_now_and_holes_have_causes() {
     let same = into(&camera);
     assert!(same.texels.iter().zip(&depth.texels).all(|(a, b)| (a - b).abs() < 1e-4 * b));
     let holes = |to: Camera| {
-        let truth = rendered(&to, &boxes, SIZE);
+        let truth = rendered(&to, &Solids::of(&boxes), SIZE);
         Holes::of(&into(&to), (&truth, &to), (&depth, &camera))
     };
     let turned = holes(looking([0.0, 0.0, 0.0], 0.4));
@@ -98,8 +99,8 @@ fn medians_fill_cracks_and_dilation_takes_the_farthest() {
 /// super-voxel's beyond: all within the cell, and none where something is written already.
 #[test]
 fn levels_of_detail_stay_in_their_cells() {
-    let mut grid = Grid::new([64, 64, 32]);
-    let cell = EXTENT[0] / 64.0;
+    let mut grid = Grid::new([64, 64, 32], &BOUNDS);
+    let cell = BOUNDS.high[0] / 64.0;
     let place = [32.0 * cell + 0.1, 32.0 * cell + 0.1, 8.0 * cell + 0.1];
     assert!(grid.set(place) && grid.set([place[0] + 0.5 * cell, place[1], place[2]]) && grid.count() == 2);
     let camera = Camera::new([place[0] - 20.0, place[1], place[2]], [0.0, 0.0], SIZE);

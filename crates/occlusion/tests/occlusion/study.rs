@@ -1,12 +1,14 @@
 //! The whole of what is measured: the same on any number of threads, and of the order that it must
 //! have.
 
-use lobefit::scene::{Culling, Scene};
-use lobefit_occlusion::film::{Film, Shot};
-use lobefit_occlusion::grid::Grid;
-use lobefit_occlusion::passes::{Late, Passes, Work};
-use lobefit_occlusion::study::{passes, results};
-use lobefit_occlusion::world::world;
+use std::path::Path;
+
+use crate::mesh::courtyard;
+use lobefit::report::numbers::brief;
+use lobefit::scene::{Culling, Generator, Scene};
+use lobefit_occlusion::site::Site;
+use lobefit_occlusion::study::results;
+use lobefit_occlusion::times::{NONE, OTHER, Times};
 
 fn culling(fields: &str) -> Culling {
     let text = format!(r#"{{"schema_version": 1, "materials": [], "culling": {{{fields}}}}}"#);
@@ -20,7 +22,7 @@ fn results_do_not_depend_on_threads() {
     );
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| results(&culling))
+        pool.install(|| results(&culling, &Site::generated(Generator::Forest, 1)))
     };
     let (one, three) = (on(1), on(3));
     let text = |results| serde_json::to_string(results).expect("JSON");
@@ -34,38 +36,44 @@ fn results_do_not_depend_on_threads() {
     assert!(one.sweep.iter().filter(|point| point.speed == 1.0).count() == 16);
 }
 
-/// Prints the least milliseconds of each pass over frames at the example's sizes: nothing is
-/// asserted of a clock.
+/// A scene whose world is a mesh: its conservative mode makes nothing vanish, and what was timed is of
+/// the rows that did the same work.
 #[test]
-#[ignore = "a measurement"]
-fn times_of_passes() {
-    let culling = culling("");
-    let (boxes, size) = (world(culling.world, culling.seed), culling.buffer.map(|n| n as usize));
-    let frames: Vec<usize> = (20..60).collect();
-    let film =
-        Film::new(&boxes, (Shot { path: culling.path, start: 4, speed: 1.0 }, 60), size, &[2, 4], &frames);
-    let mut grid = Grid::new(culling.grid);
-    let accumulated = (0..54).map(|frame| {
-        let start = std::time::Instant::now();
-        film.accumulated(&mut grid, frame..frame + 1);
-        1e3 * start.elapsed().as_secs_f64()
-    });
-    println!("accumulation: {:.2} ms", accumulated.fold(f64::INFINITY, f64::min));
-    let all = passes(&culling);
-    let conservative = Passes { conservative: true, ..all };
-    for (name, passes) in
-        [("all", all), ("half", Passes { half: Some(true), ..all }), ("conservative", conservative)]
-    {
-        let mut least = [f64::INFINITY; 4];
-        for frame in 25..60 {
-            let old = frame - 5;
-            let depth = film.fine(passes.fineness(), old);
-            let late = Late { camera: &film.cameras[old], depth: &depth, grid: &grid };
-            let Work { reproject, median, voxels, dilation } = passes.run(late, &film.cameras[frame], size).2;
-            let taken = [reproject, median, voxels, dilation];
-            least.iter_mut().zip(taken).for_each(|(least, taken)| *least = least.min(1e3 * taken));
-        }
-        let [a, b, c, d] = least;
-        println!("{name}: points {a:.2}, medians {b:.2}, voxels {c:.2}, dilation {d:.2} ms");
+fn a_mesh_is_studied_and_its_passes_are_timed() {
+    let culling = culling(r#""world": "courtyard.glb", "buffer": [16, 16], "grid": [16, 16, 8]"#);
+    let site = courtyard();
+    let results = results(&culling, &site);
+    let tally = |name: &str| results.rows.iter().find(|row| row.name == name).expect("a row").tally;
+    assert!(tally("depth").seen > 500 && tally("depth").hidden > 100, "{:?}", tally("depth"));
+    assert!(results.rows.iter().all(|row| row.name != "conservative" || row.tally.vanished == 0));
+    let times = Times::measured(&culling, &site, "command".into(), "device".into());
+    let timed = Times::of(Some(&times), &results.rows).expect("times of these rows");
+    assert!(timed.iter().all(|row| row.milliseconds.total() > 0.0));
+    let alone = &timed[0].milliseconds;
+    assert!(alone.reproject > 0.0 && alone.median + alone.accumulate + alone.voxels + alone.dilation == 0.0);
+    assert_eq!(Times::of(None, &results.rows), Err(NONE));
+    let mut other = times.clone();
+    other.rows[3].work += 1;
+    assert_eq!(Times::of(Some(&other), &results.rows), Err(OTHER));
+    other.rows.clear();
+    assert_eq!(Times::of(Some(&other), &results.rows), Err(OTHER));
+}
+
+/// The committed record is of the committed results, and the committed page shows it.
+#[test]
+fn the_committed_page_shows_the_committed_times() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reports/studies/occlusion");
+    let read = |file: &str| std::fs::read_to_string(folder.join(file)).expect(file);
+    let times: Times = serde_json::from_str(&read("times.json")).expect("a record");
+    let results: serde_json::Value = serde_json::from_str(&read("results.json")).expect("JSON");
+    let rows = results["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), times.rows.len());
+    for (row, timed) in rows.iter().zip(&times.rows) {
+        let work = row["tally"]["work"].as_object().expect("work").values();
+        assert_eq!(work.map(|n| n.as_u64().expect("a count")).sum::<u64>(), timed.work, "{}", timed.name);
+    }
+    let (page, first) = (read("index.html"), &times.rows[0].milliseconds);
+    for shown in [times.device.clone(), brief(first.total(), 3)] {
+        assert!(page.contains(&shown), "{shown}");
     }
 }

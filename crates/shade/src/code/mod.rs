@@ -28,6 +28,7 @@
 
 mod c;
 mod c_table;
+mod counted;
 mod expression;
 mod family;
 mod float;
@@ -52,6 +53,7 @@ use crate::comment::comment;
 use crate::hypothesis::visit;
 use crate::{Builtin, ExprKind, Formula, Hypothesis, ShadeError};
 pub use c_table::C_PREFIX;
+pub use counted::MaskCost;
 pub use expression::decimal;
 pub use float::Float;
 pub use language::Language;

@@ -3,7 +3,9 @@
 //! has not: the languages' texts stand here, one beside the other.
 
 use super::Language;
+use super::counted::{MaskCost, counted};
 use super::expression::decimal;
+use crate::ShadeError;
 use crate::comment::comment;
 use lobefit_math::subvoxel::{NO_CENTROID, centroid};
 
@@ -16,11 +18,16 @@ pub struct MaskFunction {
     pub inputs: &'static [&'static str],
     /// What it returns.
     pub gives: &'static str,
-    /// Operations of a number each, as of formulas, and a logical operation, a shift, a count of
-    /// bits and a conversion one: of the text in WGSL.
-    pub ops: u32,
-    /// Bytes of its table.
-    pub bytes: u64,
+}
+
+impl MaskFunction {
+    /// What it takes: of the text in WGSL.
+    ///
+    /// # Errors
+    /// A defect of this program: the text is its own.
+    pub fn cost(&self) -> Result<MaskCost, ShadeError> {
+        counted(&subvoxels(Language::Wgsl), self.name)
+    }
 }
 
 /// Every function, in the order of the text.
@@ -29,24 +36,16 @@ pub const MASK_FUNCTIONS: [MaskFunction; 3] = [
         name: "subvoxel_centroid",
         inputs: &["mask"],
         gives: "mean position of the set sub-voxels in the cell [0, 1]^3, by counting bits",
-        // 4 and, 4 counts, 3 multiply-adds, a shift; 4 conversions; rcp + 3 mul; compare, 3 select
-        ops: 27,
-        bytes: 0,
     },
     MaskFunction {
         name: "subvoxel_centroid_lookup",
         inputs: &["mask"],
         gives: "the same from the table SUBVOXEL_CENTROIDS",
-        ops: 1,
-        bytes: 256 * 3 * 4,
     },
     MaskFunction {
         name: "supervoxel_mask",
         inputs: &["low", "high"],
         gives: "byte whose bit b is set where byte b of a super-voxel is not 0",
-        // of each word 3 shifts, 3 or, and, mul, shift; 2 and, shift, or
-        ops: 22,
-        bytes: 0,
     },
 ];
 

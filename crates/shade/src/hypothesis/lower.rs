@@ -148,7 +148,8 @@ pub(crate) fn lower_functions(file: &str, source: &str) -> Result<(Formula, Vec<
     Ok((Formula { functions: context.functions, parameters, float: Float::F32 }, docs))
 }
 
-fn parse(file: &str, source: &str) -> Result<Module, ShadeError> {
+/// Parses and validates WGSL.
+pub(crate) fn parse(file: &str, source: &str) -> Result<Module, ShadeError> {
     let place = |span: Option<Span>| {
         let (start, end) = span.map_or((0, 0), bytes);
         Box::new(Place::of(file, source, start as usize, end as usize))

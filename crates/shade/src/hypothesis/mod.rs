@@ -18,7 +18,7 @@ mod specialise;
 mod syntax;
 mod vector;
 
-pub(crate) use lower::{lower_functions, visit};
+pub(crate) use lower::{lower_functions, parse, visit};
 pub use size::Limits;
 pub(crate) use specialise::specialise;
 pub use syntax::{

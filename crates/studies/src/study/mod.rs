@@ -25,6 +25,10 @@ use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
 use parallax::room::cubemap::CubemapError;
 
+/// Reads a file that a field of a scene names, by its path relative to the scene, and of at most so
+/// many bytes: its name for messages, and its bytes.
+pub type Beside<'a> = dyn Fn(&str, &str, u64) -> Result<(String, Vec<u8>), CliError> + 'a;
+
 /// A long experiment: a value of the list [`STUDIES`], with a folder that holds everything of it.
 pub trait Study: Sync {
     /// The word for it on the command line, and its folder.
@@ -40,9 +44,12 @@ pub trait Study: Sync {
     fn parameters(&self, size: Size) -> Result<Value, StudyError>;
 
     /// The same of a scene of the user's, in a folder of its own; none of a study that takes no
-    /// scene, or of a scene that does not call for it.
-    fn of_scene(&self, _scene: &Scene) -> Option<Box<dyn Study>> {
-        None
+    /// scene, or of a scene that does not call for it. `beside` reads the files that it names.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is refused.
+    fn of_scene(&self, _scene: &Scene, _beside: &Beside) -> Result<Option<Box<dyn Study>>, CliError> {
+        Ok(None)
     }
 
     /// The name of the scene of the user's that it is of.
@@ -53,6 +60,22 @@ pub trait Study: Sync {
     /// The formulas that it compares, beside the code of this package.
     fn formulas(&self) -> Vec<&'static str> {
         Vec::new()
+    }
+
+    /// A record of how long its parts take on this machine; none of a study that times nothing.
+    ///
+    /// # Errors
+    /// As [`run`].
+    fn timed(&self, _size: Size, _command: String) -> Result<Option<Vec<u8>>, StudyError> {
+        Ok(None)
+    }
+
+    /// The same study, whose page shows a record of [`Study::timed`]; none of one that times nothing.
+    ///
+    /// # Errors
+    /// What is no such record.
+    fn with_times(&self, _record: &[u8]) -> Result<Option<Box<dyn Study>>, serde_json::Error> {
+        Ok(None)
     }
 
     /// Its page and its results, which name their origin.
@@ -72,7 +95,7 @@ pub static STUDIES: [&dyn Study; 4] = [
     &coupling::DiffuseCouplings,
     &parallax::ProbeLookups,
     &stability::Stability,
-    &occlusion::Occlusion { own: None },
+    &occlusion::Occlusion { own: None, times: None },
 ];
 
 /// The study of a name.
@@ -94,6 +117,12 @@ impl dyn Study + '_ {
             .map(|file| format!("reports/studies/{}{own}{reduced}/{file}", self.name()))
     }
 
+    /// The record of its times, beside them.
+    pub fn times_file(&self, size: Size) -> String {
+        let [page, _] = self.files(size);
+        page.replace("index.html", "times.json")
+    }
+
     /// Hash of everything that the study follows from: the tool's version, the code of this
     /// package, the parameters at a size and the formulas compared. Of the code below this package
     /// the version stands, and values of its formulas among the parameters.
@@ -109,15 +138,20 @@ impl dyn Study + '_ {
         Ok(hasher.finalize().to_hex().to_string())
     }
 
-    /// What made a study: enough to make it again.
-    fn origin(&self, size: Size) -> Result<Origin, StudyError> {
+    /// What makes it.
+    pub fn command(&self, size: Size) -> String {
         let reduced = if size == Size::Reduced { " --reduced" } else { "" };
         let of = if self.scene().is_some() { " --scene SCENE.json" } else { "" };
+        format!("lobefit report --study {}{of}{reduced}", self.name())
+    }
+
+    /// What made a study: enough to make it again.
+    fn origin(&self, size: Size) -> Result<Origin, StudyError> {
         Ok(Origin {
             scene: self.scene().unwrap_or_default().into(),
             recipe: self.recipe(size)?,
             tool: env!("CARGO_PKG_VERSION").into(),
-            command: format!("lobefit report --study {}{of}{reduced}", self.name()),
+            command: self.command(size),
             pages: bar_from("../../")?,
         }
         .with_figures("results.json"))

@@ -4,20 +4,38 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{REDUCED, Size, Study, StudyError};
+use super::{Beside, REDUCED, Size, Study, StudyError};
 use lobefit::bake::Progress;
+use lobefit::cli::CliError;
+use lobefit::cli::cost::device;
 use lobefit::report::{Origin, Page, document};
-use lobefit::scene::{Culling, Scene};
+use lobefit::scene::{Culling, Scene, World};
+use lobefit_import::limits::MESH_BYTES;
+use lobefit_import::{Mesh, mesh};
+use lobefit_occlusion::site::Site;
 use lobefit_occlusion::study::{self, Results};
+use lobefit_occlusion::times::Times;
 use lobefit_occlusion::{CODE, page};
 
 /// The scene.
 const SCENE: &[u8] = include_bytes!("../../../../examples/culling.json");
 
 /// The study.
+#[derive(Clone)]
 pub struct Occlusion {
-    /// Name and culling of the user's scene; none: the example's.
-    pub own: Option<(String, Culling)>,
+    /// The user's scene; none: the example's.
+    pub own: Option<Own>,
+    /// What passes took where they were timed.
+    pub times: Option<Times>,
+}
+
+/// What the study takes of a scene of the user's.
+#[derive(Clone)]
+pub struct Own {
+    name: String,
+    culling: Culling,
+    /// The world that is a mesh, with the hash of its file.
+    mesh: Option<(Mesh, String)>,
 }
 
 /// What is written.
@@ -34,12 +52,25 @@ impl Occlusion {
     fn culling(&self, size: Size) -> Result<Culling, StudyError> {
         let example =
             || Scene::from_json(SCENE, "examples/culling.json")?.culling.ok_or(StudyError::NoCulling);
-        let mut culling = self.own.as_ref().map_or_else(example, |(_, own)| Ok(own.clone()))?;
+        let mut culling = self.own.as_ref().map_or_else(example, |own| Ok(own.culling.clone()))?;
         if size == Size::Reduced {
             culling.buffer = culling.buffer.map(|n| (n / 2).max(16));
             culling.grid = culling.grid.map(|n| (n / 2).max(2));
         }
         Ok(culling)
+    }
+
+    fn mesh(&self) -> Option<&(Mesh, String)> {
+        self.own.as_ref().and_then(|own| own.mesh.as_ref())
+    }
+
+    /// What is looked at.
+    fn site(&self, culling: &Culling) -> Result<Site, StudyError> {
+        match (&culling.world, self.mesh()) {
+            (World::Generated(kind), _) => Ok(Site::generated(*kind, culling.seed)),
+            (World::Mesh(_), Some((mesh, _))) => Ok(Site::of_mesh(mesh)),
+            (World::Mesh(_), None) => Err(StudyError::NoCulling),
+        }
     }
 }
 
@@ -52,17 +83,40 @@ impl Study for Occlusion {
         "occlusion buffers from depth that is frames old: seconds"
     }
 
-    fn of_scene(&self, scene: &Scene) -> Option<Box<dyn Study>> {
-        let own = (scene.name.clone(), scene.culling.clone()?);
-        Some(Box::new(Occlusion { own: Some(own) }))
+    fn of_scene(&self, scene: &Scene, beside: &Beside) -> Result<Option<Box<dyn Study>>, CliError> {
+        let Some(culling) = scene.culling.clone() else { return Ok(None) };
+        let mesh = match &culling.world {
+            World::Generated(_) => None,
+            World::Mesh(path) => {
+                let (file, bytes) = beside(path, "culling.world", MESH_BYTES)?;
+                Some((mesh(&bytes, &file)?, blake3::hash(&bytes).to_hex().to_string()))
+            }
+        };
+        let own = Own { name: scene.name.clone(), culling, mesh };
+        Ok(Some(Box::new(Occlusion { own: Some(own), times: None })))
     }
 
     fn scene(&self) -> Option<&str> {
-        self.own.as_ref().map(|(name, _)| name.as_str())
+        self.own.as_ref().map(|own| own.name.as_str())
     }
 
     fn parameters(&self, size: Size) -> Result<Value, StudyError> {
-        Ok(serde_json::json!({ "code": CODE, "culling": self.culling(size)? }))
+        let mut parameters = serde_json::json!({ "code": CODE, "culling": self.culling(size)? });
+        if let Some((_, hash)) = self.mesh() {
+            parameters["mesh"] = Value::from(hash.as_str());
+        }
+        Ok(parameters)
+    }
+
+    fn timed(&self, size: Size, command: String) -> Result<Option<Vec<u8>>, StudyError> {
+        let culling = self.culling(size)?;
+        let times = Times::measured(&culling, &self.site(&culling)?, command, device(1));
+        Ok(Some(document("times.json", &times)?))
+    }
+
+    fn with_times(&self, record: &[u8]) -> Result<Option<Box<dyn Study>>, serde_json::Error> {
+        let times = Some(serde_json::from_slice(record)?);
+        Ok(Some(Box::new(Occlusion { times, ..self.clone() })))
     }
 
     fn made(
@@ -72,8 +126,9 @@ impl Study for Occlusion {
         progress: &dyn Progress,
     ) -> Result<(Page, Vec<u8>), StudyError> {
         progress.stage("occlusion buffers");
-        let results = study::results(&self.culling(size)?);
-        let mut page = page::page(&results, origin.clone())?;
+        let culling = self.culling(size)?;
+        let results = study::results(&culling, &self.site(&culling)?);
+        let mut page = page::page(&results, self.times.as_ref(), origin.clone())?;
         if size == Size::Reduced {
             page.lead.insert_str(0, REDUCED);
         }

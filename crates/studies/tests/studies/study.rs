@@ -210,6 +210,7 @@ fn wrong_use_is_refused_and_writes_nothing() {
             "no such study; the studies are coupling, parallax, stability, occlusion",
         ),
         (&["report", "--study", "coupling", "--threads", "0"], "1 to 256"),
+        (&["report", "--study", "coupling", "--reduced", "--times"], "the study coupling times nothing"),
     ] {
         let output = lobefit(folder.path(), options, b"");
         assert_eq!(output.status.code(), Some(2), "{options:?}");
@@ -220,4 +221,47 @@ fn wrong_use_is_refused_and_writes_nothing() {
         lobefit(folder.path(), &["report", "--study", "coupling", "--reduced", "--out", "file"], b"");
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
     assert_eq!(names(folder.path()), ["file"]);
+}
+
+/// A scene that names a mesh: its study, its times, which the page shows from then on, and what is
+/// refused with nothing written.
+#[test]
+fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).expect("written");
+    let scene = |world: &str| {
+        let culling = format!(r#"{{"world": "{world}", "buffer": [16, 16], "grid": [4, 4, 4]}}"#);
+        write(
+            "s.json",
+            format!(r#"{{"schema_version": 1, "materials": [], "culling": {culling}}}"#).as_bytes(),
+        );
+    };
+    let run = |options: &[&str]| {
+        let command = ["report", "--study", "occlusion", "--scene", "s.json"];
+        let output = lobefit(folder.path(), &[&command, options].concat(), b"");
+        (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned() + &stderr(&output))
+    };
+    write("broken.glb", b"glTF\x02\0\0\0");
+    for (world, said) in [
+        ("gone.glb", "error: s.json: culling.world: gone.glb: cannot read: "),
+        ("broken.glb", "error: broken.glb: the file ends in its header"),
+    ] {
+        scene(world);
+        let (code, text) = run(&[]);
+        assert!(code == Some(2) && text.starts_with(said), "{text}");
+    }
+    assert!(!names(folder.path()).contains(&"reports".to_string()));
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/courtyard.glb");
+    write("m.glb", &std::fs::read(example).expect("the example"));
+    scene("m.glb");
+    let page = || {
+        let file = folder.path().join("reports/studies/occlusion-scene/index.html");
+        std::fs::read_to_string(file).expect("a page")
+    };
+    assert!(run(&["--times"]).1.contains("3 files written"));
+    assert!(page().contains("fastest of five runs"));
+    assert!(run(&[]).1.contains("0 files written, 2 unchanged"), "the page follows from the record");
+    write("reports/studies/occlusion-scene/times.json", b"{}");
+    let (code, text) = run(&[]);
+    assert!(code == Some(2) && text.contains("occlusion-scene/times.json: no record of "), "{text}");
 }

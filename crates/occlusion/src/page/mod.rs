@@ -1,0 +1,185 @@
+//! The page of a scene's culling: pictures, what each pass buys, and what parameters cost.
+
+mod passes;
+mod pictures;
+mod sweeps;
+
+use crate::measure::{Tally, part};
+use crate::passes::Passes;
+use crate::study::{ALL, ALLOWED, Choice, Point, Results, Row};
+use crate::times::{Timed, Times};
+use lobefit::report::numbers::brief;
+use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread};
+use lobefit::scene::{CameraPath, World};
+
+/// Size of a chart's plotted area in pixels.
+const CHART: (f64, f64) = (430.0, 190.0);
+
+/// The page; of `times` what is of these results.
+///
+/// # Errors
+/// Data that cannot be shown, by section and field.
+pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<Page, ReportError> {
+    let timed = Times::of(times, &results.rows);
+    let device = times.map_or("", |times| &times.device);
+    let sections = vec![
+        pictures::pictures(results)?,
+        passes::passes(results, timed.as_deref().map_err(|why| *why), device)?,
+        sweeps::sweeps(results)?,
+        sweeps::parameters(results),
+        sweeps::holes(results),
+        passes::resolutions(results, timed.as_deref().ok())?,
+    ];
+    Ok(Page { title: "lobefit study: occlusion".into(), origin, lead: lead(results), sections })
+}
+
+fn percent(x: f64) -> String {
+    // The sign stays on the line of its number.
+    format!("{}\u{a0}%", brief(100.0 * x, 2))
+}
+
+/// What passes do on the path of the scene with its buffer and its grid, and what they take.
+fn by<'r>(
+    results: &'r Results,
+    timed: Option<&[&'r Timed]>,
+    passes: Passes,
+) -> Option<(&'r Row, Option<&'r Timed>)> {
+    let own = own(results);
+    let i = results.rows.iter().position(|row| own(row) && row.trial.passes == passes)?;
+    Some((&results.rows[i], timed.map(|timed| timed[i])))
+}
+
+/// Whether a row is of the scene's buffer and grid.
+fn own(results: &Results) -> impl Fn(&Row) -> bool {
+    let (buffer, voxels) = (results.culling.buffer.map(|n| n as usize), results.culling.grid);
+    move |row| row.buffer == buffer && row.voxels.is_none_or(|own| own == voxels)
+}
+
+fn path(path: CameraPath) -> &'static str {
+    match path {
+        CameraPath::Turn => "turn",
+        CameraPath::Strafe => "strafe",
+        CameraPath::Walk => "walk",
+    }
+}
+
+/// Which mode to take, then what is simulated.
+fn lead(results: &Results) -> String {
+    let culling = &results.culling;
+    let rates = |tally: &Tally| (percent(tally.wrongly_kept()), percent(tally.wrongly_culled()));
+    let of = |passes: Passes| by(results, None, passes).map(|(row, _)| rates(&row.tally)).unwrap_or_default();
+    let (alone, all, safe) = (of(Passes::POINTS), of(ALL), of(Passes::CONSERVATIVE));
+    let [width, height] = culling.buffer;
+    format!(
+        "Where nothing may vanish take the conservative mode: of depth that is {} frames old it culls {} of the boxes that the frame shows, and keeps \
+         {} of those that it hides. {} With medians, voxels and dilation {} are kept and {} culled{}: take these only where an object may be missing for some frames.\n\
+         What fills holes also closes gaps that are there; old points alone keep {} and cull {}. \
+         {} is drawn on the CPU, with the camera on the path `{}` of {} frames; an occlusion buffer of {width} x {height} texels is made from the \
+         depth that has arrived and is held against the depth of the frame itself, which only the study has. Work is texels and voxels read or \
+         written, per texel of the buffer: a count, the same on every machine. All figures: results.json.",
+        culling.latency,
+        safe.1,
+        safe.0,
+        chosen(results),
+        all.0,
+        all.1,
+        sideways(results),
+        alone.0,
+        alone.1,
+        match culling.world {
+            World::Generated(_) => "A world of boxes",
+            World::Mesh(_) => "A mesh",
+        },
+        path(culling.path),
+        crate::study::FRAMES,
+    )
+}
+
+/// What all passes of the scene cull where the camera moves sideways, if that is not its path.
+fn sideways(results: &Results) -> String {
+    let culling = &results.culling;
+    let here = |point: &&Point| {
+        point.path == CameraPath::Strafe && point.speed == 1.0 && point.latency == culling.latency as usize
+    };
+    let point = results.sweep.iter().find(here).filter(|_| culling.path != CameraPath::Strafe);
+    point.map_or(String::new(), |point| {
+        format!(", and {} where the camera moves sideways", percent(point.all.wrongly_culled()))
+    })
+}
+
+/// What the chosen parameters do on other shots, and whether they keep what is allowed there.
+fn chosen(results: &Results) -> String {
+    let [_, Choice { trial, reported, .. }] = &results.choices;
+    let allowed = percent(ALLOWED[0]);
+    let what = worded(&trial.passes, trial.bias);
+    let rates = format!(
+        "on other shots they cull {}, on the worst of these {}, and keep {}",
+        percent(reported.sum.wrongly_culled()),
+        percent(reported.most_culled),
+        percent(reported.sum.wrongly_kept())
+    );
+    if reported.most_culled <= ALLOWED[0] {
+        format!(
+            "Where {allowed} of them may, take the parameters that were chosen for that ({what}): {rates}."
+        )
+    } else {
+        format!(
+            "Where {allowed} of them may, take it too: of parameters chosen for that ({what}) it is not kept, for {rates}."
+        )
+    }
+}
+
+/// A rate: its label, and what it is of a tally.
+type Rate = (&'static str, fn(&Tally) -> f64);
+
+/// A chart over linear axes of these labels.
+fn curves(title: &str, [x, y]: [&str; 2], series: Vec<Series>, size: (f64, f64)) -> Curves {
+    Curves {
+        title: title.into(),
+        x: (x.into(), Spread::Linear),
+        y: (y.into(), Spread::Linear),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size,
+    }
+}
+
+/// A row of figures that every table has.
+fn rates(tally: &Tally) -> [String; 6] {
+    [
+        percent(tally.wrongly_culled()),
+        percent(part(tally.vanished, tally.seen)),
+        percent(tally.wrongly_kept()),
+        percent(part(tally.near, tally.texels)),
+        percent(part(tally.holes, tally.texels)),
+        brief(tally.work_per_texel(), 3),
+    ]
+}
+
+const RATES: [(&str, bool); 6] = [
+    ("wrongly culled", true),
+    ("of which a pixel is seen", true),
+    ("wrongly kept", true),
+    ("texels too near", true),
+    ("never written", true),
+    ("work", true),
+];
+
+/// `median 3 x 3, ...`.
+fn worded(passes: &Passes, bias: f32) -> String {
+    let square =
+        |radius: usize| if radius == 0 { "none".into() } else { format!("{0} x {0}", 2 * radius + 1) };
+    let voxels = match passes.voxels {
+        None => "no voxels".into(),
+        Some(lod) => format!("sub-voxels up to {} m, super-voxels beyond {} m", lod.near, lod.far),
+    };
+    format!(
+        "median {}, dilation {}, erosion {}, {voxels}, margin {}",
+        square(passes.median),
+        square(passes.dilation),
+        square(passes.erosion),
+        percent(f64::from(bias))
+    )
+}

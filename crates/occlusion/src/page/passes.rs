@@ -1,0 +1,244 @@
+//! What each pass buys and costs, at every resolution.
+
+use super::{RATES, Rate, by, curves, own, percent, rates};
+use crate::measure::{TOLERANCE, Tally, part};
+use crate::passes::{Passes, Work};
+use crate::study::{ALL, Results, Row};
+use crate::times::Timed;
+use lobefit::report::numbers::{brief, grouped};
+use lobefit::report::{
+    Block, Curves, Panel, ReportError, Section, Series, Spread, Style, TextTable, figures, words,
+};
+
+const KEPT: Rate = ("wrongly kept, %", Tally::wrongly_kept);
+const CULLED: Rate = ("wrongly culled, %", Tally::wrongly_culled);
+
+/// Size of the plotted area of a chart of a sheet in pixels.
+const SMALL: (f64, f64) = (280.0, 150.0);
+
+/// What buffers are made from, in the order of the table.
+const SOURCES: [&str; 5] =
+    ["depth", "depth of twice the resolution", "voxels", "depth and voxels", "conservative"];
+
+/// Passes in their order, and what each took.
+fn each<T: Copy>(work: &Work<T>) -> [(&'static str, T); 5] {
+    let Work { reproject, median, accumulate, voxels, dilation } = *work;
+    [
+        ("points", reproject),
+        ("medians", median),
+        ("accumulation", accumulate),
+        ("splats of voxels", voxels),
+        ("dilation", dilation),
+    ]
+}
+
+/// Milliseconds of a row.
+fn milliseconds(timed: Option<&Timed>) -> String {
+    timed.map_or("-".into(), |timed| brief(timed.milliseconds.total(), 3))
+}
+
+/// Work and time of each pass.
+fn split(results: &Results, timed: Option<&[&Timed]>) -> Vec<Vec<String>> {
+    let half = Passes { half: Some(true), ..Passes::NONE };
+    let shown = [Passes::POINTS, half, ALL, Passes::CONSERVATIVE];
+    let rows = shown.into_iter().filter_map(|passes| by(results, timed, passes));
+    let of_row = |(row, timed): (&Row, Option<&Timed>)| {
+        let spent = timed.map(|timed| each(&timed.milliseconds).map(|(_, ms)| ms));
+        let own = each(&row.tally.work).into_iter().enumerate().filter(|(_, (_, work))| *work > 0);
+        let cells = |(i, (pass, work)): (usize, (&str, u64))| {
+            let ms = spent.map_or("-".into(), |spent| brief(spent[i], 3));
+            vec![row.name.clone(), pass.into(), brief(part(work, row.tally.texels), 3), ms]
+        };
+        own.map(cells).collect::<Vec<_>>()
+    };
+    rows.flat_map(of_row).collect()
+}
+
+/// Which fills holes of the points for less: a median, or depth of twice the resolution.
+fn holes_for_less(results: &Results, timed: Option<&[&Timed]>) -> String {
+    let median = Passes { median: 1, ..Passes::POINTS };
+    let half = Passes { half: Some(true), ..Passes::NONE };
+    let [Some(points), Some(median), Some(half)] =
+        [Passes::POINTS, median, half].map(|passes| by(results, timed, passes))
+    else {
+        return String::new();
+    };
+    let cost = |(row, timed): (&Row, Option<&Timed>)| {
+        timed.map_or(row.tally.work_per_texel(), |timed| timed.milliseconds.total())
+    };
+    let (unit, of) = if timed.is_some() { (" ms", "time") } else { ("", "work") };
+    let more = |way: (&Row, Option<&Timed>)| {
+        let filled = points.0.tally.holes as f64 - way.0.tally.holes as f64;
+        (filled / way.0.tally.texels as f64, cost(way) - cost(points))
+    };
+    let (median, half) = ((more(median), median.0), (more(half), half.0));
+    let each = |((filled, cost), _): ((f64, f64), &Row)| cost / filled;
+    let verdict = match (median.0.0 > 0.0 && half.0.0 > 0.0, each(median) < each(half)) {
+        (false, _) => "one of them fills none".into(),
+        (true, true) => {
+            format!("the median takes {} times less {of} for each hole", brief(each(half) / each(median), 2))
+        }
+        (true, false) => {
+            format!(
+                "depth of twice the resolution takes {} times less {of} for each hole",
+                brief(each(median) / each(half), 2)
+            )
+        }
+    };
+    let worded = |((filled, cost), row): ((f64, f64), &Row)| {
+        format!(
+            "{} of the texels for {}{unit} more, and leaves {} wrongly kept",
+            percent(filled),
+            brief(cost, 2),
+            percent(row.tally.wrongly_kept())
+        )
+    };
+    format!(
+        "Which hides holes for less? Of the points alone a median fills {}; depth of twice the resolution fills {}: {verdict}.",
+        worded(median),
+        worded(half)
+    )
+}
+
+/// The section; `timed` is why there are no times, or those of each row, measured on a device.
+pub(super) fn passes(
+    results: &Results,
+    timed: Result<&[&Timed], &str>,
+    device: &str,
+) -> Result<Section, ReportError> {
+    let measured = match timed {
+        Ok(_) => format!(
+            "Milliseconds: {device}; fastest of five runs of each pass, mean over the frames (times.json)."
+        ),
+        Err(why) => {
+            format!("Without milliseconds: {why}; `lobefit report --study occlusion --times` measures them.")
+        }
+    };
+    let timed = timed.ok();
+    let first = results.rows.first().map(|row| row.tally).unwrap_or_default();
+    let caption = format!(
+        "Over {} frames, with {} boxes that the true depth shows and {} that it hides, by the same test of a box's rectangle. Too near: by more than {} of the depth. \
+         The conservative mode reprojects depth of four times the resolution, keeps the farthest point, and knows nothing at edges. {measured}",
+        first.frames,
+        grouped(first.seen),
+        grouped(first.hidden),
+        percent(f64::from(TOLERANCE)),
+    );
+    let split = words::table(
+        &[("buffer", false), ("pass", false), ("work", true), ("ms", true)],
+        split(results, timed),
+        "Work of each pass for each texel of the buffer, beside its time. Accumulation adds the depth of a frame to the voxels.",
+    );
+    let points = "Points of old depth leave cracks, most of which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
+                  wide: it closes the holes of fences.";
+    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass. \
+                  Lower is better. Other resolutions: at the end of this page.";
+    let culling = &results.culling;
+    let one = |rate| {
+        chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, super::CHART))
+    };
+    Ok(Section {
+        id: "passes".into(),
+        title: "What each pass buys".into(),
+        lead: format!("{points} {}", holes_for_less(results, timed)),
+        blocks: vec![
+            Block::Table(table(results, timed, &own(results), &caption)),
+            Block::Table(split),
+            figures(&[one(KEPT), one(CULLED)], charts)?,
+        ],
+    })
+}
+
+/// Rows of results with their rates and what they take.
+fn table(
+    results: &Results,
+    timed: Option<&[&Timed]>,
+    keep: &dyn Fn(&Row) -> bool,
+    caption: &str,
+) -> TextTable {
+    let columns = [&[("buffer", false)][..], &RATES, &[("ms", true)]].concat();
+    let rows = results.rows.iter().enumerate().filter(|(_, row)| keep(row)).map(|(i, row)| {
+        let cells = rates(&row.tally).into_iter().chain([milliseconds(timed.map(|timed| timed[i]))]);
+        std::iter::once(row.name.clone()).chain(cells).collect()
+    });
+    words::table(&columns, rows.collect(), caption)
+}
+
+/// Sizes in words.
+fn sized<const N: usize>(sizes: [impl ToString; N]) -> String {
+    sizes.map(|n| n.to_string()).join(" x ")
+}
+
+/// A rate over cost, with a grid and a buffer.
+fn chart(
+    results: &Results,
+    timed: Option<&[&Timed]>,
+    (grid, buffer): ([u32; 3], [usize; 2]),
+    (rate, size): (Rate, (f64, f64)),
+) -> Curves {
+    let of = |source: &str, fill: &str| {
+        let name = format!("{source}{fill}");
+        let is_here = |row: &Row| row.buffer == buffer && row.voxels.is_none_or(|voxels| voxels == grid);
+        let i = results.rows.iter().position(|row| row.name == name && is_here(row))?;
+        let tally = &results.rows[i].tally;
+        let work = || 1e-3 * part(tally.work.total(), tally.frames);
+        let cost = timed.map_or_else(work, |timed| timed[i].milliseconds.total());
+        Some((cost, 100.0 * rate.1(tally)))
+    };
+    let lines = SOURCES.iter().enumerate().flat_map(|(k, source)| {
+        let fills = [["", ", median", ", median, dilation"], ["", ", dilation", ", median, dilation"]];
+        fills.map(|fills| Series {
+            name: (*source).into(),
+            points: fills.iter().filter_map(|fill| of(source, fill)).collect(),
+            style: Style::Marked(k),
+            end: None,
+        })
+    });
+    let label = if timed.is_some() { "ms" } else { "thousands of texels and voxels" };
+    let title = format!("{}, {} voxels", sized(buffer), sized(grid));
+    let mut chart = curves(&title, [label, rate.0], lines.collect(), size);
+    (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
+    let most = results.rows.iter().map(|row| 100.0 * rate.1(&row.tally)).fold(1.0, f64::max);
+    chart.y_limits = Some((0.0, 1.05 * most));
+    chart
+}
+
+/// A rate over cost, a chart for each size of the grid and of the buffer.
+fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> {
+    let mut grids: Vec<[u32; 3]> = results.rows.iter().filter_map(|row| row.voxels).collect();
+    grids.sort();
+    grids.dedup();
+    let mut buffers: Vec<[usize; 2]> = results.rows.iter().map(|row| row.buffer).collect();
+    buffers.sort();
+    buffers.dedup();
+    let all = grids.iter().flat_map(|grid| buffers.iter().map(|buffer| (*grid, *buffer)));
+    let panel =
+        |(i, sizes)| Panel { chart: chart(results, timed, sizes, (rate, SMALL)), legend: i < buffers.len() };
+    all.enumerate().map(panel).collect()
+}
+
+/// Every row of the other resolutions.
+pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result<Section, ReportError> {
+    let own = own(results);
+    let columns =
+        [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, &[("ms", true)]].concat();
+    let rows = results.rows.iter().enumerate().filter(|(_, row)| !own(row)).map(|(i, row)| {
+        let first = [sized(row.buffer), row.voxels.map_or("-".into(), sized), row.name.clone()];
+        let ms = milliseconds(timed.map(|timed| timed[i]));
+        first.into_iter().chain(rates(&row.tally)).chain([ms]).collect()
+    });
+    let lead = "A grid of twice the voxel takes an eighth of the memory; texels that are too near grow with the size of voxels and of texels.";
+    let caption = "Buffers and grids of other sizes than the scene's.";
+    let sheets = "What accuracy costs, as above. Columns: buffers of half, of one and of one and a half times the size. Rows: grids of a quarter, a half and \
+                  all of the voxels along each axis.";
+    Ok(Section {
+        id: "resolutions".into(),
+        title: "Resolutions".into(),
+        lead: lead.into(),
+        blocks: vec![
+            figures(&sheet(results, timed, KEPT), sheets)?,
+            figures(&sheet(results, timed, CULLED), "The same of what vanishes.")?,
+            Block::Table(words::table(&columns, rows.collect(), caption)),
+        ],
+    })
+}

@@ -1,0 +1,105 @@
+//! What latency, speed and free parameters do, and why texels are never written.
+
+use super::{CHART, RATES, Rate, curves, path, percent, rates, worded};
+use crate::measure::{Tally, part};
+use crate::study::{ALLOWED, Causes, Choice, OnShots, Point, Results};
+use lobefit::report::{Block, ReportError, Section, Series, Style, figures, words};
+use lobefit::scene::CameraPath;
+
+pub(super) fn sweeps(results: &Results) -> Result<Section, ReportError> {
+    let latency = results.culling.latency as usize;
+    let chart = |(title, x): (&str, &str), keep: &dyn Fn(&Point) -> Option<f64>, of: Rate| {
+        let line = |path: CameraPath, all: bool, style: usize| {
+            let mut points: Vec<(f64, f64)> = results
+                .sweep
+                .iter()
+                .filter(|point| point.path == path)
+                .filter_map(|point| {
+                    Some((keep(point)?, 100.0 * of.1(if all { &point.all } else { &point.points })))
+                })
+                .collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let name = format!("{}, {}", super::path(path), if all { "all passes" } else { "points" });
+            Series { name, points, style: Style::Line(style), end: None }
+        };
+        let series = [
+            (CameraPath::Turn, false),
+            (CameraPath::Turn, true),
+            (CameraPath::Strafe, false),
+            (CameraPath::Strafe, true),
+        ];
+        let lines = series.into_iter().enumerate().map(|(i, (path, all))| line(path, all, i)).collect();
+        curves(title, [x, of.0], lines, CHART)
+    };
+    let by_latency = |point: &Point| (point.speed == 1.0).then_some(point.latency as f64);
+    let by_speed = |point: &Point| (point.latency == latency).then_some(3.0 * point.speed);
+    let [kept, culled]: [Rate; 2] =
+        [("wrongly kept, %", Tally::wrongly_kept), ("wrongly culled, %", Tally::wrongly_culled)];
+    let charts = [
+        chart(("By latency: kept", "frames"), &by_latency, kept),
+        chart(("By latency: culled", "frames"), &by_latency, culled),
+        chart(("By speed: kept", "degrees a frame"), &by_speed, kept),
+        chart(("By speed: culled", "degrees a frame"), &by_speed, culled),
+    ];
+    Ok(Section {
+        id: "sweeps".into(),
+        title: "Latency and speed".into(),
+        lead: format!(
+            "Latency at 3 degrees a frame (sideways 0.25 m a frame), speed at a latency of {latency} frames; a step sideways grows as the turn does, \
+             by 0.083 m for each degree."
+        ),
+        blocks: vec![figures(
+            &charts,
+            "Points: old depth alone. All passes: those of the scene, with `reproject` in place of `reproject-half`.",
+        )?],
+    })
+}
+
+pub(super) fn holes(results: &Results) -> Section {
+    let row = |causes: &Causes| {
+        let holes = &causes.holes;
+        let of = [holes.out_of_frame, holes.stretched, holes.disoccluded];
+        std::iter::once(path(causes.path).to_string())
+            .chain(of.map(|n| percent(part(n, holes.texels))))
+            .collect()
+    };
+    let columns =
+        [("path", false), ("out of the old frame", true), ("stretched", true), ("disoccluded", true)];
+    let caption = "Parts of all texels that no point of the old depth reached. Stretched: the old frame saw what is there, with too few points.";
+    let table = words::table(&columns, results.causes.iter().map(row).collect(), caption);
+    Section {
+        id: "holes".into(),
+        title: "Why texels are never written".into(),
+        lead: String::new(),
+        blocks: vec![Block::Table(table)],
+    }
+}
+
+pub(super) fn parameters(results: &Results) -> Section {
+    let columns =
+        [&[("parameters", false), ("shots", false), ("culled, worst shot", true)][..], &RATES].concat();
+    let two = |name: &str, choice: &Choice| {
+        let text = format!("{name}: {}", worded(&choice.trial.passes, choice.trial.bias));
+        let row = |shots: &str, found: &OnShots| -> Vec<String> {
+            let first = [text.clone(), shots.into(), percent(found.most_culled)];
+            first.into_iter().chain(rates(&found.sum)).collect()
+        };
+        [row("chosen on", &choice.chosen), row("others", &choice.reported)]
+    };
+    let [own, best] = &results.choices;
+    let rows = [two("usual", own), two("chosen", best)].concat();
+    let [culled, kept] = ALLOWED.map(percent);
+    let lead = format!(
+        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. Rates are counts, with steps in place of slopes: \
+         all {} combinations are tried, on a turn, a strafe and a walk from four places each. The erosion takes the farthest of a square about every \
+         texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Chosen is the \
+         combination of least work that does, or breaks this least. It is reported on shots from three other places.",
+        results.combinations
+    );
+    Section {
+        id: "parameters".into(),
+        title: "Parameters".into(),
+        lead,
+        blocks: vec![Block::Table(words::table(&columns, rows, ""))],
+    }
+}
