@@ -27,7 +27,7 @@ const CARD: f64 = 1126.0;
 const GAP: f64 = 16.0;
 
 /// Plotted size of the chart: the whole width of a page.
-const CHART: (f64, f64) = (1080.0, 310.0);
+const CHART: (f64, f64) = (1080.0, 270.0);
 
 /// What the cards are drawn from.
 pub(crate) struct Drawn<'a> {
