@@ -74,6 +74,13 @@ fn karis_lut_is_what_it_is() {
     let [mu, roughness] = [Scale::Mu, Scale::Roughness].map(|scale| (scale, Registration::Centre, false));
     assert_eq!(axes, [mu, roughness]);
     assert!(found.margin > 2.0 && found.worst() < 0.02, "{} {}", found.margin, found.worst());
+    let said = found.verdict(None).to_string();
+    let line = said.lines().next().expect("a line");
+    assert!(
+        line.starts_with("PASS ") && line.contains("read plainly (height-correlated Smith) by 0.3"),
+        "{line}"
+    );
+    assert!(found.verdict(Some(0.05)).to_string().starts_with("FAIL "), "{said}");
     // Its distance from correlated GGX is said, and fails a limit until it is said to be meant.
     let (lobe, off) = found.departure.expect("another lobe");
     assert!(lobe.form.word == "correlated" && off > 0.1, "{lobe:?} {off}");

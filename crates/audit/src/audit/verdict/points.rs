@@ -5,6 +5,7 @@ use super::{Grade, Verdict, advice, defect, words};
 use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
+use crate::audit::plain::Plain;
 use crate::audit::table::Source;
 use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
 
@@ -41,7 +42,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
 fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
     let unfit = audit.fit == Fit::None && audit.two_lobes.is_none();
     let sound = |d: &Defect| advice::mending(d, audit.source).is_none();
-    let read = audit.plain.as_ref().is_none_or(|plain| is_transposed(audit.best(), &plain.convention));
+    let read = audit.plain.as_ref().is_none_or(|plain| is_usual(audit.best(), &plain.convention));
     let plain = read && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
     match limit {
         _ if unfit => Grade::Unknown,
@@ -52,15 +53,25 @@ fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
     }
 }
 
-/// Whether two readings have the same axes in another order, which many files have: only a limit
-/// fails them for it.
-fn is_transposed(best: &Convention, plain: &Convention) -> bool {
+/// Whether a reading is the plain one but for the order of its axes or its shadowing, which many
+/// files have of their own: only a limit fails them for it.
+fn is_usual(best: &Convention, plain: &Convention) -> bool {
     let ordered = |convention: &Convention| {
         let mut axes = convention.axes.clone();
         axes.sort_by_key(|axis| axis.scale.input());
         axes
     };
-    (best.lobe == plain.lobe && best.columns == plain.columns) && ordered(best) == ordered(plain)
+    best.columns == plain.columns && ordered(best) == ordered(plain)
+}
+
+/// How far off it is under the quantity's own shadowing, where it is of another.
+fn of_another(audit: &Audit) -> String {
+    let is_other = |plain: &&Plain| plain.convention.lobe != audit.best().lobe && plain.max.is_finite();
+    let plain = audit.plain.as_ref().filter(is_other);
+    plain.map_or_else(String::new, |plain| {
+        let (other, own) = (plain.untold.join(", "), readings_differ(audit, audit.best(), &plain.convention));
+        format!(", if it is meant as {other}; read plainly ({own}) by {} at texels", number(plain.max))
+    })
 }
 
 /// The end of a headline.
@@ -87,6 +98,7 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
     let channel = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
     let channel = channel.reduce(|a, b| if b.max > a.max { b } else { a });
     let of = if audit.blend.is_some() { " of f0 A + B" } else { "" };
+    let limit = of_another(audit) + &limit;
     match audit.blend.as_ref().or(channel) {
         Some(lookup) if lookup.max > worst.max => format!(
             "{what} is off by at most {} in lookups{of} ({}), {max} at texels{limit}",
@@ -255,7 +267,7 @@ fn untold(audit: &Audit) -> Option<String> {
         (Source::Table, _) => " at its texels".into(),
     };
     Some(format!(
-        "No reader assumes {} unless the file says so: read plainly ({other}), it is off by at most {}{scope}.",
+        "Nothing says that it is of {}: read plainly ({other}), it is off by at most {}{scope}.",
         plain.untold.join(", or "),
         number(plain.max),
     ))
