@@ -31,7 +31,10 @@ impl Shot {
         // From the middle place the first look is along y: in a town along a street.
         let (time, first) = (frame as f64 * self.speed, 1.45 + 0.7 * (self.start as f64 - 4.0));
         // Degrees a frame at the fastest are those of the amplitude times the frequency.
-        let swing = |amplitude: f64, most: f64| amplitude * sin(time * most / amplitude);
+        let swing = |amplitude: f64, most: f64| match amplitude > 0.0 {
+            true => amplitude * sin(time * most / amplitude),
+            false => 0.0,
+        };
         let step = |most: f64, each: f64| swing(most.min(start.room), each);
         let (along, angles) = match self.path {
             CameraPath::Turn => {

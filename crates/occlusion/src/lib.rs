@@ -5,7 +5,7 @@
 //! | module | purpose |
 //! |---|---|
 //! | [`camera`], [`raster`] | what is seen of boxes and triangles: their depth |
-//! | [`world`], [`site`] | what there is to see: procedural worlds, or the mesh of a file; what is culled; where cameras stand |
+//! | [`world`], [`site`] | procedural worlds, or the mesh of a file; what is culled; where cameras stand |
 //! | [`film`] | a camera's path, frame by frame |
 //! | [`depth`], [`reproject`], [`grid`] | buffers, and the passes that make and fill them |
 //! | [`passes`] | the reconstruction |

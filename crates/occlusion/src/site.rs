@@ -15,7 +15,7 @@ const BOXES: usize = 8000;
 const EYE: f32 = 1.7;
 const HEADROOM: f32 = 2.2;
 const APART: f32 = 0.5;
-/// Places along a side: of paths, and of each of these those that are tried.
+/// Starts of paths along a side of the footprint, and places along a side that are tried for each start.
 const PLACES: usize = 3;
 const TRIED: usize = 4;
 /// Triangles of a primitive that an object of its own bounds, as renderers cull clusters.
@@ -112,11 +112,11 @@ fn start(triangles: &[[Place; 3]], within: &Cuboid, ninth: [usize; 2]) -> Start 
         let free = hits.iter().map(|y| (y - eye[1]).abs()).fold(f32::INFINITY, f32::min);
         // The mesh ends the path too: nothing is seen from beyond it.
         let free = free.min(eye[1] - within.low[1]).min(within.high[1] - eye[1]);
-        Start { eye, room: f64::from((free - APART).max(APART)) }
+        Start { eye, room: f64::from((free - APART).max(0.0)) }
     });
     tried
         .reduce(|best, one| if one.room > best.room { one } else { best })
-        .unwrap_or(Start { eye: within.low, room: f64::from(APART) })
+        .unwrap_or(Start { eye: within.low, room: 0.0 })
 }
 
 /// An eye above the lowest surface at a place that has room above it, or else above the highest.

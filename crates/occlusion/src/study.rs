@@ -188,11 +188,23 @@ pub struct Ways {
 /// own come first.
 pub fn ways(culling: &Culling) -> Vec<Ways> {
     let sized = |times: f64| culling.buffer.map(|n| ((f64::from(n) * times) as usize).max(16));
-    let grid = |part: u32| {
-        let own = sources().into_iter().filter(|way| part == 1 || way.passes.voxels.is_some());
-        WithGrid { voxels: culling.grid.map(|n| (n / part).max(2)), ways: own.collect() }
+    let grid = |(i, voxels): (usize, [u32; 3])| {
+        let own = sources().into_iter().filter(|way| i == 0 || way.passes.voxels.is_some());
+        WithGrid { voxels, ways: own.collect() }
     };
-    [1.0, 0.5, 1.5].map(|times| Ways { buffer: sized(times), grids: [1, 2, 4].map(grid).into() }).into()
+    let grids = distinct([1, 2, 4].map(|part| culling.grid.map(|n| (n / part).max(2))));
+    let ways = |buffer| Ways { buffer, grids: grids.iter().copied().enumerate().map(grid).collect() };
+    distinct([1.0, 0.5, 1.5].map(sized)).into_iter().map(ways).collect()
+}
+
+/// The sizes without those that are there before: the smallest are bounded.
+fn distinct<T: PartialEq>(sizes: [T; 3]) -> Vec<T> {
+    sizes.into_iter().fold(Vec::new(), |mut all, size| {
+        if !all.contains(&size) {
+            all.push(size);
+        }
+        all
+    })
 }
 
 /// What a scene asks for, and what is looked at.

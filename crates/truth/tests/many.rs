@@ -36,6 +36,18 @@ fn points(quantity: &dyn Quantity, count: usize) -> Points {
     Points::new(quantity.inputs().iter().enumerate().map(column))
 }
 
+/// R alone is made as R beside T, of either side.
+#[test]
+fn reflected_energy_alone_is_that_of_both() {
+    let glass = find("ggx-glass").expect("a quantity");
+    let points = points(glass, COMPARED);
+    for side in [Side::Outside, Side::Inside] {
+        let variant = Variant { side: Some(side), ..Smith::Correlated.into() };
+        let of = |outputs: &[&str]| glass.truth(&variant, &points, outputs, 1e-6).expect("values").columns;
+        assert!(of(&["R"])[0] == of(&["R", "T"])[0], "{side:?}");
+    }
+}
+
 #[test]
 fn many_points_are_within_the_tolerance_that_was_asked_for() {
     for quantity in QUANTITIES {

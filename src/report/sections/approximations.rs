@@ -1,5 +1,7 @@
 //! Every approximation with its error and cost, and the chart of one against the other.
 
+use std::collections::BTreeSet;
+
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
@@ -20,8 +22,13 @@ const COLUMNS: [(&str, bool); 10] = [
     ("source", false),
 ];
 
-/// All of them; names lead to the figures of those that the page shows, by name.
-pub(crate) fn section(all: &[ApproximationFinding], shown: &[&str]) -> Result<Option<Section>, ReportError> {
+/// All of them; names lead to the figures of those that the page shows, by name, and are places but for
+/// those that the page has known before.
+pub(crate) fn section(
+    all: &[ApproximationFinding],
+    shown: &[&str],
+    known: &mut BTreeSet<String>,
+) -> Result<Option<Section>, ReportError> {
     if all.is_empty() {
         return Ok(None);
     }
@@ -30,7 +37,7 @@ pub(crate) fn section(all: &[ApproximationFinding], shown: &[&str]) -> Result<Op
     for group in groups(all) {
         blocks.extend(chart(&group)?);
     }
-    blocks.push(Block::Table(list(all, shown)));
+    blocks.push(Block::Table(list(all, shown, known)));
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
@@ -127,7 +134,7 @@ fn dot(a: &ApproximationFinding) -> Dot {
     }
 }
 
-fn list(all: &[ApproximationFinding], shown: &[&str]) -> TextTable {
+fn list(all: &[ApproximationFinding], shown: &[&str], known: &mut BTreeSet<String>) -> TextTable {
     let caption = format!(
         "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, exp2 4; exp 5; \
          pow 9). Maxima are rounded up; where: the place of the maximum.{}",
@@ -138,8 +145,11 @@ fn list(all: &[ApproximationFinding], shown: &[&str]) -> TextTable {
     let link = |a: &ApproximationFinding| {
         shown.contains(&a.name.as_str()).then(|| format!("#{}", figures_of(&a.name)))
     };
-    table.names =
-        Some(Names { column: 0, places: vec![true; all.len()], links: all.iter().map(link).collect() });
+    table.names = Some(Names {
+        column: 0,
+        places: all.iter().map(|a| known.insert(a.name.clone())).collect(),
+        links: all.iter().map(link).collect(),
+    });
     table
 }
 

@@ -17,6 +17,8 @@ mod timed_tables;
 mod timings;
 pub mod words;
 
+use std::collections::BTreeSet;
+
 use super::{Answer, Block, Costs, Figure, Findings, GpuRecord, Origin, Page, ReportError, Timings};
 use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
@@ -30,7 +32,7 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     let mut sections = vec![called_for::section(findings)?];
     let tables = findings.tables.iter().map(|table| table.name.as_str());
     let shown: Vec<&str> = tables.chain(findings.fits.iter().map(|fit| fit.name.as_str())).collect();
-    sections.extend(approximations::section(&findings.approximations, &shown)?);
+    sections.extend(approximations::section(&findings.approximations, &shown, &mut BTreeSet::new())?);
     sections.extend(furnace::section(findings)?);
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(&findings.tables)?);

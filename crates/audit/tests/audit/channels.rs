@@ -166,7 +166,7 @@ fn a_stated_clamp_is_taken_and_none_is_invented() {
 }
 
 #[test]
-fn an_encoding_of_several_channels_is_told() {
+fn an_encoding_of_several_channels_is_found() {
     let (a, b) = (|x: usize, y: usize| ggx(x, y).0 - ggx(x, y).1, |x: usize, y: usize| ggx(x, y).1);
     let eight = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() / 255.0;
     let e = |x: usize, y: usize| ops::log2(a(x, y).max(b(x, y))).floor() + 1.0;
@@ -184,7 +184,7 @@ fn an_encoding_of_several_channels_is_told() {
 }
 
 #[test]
-fn rgbd_with_a_channel_of_another_quantity_is_told() {
+fn rgbd_with_a_channel_of_another_quantity_is_found() {
     let (b, e) = (|x: usize, y: usize| ggx(x, y).1, |x: usize, y: usize| ggx(x, y).0);
     let charlie = |x: usize, y: usize| sheen::albedo(at(y) * at(y), at(x));
     let eight = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() / 255.0;
@@ -201,8 +201,8 @@ fn rgbd_with_a_channel_of_another_quantity_is_told() {
     let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false)]);
     let given = Fixed { axes, registrations: Some(vec![Registration::Centre]), ..Fixed::default() };
     let said = run(&rgbd, "ggx-reflection", &given).verdict(None).to_string();
-    for told in ["decoded from RGBD of gamma 2.2", "R = B (", "G = E ("] {
-        assert!(said.contains(told), "{told}: {said}");
+    for words in ["decoded from RGBD of gamma 2.2", "R = B (", "G = E ("] {
+        assert!(said.contains(words), "{words}: {said}");
     }
 }
 

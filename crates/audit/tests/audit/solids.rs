@@ -176,7 +176,7 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
 }
 
 #[test]
-fn an_axis_of_the_inverse_index_is_told() {
+fn an_axis_of_the_inverse_index_is_found() {
     // Adobe's tables have 1/ior along half of an axis; here all of it, from 1/2 to 1.
     let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
     let at = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
@@ -201,7 +201,7 @@ fn an_axis_of_the_inverse_index_is_told() {
 }
 
 #[test]
-fn transmitted_radiance_is_told_from_energy() {
+fn transmitted_radiance_is_not_taken_for_energy() {
     let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
     let (n, at) = (6, |i: usize| (i as f64 + 0.5) / 6.0);
     let iors: Vec<f64> = (0..n).map(|z| 1.0 + at(z)).collect();

@@ -349,5 +349,7 @@ fn channels_of_an_exr_file_are_in_the_order_of_their_names() {
     };
     assert_eq!(names(&["A", "B", "G", "R"]), ["R", "G", "B", "A"]);
     assert_eq!(names(&["A", "B"]), ["A", "B"], "scale and bias");
+    let layers = ["dfg.A", "dfg.B", "env.B", "env.G", "env.R"];
+    assert_eq!(names(&layers), ["dfg.A", "dfg.B", "env.R", "env.G", "env.B"], "each layer by itself");
     assert_eq!(names(&["B", "G", "x.E"]), ["B", "G", "x.E"], "other names stay as they lie");
 }

@@ -9,7 +9,7 @@ use crate::passes::Passes;
 use crate::study::{ALL, ALLOWED, Choice, Point, Results, Row};
 use crate::times::{Timed, Times};
 use lobefit::report::numbers::brief;
-use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread};
+use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread, check};
 use lobefit::scene::{CameraPath, World};
 
 /// Size of a chart's plotted area in pixels.
@@ -20,6 +20,10 @@ const CHART: (f64, f64) = (430.0, 190.0);
 /// # Errors
 /// Data that cannot be shown, by section and field.
 pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<Page, ReportError> {
+    if results.rows.iter().all(|row| row.tally.seen + row.tally.hidden == 0) {
+        let why = "has no box in any frame that is measured; a mesh is in metres, and the camera stands 1.7 m above its ground";
+        return Err(check::domain("occlusion", "culling.world", why));
+    }
     let timed = Times::of(times, &results.rows);
     let device = times.map_or("", |times| &times.device);
     let sections = vec![

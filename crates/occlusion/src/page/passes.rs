@@ -75,6 +75,9 @@ fn holes_for_less(results: &Results, timed: Option<&[&Timed]>) -> String {
     let each = |((filled, cost), _): ((f64, f64), &Row)| cost / filled;
     let verdict = match (median.0.0 > 0.0 && half.0.0 > 0.0, each(median) < each(half)) {
         (false, _) => "one of them fills none".into(),
+        _ if median.0.1 <= 0.0 || half.0.1 <= 0.0 => {
+            format!("in one of them the {of} of filling is less than its clock can tell")
+        }
         (true, true) => {
             format!("the median takes {} times less {of} for each hole", brief(each(half) / each(median), 2))
         }
@@ -111,7 +114,7 @@ pub(super) fn passes(
             "Milliseconds: {device}; fastest of five runs of each pass, mean over the frames (times.json)."
         ),
         Err(why) => {
-            format!("Without milliseconds: {why}; `lobefit report --study occlusion --times` measures them.")
+            format!("Without milliseconds: {why}; the command with `--times` measures them.")
         }
     };
     let timed = timed.ok();

@@ -1,16 +1,20 @@
 //! The bases under one kind of lobe: what accuracy costs, and fits beside the truth.
 
+use std::collections::BTreeSet;
 use std::slice;
 
 use crate::effects::coupling::results::{AnyF0Finding, CouplingLobe};
 use crate::report::sections::{approximations, fits, tables, words};
 use crate::report::{Block, ReportError, Section, check, numbers};
 
-/// Their sections, with the kind of lobe in title and anchor.
-pub(super) fn sections(lobe: &CouplingLobe) -> Result<Vec<Section>, ReportError> {
+/// Their sections, with the kind of lobe in title and anchor; `known` are the names that the page has.
+pub(super) fn sections(
+    lobe: &CouplingLobe,
+    known: &mut BTreeSet<String>,
+) -> Result<Vec<Section>, ReportError> {
     let mut sections = Vec::new();
     let shown: Vec<&str> = lobe.fits.iter().map(|fit| fit.name.as_str()).collect();
-    if let Some(mut costs) = approximations::section(&lobe.approximations, &shown)? {
+    if let Some(mut costs) = approximations::section(&lobe.approximations, &shown, known)? {
         costs.blocks.push(Block::Heading { text: "At any f0".into() });
         costs.blocks.push(anywhere(lobe)?);
         sections.push(costs);

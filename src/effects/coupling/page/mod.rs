@@ -5,6 +5,8 @@ mod furnace;
 mod lobe;
 pub mod materials;
 
+use std::collections::BTreeSet;
+
 use crate::effects::coupling::results::CouplingFindings;
 use crate::report::sections::called_for;
 use crate::report::{Page, ReportError};
@@ -13,8 +15,9 @@ use crate::report::{Page, ReportError};
 pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &findings.left_out)];
     sections.push(curves::section(&findings.curves)?);
+    let mut known = BTreeSet::new();
     for one in &findings.lobes {
-        sections.extend(lobe::sections(one)?);
+        sections.extend(lobe::sections(one, &mut known)?);
         sections.push(furnace::section(one)?);
         sections.extend(materials::of_lobe(one)?);
     }

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 use crate::effects::parallax::results::{ParallaxFindings, ParallaxLobe};
 use crate::report::sections::{approximations, called_for};
-use crate::report::{Block, Page, ReportError, Section, TextTable};
+use crate::report::{Page, ReportError, Section};
 
 /// The whole page.
 pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
@@ -36,13 +36,7 @@ pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
 /// links lead to the first list that has a name.
 fn of_lobe(lobe: &ParallaxLobe, known: &mut BTreeSet<String>) -> Result<Vec<Section>, ReportError> {
     let mut sections = vec![variation::section(lobe)?];
-    let mut list = approximations::section(&lobe.approximations, &[])?;
-    for block in list.iter_mut().flat_map(|section| &mut section.blocks) {
-        if let Block::Table(TextTable { names: Some(names), rows, .. }) = block {
-            names.places = rows.iter().map(|row| known.insert(row[names.column].clone())).collect();
-        }
-    }
-    sections.extend(list);
+    sections.extend(approximations::section(&lobe.approximations, &[], known)?);
     sections.push(widths::section(lobe)?);
     sections.extend(chains::section(lobe));
     sections.extend(lookups::section(lobe));

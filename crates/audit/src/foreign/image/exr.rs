@@ -174,16 +174,18 @@ fn channel(name: String, samples: &FlatSamples) -> Channel {
     Channel { name, values }
 }
 
-/// Channels of colours in the order in which a reader names them: a file holds them by the alphabet, A and
-/// B before R. Without red, A and B are no colours.
+/// Channels of colours in the order in which a reader names them, in each layer by itself: a file holds them
+/// by the alphabet, A and B before R. Without red, A and B are no colours.
 fn in_order(mut channels: Vec<Channel>) -> Vec<Channel> {
-    let place = |c: &Channel| {
+    let split = |c: &Channel| {
         let (layer, name) = c.name.rsplit_once('.').unwrap_or(("", &c.name));
         (layer.to_string(), "RGBA".find(name).filter(|_| name.len() == 1))
     };
-    let coloured = channels.iter().any(|c| place(c).1 == Some(0));
-    if coloured && channels.iter().all(|c| place(c).1.is_some()) {
-        channels.sort_by_key(place);
+    for layer in channels.chunk_by_mut(|a, b| split(a).0 == split(b).0) {
+        let place = |c: &Channel| split(c).1;
+        if layer.iter().all(|c| place(c).is_some()) && layer.iter().any(|c| place(c) == Some(0)) {
+            layer.sort_by_key(place);
+        }
     }
     channels
 }

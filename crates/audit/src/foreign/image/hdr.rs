@@ -17,18 +17,14 @@ const APART: std::ops::Range<usize> = 8..1 << 15;
 pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     let source = Source { bytes, file };
     let (size, exposure, mut at) = header(source)?;
-    let texels = claimed(file, &size, 3)?;
+    claimed(file, &size, 3)?;
     let [width, height] = size.map(|n| n as usize);
     let mut values = [(); 3].map(|()| Vec::new());
-    for row in 0..height {
+    for _ in 0..height {
         let line = scan_line(source, &mut at, width)?;
         for texel in &line {
             let scale = if texel[3] == 0 { 0.0 } else { ops::exp2(f64::from(texel[3]) - 136.0) / exposure };
             values.iter_mut().zip(texel).for_each(|(values, m)| values.push(f64::from(*m) * scale));
-        }
-        if row == 0 {
-            // A line that was read bounds what the others claim.
-            values.iter_mut().for_each(|values| values.reserve(texels / 3 - width));
         }
     }
     let name = |(name, values): (&str, Vec<f64>)| Channel { name: name.into(), values };
@@ -78,6 +74,9 @@ fn header(source: Source) -> Result<([u64; 2], f64, u64), ForeignError> {
         if let Some(given) = line.strip_prefix("EXPOSURE=") {
             let given = given.trim().parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
             exposure *= given.ok_or_else(|| source.malformed(here, "its exposure is no positive number"))?;
+            if !(exposure.is_finite() && exposure > 0.0) {
+                return Err(source.malformed(here, "the product of its exposures is no positive number"));
+            }
         }
     }
 }
@@ -88,13 +87,12 @@ fn scan_line(source: Source, at: &mut u64, width: usize) -> Result<Vec<[u8; 4]>,
     let start = source.part(*at, 4, &what())?;
     let apart = start[..2] == [2, 2] && start[2] < 128;
     if !apart || !APART.contains(&width) {
-        let texels = source.part(*at, 4 * width as u64, &what())?;
-        *at += 4 * width as u64;
-        let texels = texels.as_chunks::<4>().0;
+        let texels = source.part(*at, 4 * width as u64, &what())?.as_chunks::<4>().0;
         if texels.iter().any(|t| t[..3] == [1; 3]) {
             let advice = "save it with the run lengths that all programs write today, or as EXR";
             return Err(source.unsupported(*at, "a Radiance file of repeated texels", advice));
         }
+        *at += 4 * width as u64;
         return Ok(texels.to_vec());
     }
     if usize::from(start[2]) << 8 | usize::from(start[3]) != width {
