@@ -109,7 +109,7 @@ fn start(triangles: &[[Place; 3]], within: &Cuboid, ninth: [usize; 2]) -> Start 
         };
         let eye = standing(triangles, [at(0), at(1)], within.low[2]);
         let hits = hits(triangles, 1, [eye[2], eye[0]]);
-        let free = hits.iter().map(|y| (y - eye[1]).abs()).fold(f32::INFINITY, f32::min);
+        let free = hits.iter().map(|(y, _)| (y - eye[1]).abs()).fold(f32::INFINITY, f32::min);
         // The mesh ends the path too: nothing is seen from beyond it.
         let free = free.min(eye[1] - within.low[1]).min(within.high[1] - eye[1]);
         Start { eye, room: f64::from((free - APART).max(0.0)) }
@@ -119,18 +119,21 @@ fn start(triangles: &[[Place; 3]], within: &Cuboid, ninth: [usize; 2]) -> Start 
         .unwrap_or(Start { eye: within.low, room: 0.0 })
 }
 
-/// An eye above the lowest surface at a place that has room above it, or else above the highest.
+/// An eye above the lowest surface at a place that looks up and has room above it: not within a solid,
+/// whose lower surface looks down. Of a mesh whose faces look the other way, above the lowest with room,
+/// or else above the highest.
 fn standing(triangles: &[[Place; 3]], [x, y]: [f32; 2], lowest: f32) -> Place {
-    let mut heights = hits(triangles, 2, [x, y]);
-    heights.sort_by(f32::total_cmp);
-    let roomy = heights.windows(2).find(|two| two[1] - two[0] >= HEADROOM).map(|two| two[0]);
-    let ground = roomy.or(heights.last().copied()).unwrap_or(lowest);
-    [x, y, ground + EYE]
+    let mut surfaces = hits(triangles, 2, [x, y]);
+    surfaces.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let above = |i: usize| surfaces.get(i + 1).map_or(f32::INFINITY, |(height, _)| height - surfaces[i].0);
+    let roomy: Vec<usize> = (0..surfaces.len()).filter(|i| above(*i) >= HEADROOM).collect();
+    let ground = roomy.iter().find(|i| surfaces[**i].1).or(roomy.first());
+    [x, y, ground.map_or(lowest, |i| surfaces[*i].0) + EYE]
 }
 
-/// Coordinates along an axis at which a line along it meets triangles; `at` are its places along
-/// the next axis and the one after that.
-fn hits(triangles: &[[Place; 3]], axis: usize, at: [f32; 2]) -> Vec<f32> {
+/// Coordinates along an axis at which a line along it meets triangles, and whether their faces look along
+/// it; `at` are its places along the next axis and the one after that.
+fn hits(triangles: &[[Place; 3]], axis: usize, at: [f32; 2]) -> Vec<(f32, bool)> {
     let [u, v] = [1, 2].map(|k| (axis + k) % 3);
     let meets = |corners: &[Place; 3]| {
         let flat = corners.map(|corner| [corner[u] - at[0], corner[v] - at[1]]);
@@ -140,7 +143,8 @@ fn hits(triangles: &[[Place; 3]], axis: usize, at: [f32; 2]) -> Vec<f32> {
         });
         let inside = areas.iter().all(|x| *x >= 0.0) || areas.iter().all(|x| *x <= 0.0);
         let whole = areas[0] + areas[1] + areas[2];
-        (inside && whole != 0.0).then(|| (0..3).map(|i| areas[i] * corners[i][axis]).sum::<f32>() / whole)
+        let place = || (0..3).map(|i| areas[i] * corners[i][axis]).sum::<f32>() / whole;
+        (inside && whole != 0.0).then(|| (place(), whole > 0.0))
     };
     triangles.iter().filter_map(meets).collect()
 }

@@ -313,6 +313,9 @@ impl Reader<'_> {
         to: &Transform,
     ) -> Result<[f32; 3], Wrong> {
         let own = [0, 1, 2].map(|k| f64::from(f32::from_le_bytes(self.part(of, i, 4 * k))));
+        if !own.iter().all(|x| x.is_finite()) {
+            return Err((format!("accessors[{accessor}]"), format!("element {i} is {own:?}: not finite")));
+        }
         let placed = to.applied(own);
         // Written so that what is not a number is refused.
         if !placed.iter().all(|x| x.abs() <= FARTHEST) {

@@ -6,7 +6,7 @@ mod sweeps;
 
 use crate::measure::{Tally, part};
 use crate::passes::Passes;
-use crate::study::{ALL, ALLOWED, Choice, Point, Results, Row};
+use crate::study::{ALL, ALLOWED, Choice, Point, Results, Row, passes as passes_of};
 use crate::times::{Timed, Times};
 use lobefit::report::numbers::brief;
 use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread, check};
@@ -73,9 +73,10 @@ fn lead(results: &Results) -> String {
     let rates = |tally: &Tally| (percent(tally.wrongly_kept()), percent(tally.wrongly_culled()));
     let of = |passes: Passes| by(results, None, passes).map(|(row, _)| rates(&row.tally)).unwrap_or_default();
     let (alone, all, safe) = (of(Passes::POINTS), of(ALL), of(Passes::CONSERVATIVE));
+    let few = results.rows.first().map_or_else(String::new, |row| few(&row.tally));
     let [width, height] = culling.buffer;
     format!(
-        "Where nothing may vanish take the conservative mode: of depth that is {} frames old it culls {} of the boxes that the frame shows, and keeps \
+        "{few}Where nothing may vanish take the conservative mode: of depth that is {} frames old it culls {} of the boxes that the frame shows, and keeps \
          {} of those that it hides. {} With medians, voxels and dilation {} are kept and {} culled{}: take these only where an object may be missing for some frames.\n\
          What fills holes also closes gaps that are there; old points alone keep {} and cull {}. \
          {} is drawn on the CPU, with the camera on the path `{}` of {} frames; an occlusion buffer of {width} x {height} texels is made from the \
@@ -99,13 +100,26 @@ fn lead(results: &Results) -> String {
     )
 }
 
-/// What all passes of the scene cull where the camera moves sideways, if that is not its path.
+/// What is said of rates of so few boxes that one more or less would change them.
+fn few(tally: &Tally) -> String {
+    if tally.seen.min(tally.hidden) >= FEW {
+        return String::new();
+    }
+    format!(
+        "Too few boxes for rates to be relied on: {} that the frames show and {} that they hide. ",
+        tally.seen, tally.hidden
+    )
+}
+
+/// What all passes cull where the camera moves sideways, if that is not the scene's path.
 fn sideways(results: &Results) -> String {
     let culling = &results.culling;
     let here = |point: &&Point| {
         point.path == CameraPath::Strafe && point.speed == 1.0 && point.latency == culling.latency as usize
     };
-    let point = results.sweep.iter().find(here).filter(|_| culling.path != CameraPath::Strafe);
+    // Of a scene that leaves passes out the sweep has other rates.
+    let is_said = culling.path != CameraPath::Strafe && passes_of(culling) == ALL;
+    let point = results.sweep.iter().find(here).filter(|_| is_said);
     point.map_or(String::new(), |point| {
         format!(", and {} where the camera moves sideways", percent(point.all.wrongly_culled()))
     })
@@ -116,10 +130,14 @@ fn chosen(results: &Results) -> String {
     let [_, Choice { trial, reported, .. }] = &results.choices;
     let allowed = percent(ALLOWED[0]);
     let what = worded(&trial.passes, trial.bias);
+    let worst = match percent(reported.most_culled) {
+        // A digit more tells it from what is allowed.
+        same if same == allowed => format!("{}\u{a0}%", brief(100.0 * reported.most_culled, 4)),
+        other => other,
+    };
     let rates = format!(
-        "on other shots they cull {}, on the worst of these {}, and keep {}",
+        "on other shots they cull {}, on the worst of these {worst}, and keep {}",
         percent(reported.sum.wrongly_culled()),
-        percent(reported.most_culled),
         percent(reported.sum.wrongly_kept())
     );
     if reported.most_culled <= ALLOWED[0] {
@@ -128,10 +146,13 @@ fn chosen(results: &Results) -> String {
         )
     } else {
         format!(
-            "Where {allowed} of them may, take it too: of parameters chosen for that ({what}) it is not kept, for {rates}."
+            "Where {allowed} of them may, nothing that was tried is certain to keep that: of the nearest parameters ({what}), {rates}."
         )
     }
 }
+
+/// Fewest boxes, shown and hidden, of which rates are rates.
+const FEW: u64 = 200;
 
 /// A rate: its label, and what it is of a tally.
 type Rate = (&'static str, fn(&Tally) -> f64);

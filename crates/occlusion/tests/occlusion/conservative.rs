@@ -73,13 +73,6 @@ fn over(pairs: u64, boxes: usize) -> [usize; 3] {
     all.into_iter().fold([0; 3], |sum, one| [0, 1, 2].map(|k| sum[k] + one[k]))
 }
 
-#[test]
-fn no_seen_box_is_culled() {
-    let [wrong, right, all] = over(60, 1000);
-    assert!(all > 10_000 && right > all / 8, "{right} of {all} culled");
-    assert_eq!(wrong, 0);
-}
-
 /// The same in the mesh of the example, from the starts of its paths.
 #[test]
 fn no_seen_box_among_triangles_is_culled() {
@@ -96,10 +89,9 @@ fn no_seen_box_among_triangles_is_culled() {
 
 /// A million boxes in frames.
 #[test]
-#[ignore = "ten seconds of processor time"]
 fn no_seen_box_of_a_million_is_culled() {
     let [wrong, right, all] = over(2000, 2200);
     println!("{all} boxes in frames, {right} culled, {wrong} of them seen");
-    assert!(all >= 1_000_000, "{all}");
+    assert!(all >= 1_000_000 && right > all / 8, "{right} of {all} culled");
     assert_eq!(wrong, 0);
 }

@@ -56,6 +56,35 @@ fn read(bytes: &[u8]) -> Mesh {
     mesh(bytes, "m.glb").unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// The surface of a box, seen from outside.
+fn solid(low: [f32; 3], high: [f32; 3]) -> Vec<[[f32; 3]; 3]> {
+    let side = |axis: usize, top: bool| {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        let corner = |a: bool, b: bool| {
+            let mut place = [if top { high[axis] } else { low[axis] }; 3];
+            place[u] = if a { high[u] } else { low[u] };
+            place[v] = if b { high[v] } else { low[v] };
+            place
+        };
+        let [a, b, c, d] =
+            [(false, false), (true, false), (true, true), (false, true)].map(|(a, b)| corner(a, b));
+        if top { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] }
+    };
+    (0..3).flat_map(|axis| [side(axis, false), side(axis, true)].concat()).collect()
+}
+
+/// A person stands on the ground and on roofs, neither within the ground nor in a house without a door.
+#[test]
+fn eyes_stand_on_what_looks_up() {
+    let mut triangles = solid([0.0, -5.0, 0.0], [30.0, 0.0, 30.0]);
+    triangles.extend(solid([12.0, 0.0, 12.0], [18.0, 8.0, 18.0]));
+    let parts = vec![0..12, 12..24];
+    let site = Site::of_mesh(&Mesh { triangles, parts });
+    let heights = site.starts.map(|start| start.eye[2]);
+    assert!(heights.iter().all(|z| (z - 1.7).abs() < 1e-4 || (z - 9.7).abs() < 1e-4), "{heights:?}");
+    assert!(heights.iter().filter(|z| **z < 2.0).count() >= 8, "{heights:?}");
+}
+
 /// Corners of nodes in nodes: turned by a quarter about y, which takes x to -z, then scaled, then
 /// moved; a matrix does the same.
 #[test]
@@ -213,11 +242,11 @@ fn hostile_files_are_refused_by_name() {
     for (from, to, message) in cases {
         refused(&with(from, &to), message);
     }
-    for x in [f32::NAN, f32::INFINITY, 3e6] {
+    for (x, is) in [(f32::NAN, "is ["), (f32::INFINITY, "is ["), (3e6, "lies at ")] {
         let mut bytes = with(NODES, NODES);
         let corner = bytes.len() - 60 + 12;
         bytes[corner..corner + 4].copy_from_slice(&x.to_le_bytes());
-        refused(&bytes, "accessors[0]: element 1 lies at ");
+        refused(&bytes, &format!("accessors[0]: element 1 {is}"));
     }
     let whole = with(NODES, NODES);
     refused(&whole[..whole.len() - 4], "bufferViews[1]: the file ends before the end of its buffer");

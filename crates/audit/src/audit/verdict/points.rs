@@ -267,7 +267,7 @@ fn untold(audit: &Audit) -> Option<String> {
         (Source::Table, _) => " at its texels".into(),
     };
     Some(format!(
-        "Nothing says that it is of {}: read plainly ({other}), it is off by at most {}{scope}.",
+        "Without options {} is not assumed unless the file says so: read plainly ({other}), it is off by at most {}{scope}.",
         plain.untold.join(", or "),
         number(plain.max),
     ))
