@@ -15,7 +15,7 @@
 // squared cosine of the view's azimuth from the alpha_x axis.
 // ior is the index of refraction, inside over outside, for rays from either side.
 // `diffuse_coupling` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.
-// `parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the
+// `parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its comment names and no other; rho is the
 // distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.
 // `parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and
 // `parallax_fetch_*`, one fetch along a ray, are its parts.

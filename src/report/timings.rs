@@ -95,7 +95,7 @@ pub struct TimedTables {
     pub texels: u64,
     /// One run for each accuracy asked for and Smith form.
     pub runs: Vec<TimedTableRun>,
-    /// The sources' method on the same cores.
+    /// The path tracer's method on the same cores.
     pub estimator: TimedEstimator,
 }
 

@@ -1,13 +1,13 @@
-//! The sources' layout of rough glass: 128 x 128 x 32, separable Smith, alpha = roughness.
+//! The path tracer's layout of rough glass: 128 x 128 x 32, separable Smith, alpha = roughness.
 
 use crate::data::{Axis, Warp};
 
 /// Columns, rows, slices.
 pub const SIZE: [usize; 3] = [128, 128, 32];
 
-/// The axes on which the texels lie: mu = (x/127)^2, alpha = y/127, ior = 1 + z/31. The sources
-/// clamp mu to [0.01, 0.9999], alpha to [0.01, 1] and ior to [1.0001, 2] where they compute a
-/// texel.
+/// The axes on which the texels lie: mu = (x/127)^2, alpha = y/127, ior = 1 + z/31. The
+/// path tracer clamps mu to [0.01, 0.9999], alpha to [0.01, 1] and ior to [1.0001, 2] where it
+/// computes a texel.
 pub fn axes() -> [Axis; 3] {
     [
         Axis::ends("mu", SIZE[0], Warp::Sqrt, [0.0, 1.0]),

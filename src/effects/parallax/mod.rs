@@ -79,7 +79,7 @@ impl Effect for Parallax {
             (
                 &["parallax_"],
                 &[
-                    "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the",
+                    "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its comment names and no other; rho is the",
                     "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
                 ],
             ),

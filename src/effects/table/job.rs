@@ -268,7 +268,7 @@ impl TableJob {
     }
 
     /// The sizes that are tried in turn: the one that is asked for, or squares, or of three axes
-    /// halves of the largest; those within the bytes, and the smallest where none is.
+    /// halves of the largest; those within the bytes, and the smallest where all take more.
     pub(super) fn sizes(&self) -> Vec<Vec<usize>> {
         let halves = |size: &Vec<usize>| -> Vec<Vec<usize>> {
             let least = |n: usize| n.min(SLICED_AXIS_MIN);

@@ -27,7 +27,7 @@ pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
     let rows = tables.runs.iter().map(|r| row(r, tables)).collect();
     let e = &tables.estimator;
     let caption = format!(
-        "All {} texels of the three tables on {} threads. The sources draw {} random samples a texel; the same estimator in f64 \
+        "All {} texels of the three tables on {} threads. The path tracer draws {} random samples a texel; the same estimator in f64 \
          makes {} (reflection) and {} (glass) samples a second here, so their tables would take {} s, extrapolated, with an \
          error of {} (one standard deviation, reflection) where ours has the one in the table.",
         grouped(tables.texels),
@@ -41,7 +41,7 @@ pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
     Ok(Section {
         id: "tables".into(),
         title: "Offline: whole tables".into(),
-        lead: "The sources' three tables, every texel: reflection 64 × 64 × 32 and rough glass 128 × 128 × 32 from outside and \
+        lead: "The path tracer's three tables, every texel: reflection 64 × 64 × 32 and rough glass 128 × 128 × 32 from outside and \
                from inside."
             .into(),
         blocks: vec![

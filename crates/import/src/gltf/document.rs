@@ -154,7 +154,8 @@ pub(super) struct Extensions {
     pub volume: Maybe<Volume>,
 }
 
-/// The names of these, and of those that say nothing of a lobe. A note names any other extension of materials.
+/// The names of these, and of those that say nothing of a lobe. A note names any other extension of
+/// materials.
 pub(super) const KNOWN: [&str; 14] = [
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

@@ -112,8 +112,8 @@ impl Declared {
         self.held.iter().all(|h| h.figures.max <= SLACK * h.share() * self.claimed + self.truth_error)
     }
 
-    /// Whether it is what it says, and within a limit wherever it claims something, by its own claim too: that
-    /// was searched at more places.
+    /// Whether it is what it says, and within a limit wherever it claims something, by its own claim too:
+    /// the claim was searched at more places.
     pub fn passes(&self, limit: Option<f64>) -> bool {
         self.holds() && limit.is_none_or(|limit| self.worst() <= limit && self.claimed <= limit)
     }
