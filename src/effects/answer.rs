@@ -325,15 +325,31 @@ pub(super) fn answer(made: &Made) -> Answer {
     Answer { effect: made.part.by.name().into(), conclusion, also, purposes }
 }
 
-/// Notes the error that the scene limits: of a lookup that of its width.
+impl Limited {
+    /// The error of a function: of a lookup that of its width.
+    fn of(&self, name: &str, lookups: &[LookupFunction]) -> Option<f64> {
+        let width = lookups.iter().find(|lookup| lookup.function == name).map(|lookup| &lookup.width);
+        self.errors.get(width.map_or(name, String::as_str)).copied()
+    }
+}
+
+/// Notes the error that the scene limits.
 fn limit(purpose: &mut Purpose, limited: &Limited, lookups: &[LookupFunction]) {
     purpose.limited.clone_from(&limited.metric);
     for offer in &mut purpose.choices {
-        let width = lookups.iter().find(|lookup| lookup.function == offer.name).map(|lookup| &lookup.width);
-        offer.limited = limited.errors.get(width.unwrap_or(&offer.name)).copied().or(offer.limited);
+        offer.limited = limited.of(&offer.name, lookups).or(offer.limited);
     }
     for measured in &mut purpose.measured {
-        measured.limited = limited.errors.get(&measured.name).copied();
+        measured.limited = limited.of(&measured.name, lookups);
+    }
+}
+
+/// Notes it of each call, in place of the error of its certificate.
+pub(super) fn limit_calls(entries: &mut Entries, limited: &Limited) {
+    for call in &mut entries.calls {
+        if let Some(max) = limited.of(&call.name, &entries.lookups) {
+            (call.max_error, call.metric) = (max, limited.metric.clone());
+        }
     }
 }
 

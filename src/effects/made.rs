@@ -114,6 +114,9 @@ impl Made {
     /// Figures that are not finite.
     pub fn finished(mut self) -> Result<Made, BakeError> {
         let answer = answer::answer(&self);
+        if let Some(limited) = &self.limited {
+            answer::limit_calls(&mut self.part.entries, limited);
+        }
         answer::mark(&mut self.part.entries, &answer.purposes);
         let recommended = comment("//", &answer::recommendations(&self.part.entries.calls));
         // Behind the head of a file, where Rust takes no inner documentation.

@@ -45,6 +45,11 @@ impl Compensation {
         Ok(format!("{}\n{}", factor?, colours?))
     }
 
+    /// Its function of colours.
+    pub fn of_colours(self) -> &'static str {
+        self.names()[1]
+    }
+
     /// Names of the functions of the factor and of colours.
     fn names(self) -> [&'static str; 2] {
         match self {

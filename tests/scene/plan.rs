@@ -139,6 +139,23 @@ fn a_fit_alone_plans_no_table_and_a_table_alone_no_fit() {
 }
 
 #[test]
+fn a_plan_says_what_no_formula_keeps() {
+    let said = |want: &str| {
+        let plan = plan(&metals(&[("m", "[0.05,1]", &format!(r#"{{"fit":{{{want}}}}}"#))]));
+        plan.effects[0].jobs[0].approximation.clone()
+    };
+    let none = said(r#""max_ops":3"#);
+    assert!(none.ends_with("; no formula has so few: the cheapest takes 5 operations"), "{none}");
+    let few = said(r#""max_ops":8,"max_error":0.01"#);
+    assert!(few.contains("below the 0.082 that 8 operations have"), "{few}");
+    assert!(few.ends_with("18 operations keep it"), "{few}");
+    let table = said(r#""max_error":0.0001"#);
+    assert!(table.ends_with("`bake` ends with the table that does"), "{table}");
+    let kept = said(r#""max_ops":18,"max_error":0.01"#);
+    assert!(kept.ends_with("up to 18 operations, max"), "{kept}");
+}
+
+#[test]
 fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     let table = |e: &str| format!(r#"{{"tables":[{{"size":[16,8]{e}}}]}}"#);
     let scene = metals(&[

@@ -45,9 +45,27 @@ pub const NORMALISATION: &str = "ggx_energy_compensation";
 /// holds in each of them.
 const FITS: &str = "normalisation";
 
-/// The least error of the normalisations over roughness 0.02 to 1 and mu from 0.01: that of
-/// `ggx_norm_i20`.
-pub const LEAST_ERROR: f64 = 0.0017;
+/// Operations and error of the normalisations that none beats in both, over roughness 0.02 to 1 and
+/// mu from 0.01. Over a part of the domain each errs by less.
+pub const REACHED: [(u32, f64); 17] = [
+    (1, 0.513),
+    (2, 0.254),
+    (3, 0.098),
+    (4, 0.082),
+    (5, 0.077),
+    (6, 0.0625),
+    (8, 0.055),
+    (10, 0.0323),
+    (11, 0.0234),
+    (12, 0.0198),
+    (13, 0.01134),
+    (14, 0.00972),
+    (15, 0.00713),
+    (16, 0.0049),
+    (17, 0.0034),
+    (19, 0.00242),
+    (20, 0.0017),
+];
 
 /// What the materials of the fits want beside normalisations.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -195,14 +213,29 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
         (false, false) => "",
     };
     let summary = JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants));
-    let tight = job.goals.max_error.filter(|limit| wants.hypotheses.is_empty() && *limit < LEAST_ERROR);
-    let doubt = tight.map_or_else(String::new, |limit| {
-        format!(
-            "; max_error {limit} is below the {LEAST_ERROR} that the most accurate of them has over roughness 0.02 to 1: \
-             where none keeps it, `bake` ends with the table that does"
-        )
-    });
+    let doubt = if wants.hypotheses.is_empty() { doubt(job, wants.coloured) } else { None };
+    let doubt = doubt.unwrap_or_default();
     JobSummary { approximation: summary.approximation + &doubt, ..summary }
+}
+
+/// What stands against the goals of a job of normalisations, as far as the operations and the errors
+/// [`REACHED`] say it. `bake` knows: it fits them over the job's own region.
+fn doubt(job: &Job, coloured: bool) -> Option<String> {
+    let beside = if coloured { compensation::coloured_ops().ok()? } else { 0 };
+    let most = job.goals.max_ops.unwrap_or(u32::MAX);
+    let [(cheapest, _), ..] = REACHED;
+    let Some((ops, least)) = REACHED.iter().rfind(|(ops, _)| ops + beside <= most) else {
+        return Some(format!("; no formula has so few: the cheapest takes {} operations", cheapest + beside));
+    };
+    let limit = job.goals.max_error.filter(|limit| limit < least)?;
+    let keeps = REACHED.iter().find(|(_, error)| *error <= limit);
+    let instead = keeps.map_or("`bake` ends with the table that does".into(), |(ops, _)| {
+        format!("{} operations keep it", ops + beside)
+    });
+    Some(format!(
+        "; max_error {limit} is below the {least} that {} operations have over roughness 0.02 to 1: if not here, {instead}",
+        ops + beside
+    ))
 }
 
 /// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for

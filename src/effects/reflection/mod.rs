@@ -19,7 +19,7 @@ use crate::data::Use;
 use crate::scene::Scene;
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
-pub use demand::{FitJob, LEAST_ERROR, NORMALISATION};
+pub use demand::{FitJob, NORMALISATION, REACHED};
 pub use fits::{FitSpec, fit_all};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{Dfg, build, sampled};

@@ -1,6 +1,8 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
 use super::{SCREEN, figures, words};
+use crate::data::Use;
+use crate::emit::compensation::Compensation;
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -177,18 +179,19 @@ fn forms<'a>(offer: &Offer, function: &'a str, manifest: &'a Manifest) -> Vec<&'
 /// lines of all forms: where they are declared, with which parameters, and of a table what to load.
 fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
     let mut found: Vec<(Language, Lines)> = Vec::new();
+    let then = compensating(forms, drawn.manifest).map(|name| (name, "then, e = value"));
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
         let text = String::from_utf8_lossy(text);
         let mut calls: Vec<Lines> = Vec::new();
-        for function in forms {
+        for (function, label) in forms.iter().map(|form| (*form, "or, for one channel")).chain(then) {
             let Some(Called { call, parameters }) = call(&text, function) else { continue };
             let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
-            let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
+            let file = if calls.is_empty() { include.file.as_str() } else { label };
             let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
-            // Of two forms a shader takes one: the second is a comment, so that what is copied compiles.
+            // Of two calls the second is a comment, so that what is copied compiles.
             let line = if calls.is_empty() {
                 call.clone()
             } else {
@@ -204,6 +207,13 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
     let first = found.first().and_then(|(_, (call, _))| call.split_once(" = "));
     let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
     (shown, found.into_iter().map(|(language, (_, code))| (language.title().to_string(), code)).collect())
+}
+
+/// What compensates a lobe with the value of a table of its albedo.
+fn compensating(forms: &[&str], manifest: &Manifest) -> Option<&'static str> {
+    let tables = manifest.entries.tables.iter().filter(|table| forms.contains(&table.function.as_str()));
+    let of_albedo = tables.filter(|table| table.used_as == Use::VALUE.name);
+    of_albedo.map(|table| Compensation::of_quantity(&table.quantity).map(Compensation::of_colours)).next()?
 }
 
 /// A call, and the call below its comment.
@@ -248,13 +258,14 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
         (_, 0) => rows.push(("Memory".into(), fetches)),
         (_, bytes) => rows.push(("Memory".into(), format!("{fetches}, {} bytes", grouped(bytes)))),
     }
-    if let Some([max, rms]) = offer.error {
+    // The error that the scene limits stands first, where it is not the one of the certificate.
+    let own = offer.limited.map(|max| (format!("max {}", words::max(max)), purpose.limited.clone()));
+    let certified = offer.error.map(|[max, rms]| {
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
-        rows.push(("Error".into(), format!("max {}, RMS {}", words::max(max), words::mean(rms))));
-        rows.push(("Measure".into(), metric.clone()));
-    }
-    if let Some(limited) = offer.limited {
-        rows.push((String::new(), format!("{}: max {}", purpose.limited, words::max(limited))));
+        (format!("max {}, RMS {}", words::max(max), words::mean(rms)), metric.clone())
+    });
+    for (error, measure) in own.into_iter().chain(certified) {
+        rows.extend([("Error".into(), error), ("Measure".into(), measure)]);
     }
     rows
 }
