@@ -11,7 +11,7 @@ use lobefit_shade::code::Float;
 const USUAL_ERROR: f64 = 0.02;
 
 /// Inputs after the width of the lobe, in the order of emitted functions.
-const INPUTS: [&str; 3] = ["mu", "rho", "f0"];
+const INPUTS: [&str; 4] = ["mu", "rho", "f0", "ior"];
 
 /// What is emitted of the fits of a job.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,7 +16,7 @@ use crate::report::explore::{
 use crate::report::numbers::rounded;
 use crate::report::{Furnace, FurnaceRow};
 use lobefit_shade::code::{self, Language, helpers};
-use lobefit_shade::round_up;
+use lobefit_shade::{Hypothesis, round_up};
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Parts, Quantity, Variant};
 
@@ -44,6 +44,8 @@ pub struct Exploring<'a> {
     pub variant: Variant,
     /// Where the fits hold.
     pub region: Region,
+    /// Inputs beside roughness and mu, and what they are on the page.
+    pub at: Vec<(&'static str, f64)>,
     /// f0 of the first picture.
     pub f0: f64,
     /// Fits for the use.
@@ -122,11 +124,20 @@ impl Exploring<'_> {
             standing,
             source: a.source.text().into(),
             text,
-            call: format!("{}({})", formula.name(), formula.inputs().join(", ")),
+            call: format!("{}({})", formula.name(), self.arguments(formula).join(", ")),
             cost: a.cost,
             certificate: Some(a.certificate.clone()),
             texels: None,
         })
+    }
+
+    /// The arguments of a formula, with a number for an input that has one value here.
+    fn arguments(&self, formula: &Hypothesis) -> Vec<String> {
+        let of = |input: &String| match self.at.iter().find(|(known, _)| known == input) {
+            Some((_, value)) => format!("{value:?}"),
+            None => input.clone(),
+        };
+        formula.inputs().iter().map(of).collect()
     }
 
     fn table(
@@ -195,12 +206,15 @@ impl Exploring<'_> {
             let mu = view(column / (size[0] - 1) as f64, self.region.mu, alpha);
             self.region.push(&mut points, roughness, mu);
         }
-        points
+        self.at.iter().fold(points, |points, (input, value)| {
+            let count = points.len();
+            points.with(input, vec![f64::from(*value as f32); count])
+        })
     }
 
     /// Without an approximation, and with each that is emitted; a table where there is none.
     fn spheres(&self, context: &Context) -> Result<Furnace, BakeError> {
-        let grid = Grid::curves(&self.region, &SPHERES);
+        let grid = Grid::curves(&self.region, &SPHERES).at(&self.at);
         let truth = self.values(&grid.points, context)?;
         let of = |i: usize| match &truth[..] {
             [e, b, ..] => Parts::new(e[i], b[i]),

@@ -49,6 +49,15 @@ impl Grid {
         Grid::new(region, chosen(region, wanted), grazing(region, COSINES))
     }
 
+    /// The same with inputs that have one value each.
+    pub fn at(mut self, inputs: &[(&'static str, f64)]) -> Grid {
+        for (input, value) in inputs {
+            let count = self.points.len();
+            self.points = self.points.with(input, vec![f64::from(*value as f32); count]);
+        }
+        self
+    }
+
     /// A formula at every point, for one f0.
     ///
     /// # Errors

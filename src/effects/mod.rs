@@ -12,6 +12,7 @@ pub mod context;
 pub mod coupling;
 pub mod demand;
 mod deviation;
+pub mod dielectric;
 mod effect;
 pub mod eon;
 mod error;
@@ -46,6 +47,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &reflection::Reflection,
         &anisotropy::Anisotropy,
         &glass::Glass,
+        &dielectric::Dielectric,
         &coupling::DiffuseCoupling,
         &eon::Eon,
         &sheen::Sheen,

@@ -1,5 +1,5 @@
-//! Fits of one column of a quantity of alpha and mu: all that an effect needs which a shader
-//! answers with formulas alone.
+//! Fits of one column of a quantity of alpha and mu, and of at most a few inputs more: all that an
+//! effect needs which a shader answers with formulas alone.
 
 use std::collections::BTreeMap;
 
@@ -17,12 +17,15 @@ use crate::report::explore::Drawn;
 use crate::report::{ApproximationFinding, Findings};
 use crate::scene::{Goals, Scene};
 use lobefit_shade::code::Language;
-use lobefit_truth::quantity::{Quantity, Variant};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::{Choice, Quantity, Variant};
 
 /// What is fitted and how its page shows it.
 pub struct ValueFits<'a> {
-    /// A quantity whose inputs are alpha and mu.
+    /// A quantity whose inputs are alpha, mu and those of `shown_at`.
     pub quantity: &'static dyn Quantity,
+    /// The side from which its light comes, of a quantity that has two.
+    pub side: Option<Side>,
     /// The column that formulas stand for.
     pub column: &'static str,
     /// Formulas with free parameters.
@@ -41,6 +44,8 @@ pub struct ValueFits<'a> {
     pub caption: &'static str,
     /// Roughness of the page's curves, as far as they lie in the region.
     pub curves: &'a [f64],
+    /// Inputs beside roughness and mu, and where pages show them, if that lies in the range of a job.
+    pub shown_at: &'a [(&'static str, f64)],
     /// Seconds on one core of the truth, and of one fit.
     pub seconds: [f64; 2],
     /// Tables beside the fits.
@@ -102,7 +107,8 @@ impl ValueFits<'_> {
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;
         let FitSet { fits, dropped, nearest, .. } =
-            approximate::fit_all(&self.wanted(job, context.scene, &region), &context.counter)?;
+            approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.counter)?;
+        let shown = self.shown(job)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
         made.promised(job, (&fits, &nearest), self.of, Use::VALUE);
@@ -119,26 +125,30 @@ impl ValueFits<'_> {
         }
         made.tables(context, tables)?;
         if context.reports(called.effect) {
-            let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
+            let findings = self.findings(&made, context, (&region, &shown), (&fits, &dropped))?;
             made.findings(&findings)?;
         }
-        self.explored(&mut made, (&fits, &region), context)?;
+        self.explored(&mut made, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;
         Ok(made)
     }
 
     /// The published formulas stand beside ours where the map of roughness is theirs.
-    fn wanted<'a>(&'a self, job: &'a Job, scene: &Scene, region: &Region) -> Wanted<'a> {
+    fn wanted<'a>(&'a self, job: &'a Job, scene: &Scene, region: &Region) -> Result<Wanted<'a>, BakeError> {
         let Region { roughness, mu, alpha_map } = *region;
-        Wanted {
+        let mut domain = BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]);
+        for (input, _) in self.shown_at {
+            domain.insert(input.to_string(), job.range(input)?);
+        }
+        Ok(Wanted {
             spec: TargetSpec {
                 quantity: self.quantity,
                 column: Some(self.column.into()),
                 used_as: Some(Use::VALUE),
-                variant: Variant::default(),
+                variant: self.variant(scene),
                 alpha_map,
-                domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
+                domain,
             },
             own: self.own,
             user: &[],
@@ -147,7 +157,22 @@ impl ValueFits<'_> {
             max_ops: job.goals.max_ops,
             safe_range: None,
             emission: self.emission(job, scene),
-        }
+        })
+    }
+
+    fn variant(&self, scene: &Scene) -> Variant {
+        let smith = self.quantity.has(Choice::Smith).then_some(scene.smith);
+        Variant { smith, side: self.side, ..Variant::default() }
+    }
+
+    /// Where the pages of a job show the other inputs.
+    fn shown(&self, job: &Job) -> Result<Vec<(&'static str, f64)>, BakeError> {
+        let one = |(input, usual): &(&'static str, f64)| {
+            let [low, high] = job.range(input)?;
+            let is_inside = (low..=high).contains(usual);
+            Ok((*input, if is_inside { *usual } else { 0.5 * (low + high) }))
+        };
+        self.shown_at.iter().map(one).collect()
     }
 
     /// A quantity of roughness itself has no alpha, whatever other functions of the scene take.
@@ -163,10 +188,10 @@ impl ValueFits<'_> {
         &self,
         made: &Made,
         context: &Context,
-        region: &Region,
+        (region, shown): (&Region, &[(&'static str, f64)]),
         (fits, dropped): (&[Fit], &[Dropped]),
     ) -> Result<Findings, BakeError> {
-        let (map, lines) = (Grid::map(region), Grid::curves(region, self.curves));
+        let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
         let finding = |one: &Selected| {
             let values = map.values(one.fit, 1.0)?;
@@ -176,15 +201,17 @@ impl ValueFits<'_> {
         };
         let tables = made.tables.iter().map(|table| &table.approximation);
         let all = fits.iter().map(|fit| &fit.approximation);
-        let shown = selected(fits, self.column, Use::VALUE, context);
+        let chosen = selected(fits, self.column, Use::VALUE, context);
+        let drawn =
+            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at(shown)) };
         Ok(Findings {
             effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),
             truths: vec![map.field(self.column, false, truth.iter().copied())],
-            caption: self.caption.into(),
+            caption: self.caption.to_string() + &drawn,
             tables: made.tables.iter().filter_map(|t| table::finding(t, &made.part, Vec::new())).collect(),
             approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
-            fits: shown.iter().map(finding).collect::<Result<_, BakeError>>()?,
+            fits: chosen.iter().map(finding).collect::<Result<_, BakeError>>()?,
             ..Findings::new(context.origin())
         })
     }
@@ -193,21 +220,24 @@ impl ValueFits<'_> {
     fn explored(
         &self,
         made: &mut Made,
-        (fits, region): (&[Fit], &Region),
+        (fits, region, shown): (&[Fit], &Region, &[(&'static str, f64)]),
         context: &Context,
     ) -> Result<(), BakeError> {
         let exploring = Exploring {
             name: self.of.into(),
             title: format!("{}: {}", self.of, self.column),
             lead: format!(
-                "Brightness is {} of {}, the light that its lobe sends back.",
-                self.column, self.of
+                "Brightness is {} of {}{}, the light that its lobe sends back.",
+                self.column,
+                self.of,
+                at(shown)
             ),
             drawn: Drawn::Value,
             quantity: self.quantity,
             outputs: &[self.column],
-            variant: Variant::default(),
+            variant: self.variant(context.scene),
             region: *region,
+            at: shown.to_vec(),
             f0: 1.0,
             fits: fits.iter().collect(),
             tables: Vec::new(),
@@ -218,9 +248,15 @@ impl ValueFits<'_> {
     fn truths(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>, BakeError> {
         let points = &grid.points;
         context.counter.add(points.len());
-        let (quantity, variant) = (self.quantity, Variant::default());
+        let (quantity, variant) = (self.quantity, self.variant(context.scene));
         let tolerance = quantity.tolerance_of_many(&variant);
         let [column] = quantity.truth(&variant, points, &[self.column], tolerance)?.arrays();
         Ok(column)
     }
+}
+
+/// Where the other inputs stand in a picture: ` at ior 1.5`.
+fn at(shown: &[(&str, f64)]) -> String {
+    let at: Vec<String> = shown.iter().map(|(input, value)| format!("{input} {value}")).collect();
+    if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) }
 }

@@ -104,6 +104,7 @@ impl Material {
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
+        let fit = fit.chain(self.wants.exact_fresnel.iter_mut().map(|exact| &mut exact.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
     }
@@ -139,9 +140,21 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
-        { "required": ["f0"], "properties": { "kind": { "const": "metal" }, "base": false } },
-        { "required": ["f0"], "properties": { "kind": { "const": "dielectric" } } },
-        { "properties": { "kind": { "const": "dielectric" }, "ior": { "type": "number", "exclusiveMinimum": 1.0 } } },
+        { "required": ["f0"], "properties": {
+            "kind": { "const": "metal" }, "base": false, "wants": { "properties": { "exact_fresnel": false } },
+        } },
+        { "required": ["f0"], "properties": {
+            "kind": { "const": "dielectric" }, "wants": { "properties": { "exact_fresnel": false } },
+        } },
+        { "properties": {
+            "kind": { "const": "dielectric" },
+            "ior": { "type": "number", "exclusiveMinimum": 1.0 },
+            "wants": { "properties": { "exact_fresnel": false } },
+        } },
+        { "required": ["ior"], "properties": {
+            "kind": { "const": "dielectric" },
+            "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": 3.0 },
+        } },
         {
             "required": ["ior"],
             "properties": {
@@ -149,13 +162,13 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "ior": { "maximum": 3.0, "items": { "maximum": 3.0 } },
                 "anisotropy": false,
                 "base": false,
-                "wants": { "properties": { "fit": false } },
+                "wants": { "properties": { "fit": false, "exact_fresnel": false } },
             },
         },
     ],
     "allOf" = [{
         "anyOf": [
-            { "required": ["anisotropy"], "properties": { "wants": { "properties": { "tables": { "items": {
+            { "required": ["anisotropy"], "properties": { "wants": { "properties": { "exact_fresnel": false, "tables": { "items": {
                 "anyOf": [
                     { "required": ["layout"] },
                     { "properties": { "size": { "minItems": 3 }, "serves": { "const": "albedo" } } },
@@ -230,6 +243,11 @@ impl TryFrom<MaterialFile> for Material {
         let wants = file.wants.0.map_or_else(|| OpenWants::default(lobe), Ok)?.of(lobe)?;
         if kind == Kind::Glass {
             check_path_tracer(&wants, ior)?;
+        }
+        let suits = kind == Kind::Dielectric && lobe == Lobe::Isotropic && ior.is_some_and(|n| n[1] <= 3.0);
+        if wants.exact_fresnel.is_some() && !suits {
+            let message = "it is of dielectrics with an `ior` of at most 3 and without anisotropy";
+            return Err(about("wants.exact_fresnel", message));
         }
         let (name, roughness, sheen, base) = (file.name.0, file.roughness.0, file.sheen.0, file.base.0);
         if base.is_some() && kind != Kind::Dielectric {

@@ -28,6 +28,14 @@ pub struct FitWant {
     pub hypotheses: Vec<String>,
 }
 
+/// Wanted fits of E with the exact Fresnel term of a dielectric.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExactWant {
+    /// What they must keep; the limit is of the error of E.
+    #[serde(flatten)]
+    pub goals: Goals,
+}
+
 /// At least one of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wants {
@@ -35,19 +43,24 @@ pub struct Wants {
     pub tables: Vec<TableWant>,
     /// Fits of the isotropic lobe; never of glass.
     pub fit: Option<FitWant>,
+    /// Fits of E with the exact Fresnel term, of a dielectric with an index of refraction.
+    // Absent where not wanted: the hash of a scene without it is that of the versions before it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact_fresnel: Option<ExactWant>,
 }
 
 /// Wants as the file has them; what the lobe decides is open.
 pub(super) struct OpenWants {
     tables: Vec<OpenTable>,
     fit: Option<FitWant>,
+    exact_fresnel: Option<ExactWant>,
 }
 
 /// What the material wants of its specular lobe: tables, fits, or both. Without `wants`: a table
 /// and fits, with their defaults; of anisotropic materials and of glass, a table with a third axis.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
-#[serde(deny_unknown_fields, expecting = "an object with `tables` or `fit`")]
+#[serde(deny_unknown_fields, expecting = "an object with `tables`, `fit` or `exact_fresnel`")]
 struct WantsFile {
     /// Tables of the albedo for the shader to look up.
     #[serde(default)]
@@ -56,6 +69,10 @@ struct WantsFile {
     /// Formulas for the shader to evaluate.
     #[serde(default)]
     fit: Maybe<FitWant>,
+    /// Formulas of the lobe's albedo with the exact Fresnel term in place of Schlick's: of a dielectric
+    /// with `ior` and without anisotropy.
+    #[serde(default)]
+    exact_fresnel: Maybe<ExactWant>,
     /// Refused: a table is an entry of the list `tables`.
     #[serde(default)]
     #[schemars(skip)]
@@ -69,6 +86,32 @@ impl<'de> Deserialize<'de> for Renamed {
     fn deserialize<D: serde::Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
         let message = "the field is now an entry of the list `tables`: write \"tables\": [{ ... }]";
         Err(serde::de::Error::custom(message))
+    }
+}
+
+/// Fits of the albedo E(roughness, mu, ior) of a dielectric's lobe with the exact Fresnel term.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "ExactFresnel")]
+#[serde(deny_unknown_fields, expecting = "an object that describes fits")]
+struct ExactFile {
+    /// Most operations that an emitted fit may take; default: any number.
+    #[serde(default)]
+    max_ops: Maybe<Whole<Ops>>,
+    /// Error of E that at least one emitted fit within `max_ops` must meet, else the bake fails;
+    /// default: no limit.
+    #[serde(default)]
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Norms,
+}
+
+impl TryFrom<ExactFile> for ExactWant {
+    type Error = String;
+
+    fn try_from(file: ExactFile) -> Result<Self, String> {
+        Ok(ExactWant { goals: Goals::read(file.max_ops, file.max_error, file.norms)? })
     }
 }
 
@@ -113,17 +156,18 @@ impl TryFrom<WantsFile> for OpenWants {
     fn try_from(file: WantsFile) -> Result<Self, String> {
         // A scene with the field is refused where it stands.
         let Maybe::<Renamed>(_) = file.table;
-        let (tables, fit) = (file.tables.0.map(|l| l.0), file.fit.0);
-        if fit.is_none() && tables.is_none() {
+        let (tables, fit, exact_fresnel) = (file.tables.0.map(|l| l.0), file.fit.0, file.exact_fresnel.0);
+        if fit.is_none() && tables.is_none() && exact_fresnel.is_none() {
             return Err(
-                "wants neither `tables` nor `fit`; give one of them, or leave `wants` out for the default"
+                "wants neither `tables` nor `fit` nor `exact_fresnel`; give one of them, or leave `wants` out for the \
+                 default"
                     .into(),
             );
         }
         if tables.as_ref().is_some_and(Vec::is_empty) {
             return Err(about("tables", "the list is empty; leave the field out"));
         }
-        Ok(OpenWants { tables: tables.unwrap_or_default(), fit })
+        Ok(OpenWants { tables: tables.unwrap_or_default(), fit, exact_fresnel })
     }
 }
 
@@ -132,7 +176,7 @@ impl OpenWants {
     /// isotropic fits.
     pub(super) fn default(lobe: Lobe) -> Result<Self, String> {
         let fit = if lobe == Lobe::Isotropic { Some(FitWant::try_from(FitFile::default())?) } else { None };
-        Ok(OpenWants { tables: vec![OpenTable::default()?], fit })
+        Ok(OpenWants { tables: vec![OpenTable::default()?], fit, exact_fresnel: None })
     }
 
     /// The wants of a material with this lobe.
@@ -141,9 +185,11 @@ impl OpenWants {
             let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
             return Err(about("wants.fit", message));
         }
-        Ok(Wants { tables: different(self.tables, lobe, "wants.tables")?, fit: self.fit })
+        let OpenWants { tables, fit, exact_fresnel } = self;
+        Ok(Wants { tables: different(tables, lobe, "wants.tables")?, fit, exact_fresnel })
     }
 }
 
 from_file!(FitWant, FitFile);
+from_file!(ExactWant, ExactFile);
 from_file!(OpenWants, WantsFile);

@@ -14,6 +14,7 @@ mod lookup_support;
 
 mod committed;
 mod coupling;
+mod dielectric;
 mod eon;
 mod fitted_lobe;
 mod formats;

@@ -15,7 +15,7 @@ pub fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn normalised(a: Vector) -> Vector {
+pub fn normalised(a: Vector) -> Vector {
     let length = dot(a, a).sqrt();
     a.map(|x| x / length)
 }

@@ -46,6 +46,7 @@ impl Quantity for Minnaert {
 
 const FITS: ValueFits = ValueFits {
     quantity: &Minnaert,
+    side: None,
     column: "E",
     own: &[Entry {
         file: "minnaert_e.wgsl",
@@ -60,6 +61,7 @@ const FITS: ValueFits = ValueFits {
     because: "that is drawn as the moon is",
     caption: "E of Minnaert's lobe.",
     curves: &[0.5],
+    shown_at: &[],
     seconds: [1.0, 0.1],
     table: None,
     around: None,

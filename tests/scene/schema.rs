@@ -170,6 +170,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let glass = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":[1,2],"roughness":1,"wants":{"tables":[{"format":"f32"}]}}]}"#;
     let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9,"tables":[{"layout":"plain"}]},"wants":{"fit":{"blend":true}}}]}"#;
     let based = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"base":{"albedo":[0.5,1,0],"specular":"single","max_ops":9,"norms":["max"]}}]}"#;
+    let exact = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1,"wants":{"exact_fresnel":{"max_ops":47}}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -218,6 +219,17 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
             ],
         ),
         (dielectric, &[("1.5", "[1.5,1.6]"), ("1.5", "1"), ("1.5", "4.5")]),
+        (
+            exact,
+            &[
+                ("\"dielectric\"", "\"glass\""),
+                ("\"dielectric\",\"ior\":1.5", "\"metal\",\"f0\":1"),
+                ("\"ior\":1.5", "\"f0\":0.04"),
+                ("\"ior\":1.5", "\"ior\":3.5"),
+                ("\"ior\":1.5", "\"ior\":1.5,\"anisotropy\":0.5"),
+                ("\"max_ops\":47", "\"blend\":true"),
+            ],
+        ),
         (
             sheen,
             &[
@@ -280,6 +292,7 @@ fn it_names_and_describes_every_field() {
             "count",
             "culling",
             "edges",
+            "exact_fresnel",
             "f0",
             "fit",
             "format",
@@ -303,6 +316,8 @@ fn it_names_and_describes_every_field() {
             "max_error",
             "max_error",
             "max_error",
+            "max_error",
+            "max_ops",
             "max_ops",
             "max_ops",
             "max_ops",
@@ -313,6 +328,7 @@ fn it_names_and_describes_every_field() {
             "name",
             "name",
             "name",
+            "norms",
             "norms",
             "norms",
             "norms",

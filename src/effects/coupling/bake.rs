@@ -104,6 +104,7 @@ impl Lobe {
             outputs: &["E", "B"],
             variant: smith.into(),
             region,
+            at: Vec::new(),
             f0: f0[0],
             fits: self.fits.iter().collect(),
             tables: Vec::new(),

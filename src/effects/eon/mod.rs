@@ -25,6 +25,7 @@ pub const PUBLISHED: [Entry; 1] = published!["eon_e_portsmouth" by "Portsmouth, 
 
 const FITS: ValueFits = ValueFits {
     quantity: &EonSingle,
+    side: None,
     column: "E",
     own: &HYPOTHESES,
     published: &PUBLISHED,
@@ -35,6 +36,7 @@ const FITS: ValueFits = ValueFits {
     caption: "E of the single-scattering lobe: 1 at grazing and where the base is smooth, smallest face on, where light is lost \
               between facets. The lobe of several bounces sends it back.",
     curves: &[0.25, 0.5, 0.75, 1.0],
+    shown_at: &[],
     seconds: [0.3, 0.1],
     table: None,
     around: Some(Around { print: lobe::in_language, said: lobe::said }),

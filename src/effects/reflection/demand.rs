@@ -136,14 +136,17 @@ pub(super) fn left_out(scene: &Scene) -> String {
     if rough.is_empty() {
         return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
     }
-    // What is rough and wants neither table nor fits is anisotropic or glass.
-    let (glass, anisotropic): (Vec<&Material>, Vec<&Material>) =
+    // What is rough and wants neither table nor fits is anisotropic, glass or a dielectric with the exact term.
+    let (glass, others): (Vec<&Material>, Vec<&Material>) =
         rough.into_iter().partition(|m| m.lobe() == Lobe::Glass);
+    let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
+        others.into_iter().partition(|m| m.lobe() == Lobe::Isotropic);
     let unwanted = |m: &[&Material]| {
         format!("{} {} anisotropic and {} tables of that", named(m), verb(m, "are"), verb(m, "want"))
     };
     let why = reasons([
         about(&anisotropic, unwanted),
+        about(&exact, |m| format!("{} {} the exact Fresnel term alone", named(m), verb(m, "want"))),
         about(&glass, |m| format!("{} {} light", named(m), verb(m, "transmit"))),
         about(&smooth, stay_smooth),
     ]);

@@ -23,6 +23,7 @@ pub struct Sheen;
 
 const FITS: ValueFits = ValueFits {
     quantity: &SheenCharlie,
+    side: None,
     column: "E",
     own: &HYPOTHESES,
     published: &PUBLISHED,
@@ -33,6 +34,7 @@ const FITS: ValueFits = ValueFits {
     caption: "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where with its visibility \
               term it returns more than it receives the narrower it is: a value above 1 is the model's own, no error of its integral.",
     curves: &[0.1, 0.2, 0.3, 0.5, 1.0],
+    shown_at: &[],
     seconds: [2.0, 0.15],
     table: None,
     around: Some(Around {

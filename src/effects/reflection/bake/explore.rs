@@ -61,6 +61,7 @@ fn lobe<'a>(region: Region, tables: &'a [BakedTable], context: &Context) -> Expl
         outputs: &["E", "B"],
         variant: context.scene.smith.into(),
         region,
+        at: Vec::new(),
         f0: DIELECTRIC,
         fits: Vec::new(),
         tables: tables.iter().collect(),
