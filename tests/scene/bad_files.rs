@@ -756,7 +756,7 @@ fn other_files() {
         (
             "a.json",
             scene(r#""kind":"glass","ior":3.5,"roughness":0.5"#),
-            "a.json:1:87: materials[0].ior: 3.5 is outside [1, 3], where that of glass lies",
+            "a.json:1:69: materials[0].ior: 3.5 is outside [1, 3], where that of glass lies",
         ),
         (
             "a.json",

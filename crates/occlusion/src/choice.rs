@@ -129,6 +129,7 @@ fn combinations(own: &Passes) -> Vec<Passes> {
     all
 }
 
+/// Tries everything, and reports the scene's own parameters and the best.
 pub(crate) fn choices(set: &Set, own: Trial) -> Choices {
     let all = combinations(&own.passes);
     let mut first: Vec<_> = on(set, FIRST, &all).iter().map(OfPasses::best).collect();

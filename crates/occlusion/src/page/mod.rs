@@ -5,6 +5,7 @@ mod pictures;
 mod sweeps;
 
 use crate::choice::{ALLOWED, Choice};
+use crate::grid::Lod;
 use crate::measure::{Tally, Trial, part};
 use crate::passes::Passes;
 use crate::study::{ALL, Point, Results, Row, usual};
@@ -128,7 +129,7 @@ fn sideways(results: &Results) -> String {
 fn chosen(results: &Results) -> String {
     let Choice { trial, reported, .. } = &results.choices.best;
     let allowed = percent(ALLOWED[0]);
-    let what = worded(&trial.passes, trial.bias);
+    let what = worded(trial);
     let worst = match percent(reported.most_culled) {
         // A digit more tells it from what is allowed.
         same if same == allowed => format!("{}\u{a0}%", brief(100.0 * reported.most_culled, 4)),
@@ -199,19 +200,23 @@ fn milliseconds(timed: Option<&Timed>) -> Option<String> {
     timed.map(|timed| brief(timed.milliseconds.total(), 3))
 }
 
-/// `median 3 x 3, ...`.
-fn worded(passes: &Passes, bias: f32) -> String {
-    let square =
-        |radius: usize| if radius == 0 { "none".into() } else { format!("{0} x {0}", 2 * radius + 1) };
+/// `median 3 x 3, ...`, whose numbers stay on the line of their units.
+fn worded(Trial { passes, bias }: &Trial) -> String {
+    let square = |radius: usize| match 2 * radius + 1 {
+        1 => "none".into(),
+        side => format!("{side}\u{a0}x\u{a0}{side}"),
+    };
     let voxels = match passes.voxels {
         None => "no voxels".into(),
-        Some(lod) => format!("sub-voxels up to {} m, super-voxels beyond {} m", lod.near, lod.far),
+        Some(Lod { near, far }) => {
+            format!("sub-voxels up to {near}\u{a0}m, super-voxels beyond {far}\u{a0}m")
+        }
     };
     format!(
         "median {}, dilation {}, erosion {}, {voxels}, margin {}",
         square(passes.median),
         square(passes.dilation),
         square(passes.erosion),
-        percent(f64::from(bias))
+        percent(f64::from(*bias))
     )
 }

@@ -131,8 +131,8 @@ pub(super) fn passes(
     );
     let points = "Points of old depth leave cracks, most of which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
                   wide: it closes the holes of fences.";
-    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass. \
-                  Lower is better. Other resolutions: at the end of this page.";
+    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass; \
+                  the conservative mode and the chosen parameters have one. Lower is better. Other resolutions: at the end of this page.";
     let culling = &results.culling;
     let one = |rate| {
         chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, super::CHART))

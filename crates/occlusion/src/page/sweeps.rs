@@ -87,11 +87,10 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
     ];
     let columns = [&first[..], &RATES, timed.map_or(&[], |_| &[MS])].concat();
     let two = |name: &str, choice: &Choice| {
-        let text = format!("{name}: {}", worded(&choice.trial.passes, choice.trial.bias));
         let ms = by(results, timed, choice.trial).and_then(|(_, timed)| milliseconds(timed));
         let row = |shots: &str, found: &OnShots| -> Vec<String> {
             let sideways = [found.sideways.wrongly_culled(), found.sideways.wrongly_kept()].map(percent);
-            let first = [text.clone(), shots.into(), percent(found.most_culled)];
+            let first = [name.to_string(), shots.into(), percent(found.most_culled)];
             first.into_iter().chain(sideways).chain(rates(&found.sum)).chain(ms.clone()).collect()
         };
         [row("chosen on", &choice.chosen), row("others", &choice.reported)]
@@ -99,6 +98,12 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
     let Choices { usual, best, tried } = &results.choices;
     let rows = [two("usual", usual), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
+    let caption = format!(
+        "Usual: {}. Chosen: {}. Sideways: on the strafes of these shots alone.{}",
+        worded(&usual.trial),
+        worded(&best.trial),
+        timed.map_or("", |_| " Milliseconds: on the scene's path.")
+    );
     let lead = format!(
         "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square about every \
          texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Each box \
@@ -112,10 +117,6 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
         id: "parameters".into(),
         title: "Parameters".into(),
         lead,
-        blocks: vec![Block::Table(words::table(
-            &columns,
-            rows,
-            "Sideways: on the strafes of these shots alone.",
-        ))],
+        blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
     }
 }
