@@ -256,6 +256,13 @@ fn the_costs_of_mask_lookups_are_the_records() {
     };
     let rows: Vec<String> = record.functions.keys().map(row).collect();
     assert_rows("docs/occlusion.md", &["| 27 ", "| 1 ", "| 22 "], &rows);
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = root().join("examples/culling.json").display().to_string();
+    let output = lobefit(folder.path(), &["bake", &scene, "--quiet"], b"");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let wgsl = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).expect("emitted");
+    let stale = record.stale(&Include::new(wgsl));
+    assert!(stale.is_empty(), "{stale:?}: make the record again");
 }
 
 /// Instructions on GPUs of other vendors in f32, and what their drivers state of time.
