@@ -1,5 +1,5 @@
-//! Gives the library a hash of its own code, `LOBEFIT_STUDIES`: results of other code have another
-//! recipe.
+//! Gives the library a hash of the code of each study, `LOBEFIT_STUDY_NAME`: results of other code have
+//! another recipe.
 
 #[path = "../../build/sources.rs"]
 #[allow(dead_code, reason = "the places are those of the package `lobefit`")]
@@ -7,9 +7,21 @@ mod sources;
 
 use std::path::Path;
 
+/// What several studies compute with. The verb (`cli.rs`) and the list of studies (`study/mod.rs`)
+/// compute nothing: what they put into files is hashed as it stands there.
+const SHARED: [&str; 3] = ["src/flip", "src/render", "src/study/page.rs"];
+
+/// The studies, a folder or a file each.
+const STUDIES: [&str; 4] = ["coupling", "parallax", "stability", "occlusion.rs"];
+
 fn main() -> std::io::Result<()> {
     println!("cargo:rerun-if-changed=src");
-    let hash = sources::hash(Path::new(env!("CARGO_MANIFEST_DIR")), &["src".into()], sources::code)?;
-    println!("cargo:rustc-env=LOBEFIT_STUDIES={hash}");
+    for study in STUDIES {
+        let places = SHARED.map(String::from).into_iter().chain([format!("src/study/{study}")]);
+        let places: Vec<String> = places.collect();
+        let hash = sources::hash(Path::new(env!("CARGO_MANIFEST_DIR")), &places, sources::code)?;
+        let name = study.trim_end_matches(".rs").to_uppercase();
+        println!("cargo:rustc-env=LOBEFIT_STUDY_{name}={hash}");
+    }
     Ok(())
 }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Value, json};
 
 use super::number::{BufferSide, GridSide, Latency, Numbers, Seed, Whole};
 use super::value::{List, Maybe, Text, TextRule, Word, about, from_file};
@@ -67,9 +68,10 @@ impl TextRule for WorldText {
     const EXPECTED: &'static str = "town, forest, or the relative path of a .glb or .gltf file, in quotes";
 
     fn check(text: &str) -> Result<(), String> {
-        match [".glb", ".gltf"].into_iter().find(|extension| text.ends_with(extension)) {
+        let lower = text.to_ascii_lowercase();
+        match [".glb", ".gltf"].into_iter().find(|extension| lower.ends_with(extension)) {
             _ if Generator::ALL.iter().any(|(word, _)| *word == text) => Ok(()),
-            Some(extension) => name::relative(text, extension),
+            Some(extension) => name::relative(text, &text[text.len() - extension.len()..]),
             None => Err(format!(
                 "`{text}` is neither town nor forest, and no path of a .glb or .gltf file with a mesh"
             )),
@@ -85,6 +87,9 @@ impl<'de> Deserialize<'de> for World {
     }
 }
 
+/// What [`WorldText`] takes for the path of a mesh: parts that are neither empty nor `.` nor `..`.
+const MESH: &str = r"^((\.{0,2}[^./\\:][^/\\:]*|\.{3,}[^/\\:]*)/)*[^/\\:]+\.([gG][lL][bB]|[gG][lL][tT][fF])$";
+
 impl JsonSchema for World {
     fn inline_schema() -> bool {
         true
@@ -96,7 +101,7 @@ impl JsonSchema for World {
         let words = Generator::ALL.map(|(word, _)| word);
         json_schema!({ "anyOf": [
             { "type": "string", "enum": words },
-            { "type": "string", "pattern": "\\.(glb|gltf)$", "maxLength": limits::STRING_BYTES },
+            { "type": "string", "pattern": MESH, "maxLength": limits::STRING_BYTES },
         ] })
     }
 }
@@ -153,11 +158,32 @@ struct CullingFile {
     /// Frames that depth is old; default 5.
     latency: Maybe<Whole<Latency>>,
     /// Voxels along x, y and z, powers of two; default [256, 256, 128].
+    #[schemars(extend("items" = sides()))]
     grid: Maybe<Numbers<Whole<GridSide>, 3, false>>,
     /// What the buffer is made by: `reproject`, or `reproject-half` of depth of twice the
     /// resolution; `median`, `voxels`, `dilation`; default all but `reproject-half`.
-    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true, "contains" = writers(), "not" = both()))]
     passes: Maybe<List<Word<Pass>, 5>>,
+}
+
+/// Passes that write depth where nothing is, one of which there has to be.
+const WRITERS: [Pass; 3] = [Pass::Reproject, Pass::ReprojectHalf, Pass::Voxels];
+
+fn writers() -> Value {
+    json!({ "enum": WRITERS })
+}
+
+/// Voxels along a side of a grid.
+fn sides() -> Value {
+    let all: Vec<u32> = (1..10).map(|n| 1 << n).collect();
+    json!({ "enum": all })
+}
+
+/// Both ways to reproject, which stand for one another.
+fn both() -> Value {
+    let each = [Pass::Reproject, Pass::ReprojectHalf];
+    let contains: Vec<Value> = each.iter().map(|pass| json!({ "contains": { "const": pass } })).collect();
+    json!({ "allOf": contains })
 }
 
 impl TryFrom<CullingFile> for Culling {
@@ -196,7 +222,7 @@ fn passes(given: Option<List<Word<Pass>, 5>>) -> Result<Vec<Pass>, String> {
         () if has(Pass::Reproject) && has(Pass::ReprojectHalf) => {
             Err("`reproject` and `reproject-half` stand for one another; give one of them".into())
         }
-        () if !(has(Pass::Reproject) || has(Pass::ReprojectHalf) || has(Pass::Voxels)) => {
+        () if !WRITERS.into_iter().any(has) => {
             Err("no pass writes depth: give `reproject`, `reproject-half` or `voxels`".into())
         }
         () => Ok(passes),

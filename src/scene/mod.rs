@@ -32,4 +32,4 @@ pub use table::{Layout, Serves, TableWant};
 pub use wants::{ExactWant, FitWant, Norm, Wants};
 
 use lobefit_strict::value;
-pub use lobefit_strict::{Position, SceneError, escape};
+pub use lobefit_strict::{Position, SceneError, escape, place};

@@ -238,6 +238,33 @@ fn the_machine_instructions_are_the_records() {
     }
 }
 
+/// Of the lookups of masks instructions, loads, latency and cycles between waves.
+#[test]
+fn the_costs_of_mask_lookups_are_the_records() {
+    let text = read("reports/isa/radv-22.3.6-culling.json");
+    let record = IsaRecord::read(text.as_bytes()).expect("a record");
+    let row = |name: &String| {
+        let cell = |family| {
+            let mut rows = record.rows.iter();
+            let row = rows.find(|row| &row.function == name && row.family == family).expect("a row");
+            let Counts { vector, transcendental, memory, latency, inverse_throughput, .. } = row.counts;
+            let [latency, cycles] = [latency, inverse_throughput].map(|count| count.expect("stated"));
+            format!("{vector} + {transcendental}, {memory}, {latency}, {cycles}")
+        };
+        let cells = ["polaris10", "navi21", "gfx1100"].map(cell).join(" | ");
+        format!("| {} | `{name}` | {cells} |", record.ops(name).expect("operations"))
+    };
+    let rows: Vec<String> = record.functions.keys().map(row).collect();
+    assert_rows("docs/occlusion.md", &["| 27 ", "| 1 ", "| 22 "], &rows);
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = root().join("examples/culling.json").display().to_string();
+    let output = lobefit(folder.path(), &["bake", &scene, "--quiet"], b"");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let wgsl = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).expect("emitted");
+    let stale = record.stale(&Include::new(wgsl));
+    assert!(stale.is_empty(), "{stale:?}: make the record again");
+}
+
 /// Instructions on GPUs of other vendors in f32, and what their drivers state of time.
 #[test]
 fn the_machine_instructions_of_other_vendors_are_the_records() {

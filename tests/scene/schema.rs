@@ -6,6 +6,9 @@ use std::path::Path;
 use lobefit::scene::{Scene, SceneError, kernel, kernel_schema, schema};
 use serde_json::{Value, json};
 
+/// The pattern of the path of a mesh: plain and relative.
+const MESH: &str = r"^((\.{0,2}[^./\\:][^/\\:]*|\.{3,}[^/\\:]*)/)*[^/\\:]+\.([gG][lL][bB]|[gG][lL][tT][fF])$";
+
 /// What is wrong with `value` by the part of JSON Schema that ours is written in; any other keyword
 /// is an error.
 fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &mut Vec<String>) {
@@ -44,13 +47,25 @@ fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &m
             },
             "const" => value == rule,
             "pattern" => {
-                let ends: &[&str] = match rule.as_str() {
-                    Some("\\.json$") => &[".json"],
-                    Some("\\.(glb|gltf)$") => &[".glb", ".gltf"],
+                let ends: &[&str] = match rule.as_str().expect("text") {
+                    "\\.json$" => &[".json"],
+                    MESH => &[".glb", ".gltf"],
                     _ => panic!("{rule} is a pattern that this test does not know"),
                 };
-                value.as_str().is_some_and(|s| ends.iter().any(|end| s.ends_with(end)))
+                let plain = |s: &str| {
+                    s.split('/').all(|part| !matches!(part, "" | "." | "..")) && !s.contains([':', '\\'])
+                };
+                let ended = |s: &str| ends.iter().any(|end| s.to_lowercase().ends_with(end));
+                value.as_str().is_some_and(|s| ended(s) && (rule != MESH || plain(s)))
             }
+            "contains" => list.is_some_and(|l| {
+                l.iter().any(|item| {
+                    let mut inner = Vec::new();
+                    violations(item, rule, root, path, &mut inner);
+                    inner.is_empty()
+                })
+            }),
+            "not" => !passes(rule),
             "enum" => rule.as_array().expect("a list").contains(value),
             "oneOf" => rule.as_array().expect("a list").iter().filter(|r| passes(r)).count() == 1,
             "allOf" => rule.as_array().expect("a list").iter().all(passes),
@@ -251,6 +266,28 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
             assert!(!check(&text).is_empty(), "{text}");
             assert!(Scene::from_json(text.as_bytes(), "s").is_err(), "{text}");
         }
+    }
+}
+
+#[test]
+fn it_refuses_of_culling_what_the_program_refuses() {
+    let base = r#"{"schema_version":1,"materials":[],"culling":{"world":"a/B.GLB","grid":[2,256,512],"passes":["reproject","voxels"]}}"#;
+    assert_eq!(check(base), Vec::<String>::new());
+    Scene::from_json(base.as_bytes(), "s").unwrap();
+    for (from, to) in [
+        ("a/B.GLB", "../B.glb"),
+        ("a/B.GLB", "/B.glb"),
+        ("a/B.GLB", "a//B.glb"),
+        ("a/B.GLB", "a:B.glb"),
+        ("a/B.GLB", "B.obj"),
+        ("[2,256,512]", "[2,100,512]"),
+        ("[2,256,512]", "[2,256]"),
+        ("[\"reproject\",\"voxels\"]", "[\"median\"]"),
+        ("\"voxels\"", "\"reproject-half\""),
+    ] {
+        let text = base.replacen(from, to, 1);
+        assert!(!check(&text).is_empty(), "{text}");
+        assert!(Scene::from_json(text.as_bytes(), "s").is_err(), "{text}");
     }
 }
 

@@ -54,20 +54,26 @@ impl Footprint {
         Ok(Footprint { columns: ends[0], rows: ends[1], nearest })
     }
 
-    /// Whether a buffer hides all of it, its depths taken for farther by the part `bias`; with the
-    /// texels read. Empty texels hide nothing.
-    pub fn is_hidden(&self, depth: &Depth, bias: f32) -> (bool, u64) {
-        let mut read = 0;
+    /// The least part by which the depths of a buffer have to be taken for farther so that the box is
+    /// kept: 0 where it is kept as they are. Empty texels hide nothing.
+    pub fn margin(&self, depth: &Depth) -> f32 {
+        let mut farthest = 0.0_f32;
         for y in self.rows[0]..=self.rows[1] {
-            for z in &depth.texels[y * depth.size[0] + self.columns[0]..=y * depth.size[0] + self.columns[1]]
-            {
-                read += 1;
-                if *z < 0.0 || z * (1.0 + bias) >= self.nearest {
-                    return (false, read);
+            let row = &depth.texels[y * depth.size[0]..][self.columns[0]..=self.columns[1]];
+            for &z in row {
+                // Written so that what is not a number hides nothing.
+                if !(z >= 0.0 && z < self.nearest) {
+                    return 0.0;
                 }
+                farthest = farthest.max(z);
             }
         }
-        (true, read)
+        self.nearest / farthest - 1.0
+    }
+
+    /// Whether a buffer hides all of it, its depths taken for farther by the part `bias`.
+    pub fn is_hidden(&self, depth: &Depth, bias: f32) -> bool {
+        self.margin(depth) > bias
     }
 }
 
@@ -75,7 +81,7 @@ impl Footprint {
 pub fn test(depth: &Depth, camera: &Camera, cuboid: &Cuboid, bias: f32) -> Verdict {
     match Footprint::of(camera, cuboid, depth.size) {
         Err(verdict) => verdict,
-        Ok(footprint) if footprint.is_hidden(depth, bias).0 => Verdict::Culled,
+        Ok(footprint) if footprint.is_hidden(depth, bias) => Verdict::Culled,
         Ok(_) => Verdict::Kept,
     }
 }

@@ -19,6 +19,7 @@
 pub const CODE: &str = env!("LOBEFIT_OCCLUSION");
 
 pub mod camera;
+pub mod choice;
 pub mod cull;
 pub mod depth;
 pub mod film;

@@ -39,8 +39,6 @@ pub struct Tally {
     pub kept: u64,
     /// Texels and voxels touched by each pass.
     pub work: Work<u64>,
-    /// Texels read by the tests of boxes.
-    pub reads: u64,
 }
 
 impl Tally {
@@ -73,7 +71,6 @@ impl Tally {
             hidden: self.hidden + other.hidden,
             kept: self.kept + other.kept,
             work: self.work.plus(other.work),
-            reads: self.reads + other.reads,
         }
     }
 }
@@ -145,6 +142,16 @@ pub struct Trial {
     pub bias: f32,
 }
 
+impl Trial {
+    /// The margin where nothing says another.
+    pub const BIAS: f32 = 0.01;
+
+    /// Passes with it.
+    pub const fn usual(passes: Passes) -> Trial {
+        Trial { passes, bias: Trial::BIAS }
+    }
+}
+
 /// How old depth is, the frames that are measured, and the voxels of the grid.
 #[derive(Clone, Debug)]
 pub struct Span<'a> {
@@ -156,9 +163,75 @@ pub struct Span<'a> {
     pub voxels: [u32; 3],
 }
 
-/// Measures trials over frames of a film, with the objects of its site: a tally for each trial.
-pub fn measured(film: &Film, span: &Span, trials: &[Trial]) -> Vec<Tally> {
-    let mut tallies = vec![Tally::default(); trials.len()];
+/// What passes do over frames, at every margin of the tests of boxes.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// What no margin changes; nothing is culled or kept in it.
+    fixed: Tally,
+    /// Of visible boxes that the buffer hides without a margin, the margin from which on each is kept,
+    /// and whether a pixel of it would be seen.
+    seen: Vec<(f32, bool)>,
+    /// The same margins of hidden boxes.
+    hidden: Vec<f32>,
+}
+
+impl Measured {
+    /// With a margin.
+    pub fn at(&self, bias: f32) -> Tally {
+        let culled = || self.seen.iter().filter(|(margin, _)| *margin > bias);
+        let rightly = self.hidden.iter().filter(|margin| **margin > bias).count();
+        Tally {
+            culled: culled().count() as u64,
+            vanished: culled().filter(|(_, vanishes)| *vanishes).count() as u64,
+            kept: self.fixed.hidden - rightly as u64,
+            ..self.fixed
+        }
+    }
+
+    /// The least margin that culls no larger part of the visible boxes: exact, for each of them is kept
+    /// from its own margin on.
+    pub fn least_bias(&self, part: f64) -> f32 {
+        let mut margins: Vec<f32> = self.seen.iter().map(|(margin, _)| *margin).collect();
+        margins.sort_by(|a, b| b.total_cmp(a));
+        margins.get((part * self.fixed.seen as f64) as usize).copied().unwrap_or(0.0)
+    }
+
+    /// Adds a frame: its buffer, and what each box has to do with it.
+    fn add(
+        &mut self,
+        (buffer, work): (&Depth, Work<u64>),
+        (truth, camera): (&Depth, &Camera),
+        boxes: &[Tested],
+    ) {
+        let mut frame = Tally {
+            frames: 1,
+            texels: buffer.texels.len() as u64,
+            holes: buffer.holes() as u64,
+            hidden: boxes.iter().filter(|tested| tested.hidden).count() as u64,
+            work,
+            ..Tally::default()
+        };
+        frame.seen = boxes.len() as u64 - frame.hidden;
+        for (found, truth) in buffer.texels.iter().zip(&truth.texels) {
+            let error = error(*found, *truth).unwrap_or(1.0);
+            frame.near += u64::from(error < -TOLERANCE);
+            frame.far += u64::from(error > TOLERANCE);
+        }
+        self.fixed = self.fixed.plus(frame);
+        for Tested { cuboid, footprint, hidden } in boxes {
+            let margin = footprint.margin(buffer);
+            match hidden {
+                _ if margin <= 0.0 => {}
+                true => self.hidden.push(margin),
+                false => self.seen.push((margin, is_seen(camera, cuboid, truth))),
+            }
+        }
+    }
+}
+
+/// Measures reconstructions over frames of a film, with the objects of its site.
+pub fn measured(film: &Film, span: &Span, passes: &[Passes]) -> Vec<Measured> {
+    let mut all = vec![Measured::default(); passes.len()];
     let mut grid = Grid::new(span.voxels, &film.site.bounds);
     let mut next = 0;
     for &frame in span.frames {
@@ -169,21 +242,31 @@ pub fn measured(film: &Film, span: &Span, trials: &[Trial]) -> Vec<Tally> {
         let (camera, truth) = (&film.cameras[frame], &film.depth[frame]);
         let tested: Vec<Tested> =
             film.site.objects.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
-        let one = |trials: &&[Trial]| {
-            let passes = trials[0].passes;
-            let depth = film.fine(passes.fineness(), late);
+        // Passes that differ by the erosion alone, and stand side by side, share the buffer before it.
+        let before = |passes: &Passes| Passes { erosion: 0, ..*passes };
+        let one = |(shared, sums): (&[Passes], &mut [Measured])| {
+            let first = before(&shared[0]);
+            let depth = film.fine(first.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
-            let (buffer, mut work, _) = passes.run(late, camera, film.size);
-            work.accumulate = if passes.voxels.is_some() { arrived } else { 0 };
-            let tested = |trial: &Trial| tally((&buffer, work), (truth, camera), &tested, trial.bias);
-            trials.iter().map(tested).collect()
+            let (buffer, mut work, _) = first.run(late, camera, film.size);
+            work.accumulate = if first.voxels.is_some() { arrived } else { 0 };
+            for (passes, sum) in shared.iter().zip(sums) {
+                let (eroded, touched) = passes.erode(&buffer);
+                let work = Work { dilation: work.dilation + touched, ..work };
+                sum.add((&eroded, work), (truth, camera), &tested);
+            }
         };
-        // Trials of the same passes that stand side by side share their buffer.
-        let shared: Vec<&[Trial]> = trials.chunk_by(|a, b| a.passes == b.passes).collect();
-        let found: Vec<Vec<Tally>> = shared.par_iter().map(one).collect();
-        tallies.iter_mut().zip(found.into_iter().flatten()).for_each(|(sum, one)| *sum = sum.plus(one));
+        let mut rest = all.as_mut_slice();
+        let shared = passes.chunk_by(|a, b| before(a) == before(b));
+        let mut groups = Vec::new();
+        for shared in shared {
+            let (sums, others) = rest.split_at_mut(shared.len());
+            groups.push((shared, sums));
+            rest = others;
+        }
+        groups.into_par_iter().for_each(one);
     }
-    tallies
+    all
 }
 
 /// A box that has a rectangle in the frame, and whether the true depth hides it.
@@ -196,37 +279,6 @@ struct Tested<'a> {
 impl Tested<'_> {
     fn new<'a>(cuboid: &'a Cuboid, camera: &Camera, truth: &Depth) -> Option<Tested<'a>> {
         let footprint = Footprint::of(camera, cuboid, truth.size).ok()?;
-        Some(Tested { cuboid, footprint, hidden: footprint.is_hidden(truth, 0.0).0 })
+        Some(Tested { cuboid, footprint, hidden: footprint.is_hidden(truth, 0.0) })
     }
-}
-
-fn tally(
-    (buffer, work): (&Depth, Work<u64>),
-    (truth, camera): (&Depth, &Camera),
-    boxes: &[Tested],
-    bias: f32,
-) -> Tally {
-    let mut tally = Tally {
-        frames: 1,
-        texels: buffer.texels.len() as u64,
-        holes: buffer.holes() as u64,
-        work,
-        ..Tally::default()
-    };
-    for (found, truth) in buffer.texels.iter().zip(&truth.texels) {
-        let error = error(*found, *truth).unwrap_or(1.0);
-        tally.near += u64::from(error < -TOLERANCE);
-        tally.far += u64::from(error > TOLERANCE);
-    }
-    for Tested { cuboid, footprint, hidden } in boxes {
-        let (culled, reads) = footprint.is_hidden(buffer, bias);
-        tally.reads += reads;
-        if *hidden {
-            (tally.hidden, tally.kept) = (tally.hidden + 1, tally.kept + u64::from(!culled));
-        } else {
-            (tally.seen, tally.culled) = (tally.seen + 1, tally.culled + u64::from(culled));
-            tally.vanished += u64::from(culled && is_seen(camera, cuboid, truth));
-        }
-    }
-    tally
 }

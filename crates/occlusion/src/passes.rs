@@ -133,11 +133,18 @@ impl Passes {
         }
         if self.erosion > 0 {
             timed(&mut work.dilation, &mut seconds.dilation, &mut || {
-                out = out.eroded(self.erosion);
-                // By rows, then by columns.
-                (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64
+                let touched;
+                (out, touched) = self.erode(&out);
+                touched
             });
         }
         (out, work, seconds)
+    }
+
+    /// The erosion of a buffer that the other passes made, with the texels touched.
+    pub fn erode(&self, buffer: &Depth) -> (Depth, u64) {
+        // By rows, then by columns.
+        let each = if self.erosion > 0 { 2 * (2 * self.erosion + 1) } else { 0 };
+        (buffer.eroded(self.erosion), (buffer.texels.len() * each) as u64)
     }
 }

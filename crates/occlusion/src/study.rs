@@ -4,10 +4,12 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::camera::Camera;
+use crate::choice::{Choices, PATHS, choices};
+use crate::cull::Footprint;
 use crate::depth::Depth;
 use crate::film::{Film, Shot};
 use crate::grid::{Grid, Lod};
-use crate::measure::{Holes, Span, Tally, Trial, measured};
+use crate::measure::{Holes, Measured, Span, Tally, Trial, measured};
 use crate::passes::{Late, Passes};
 use crate::site::Site;
 use lobefit::scene::{CameraPath, Culling, Pass};
@@ -15,17 +17,10 @@ use lobefit::scene::{CameraPath, Culling, Pass};
 /// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
 pub const FRAMES: usize = 60;
 pub(crate) const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
-/// What a scene does not say: radius of the median and of the dilation, levels of detail, margin.
+/// What a scene does not say: radius of the median and of the dilation, levels of detail.
 const MEDIAN: usize = 1;
 const DILATION: usize = 2;
 const LOD: Lod = Lod { near: 12.0, far: 48.0 };
-const BIAS: f32 = 0.01;
-/// Largest part of the visible boxes that parameters may cull on any of the shots that they are chosen
-/// on, and of the hidden ones that they may keep on all of these together.
-pub const ALLOWED: [f64; 2] = [0.005, 0.2];
-
-/// Every path.
-const PATHS: [CameraPath; 3] = [CameraPath::Turn, CameraPath::Strafe, CameraPath::Walk];
 
 /// Every pass that the source of the method proposes.
 pub const ALL: Passes = Passes { median: MEDIAN, voxels: Some(LOD), dilation: DILATION, ..Passes::POINTS };
@@ -70,26 +65,6 @@ pub struct Causes {
     pub holes: Holes,
 }
 
-/// A choice of the free parameters.
-#[derive(Clone, Debug, Serialize)]
-pub struct Choice {
-    /// The parameters.
-    pub trial: Trial,
-    /// On the shots that it was chosen on.
-    pub chosen: OnShots,
-    /// On the others.
-    pub reported: OnShots,
-}
-
-/// What parameters do on several shots.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct OnShots {
-    /// On all together.
-    pub sum: Tally,
-    /// Largest part of the visible boxes that is wrongly culled on any of them.
-    pub most_culled: f64,
-}
-
 /// Buffers of one frame, in the order of the sheet.
 #[derive(Clone, Debug)]
 pub struct Pictures {
@@ -113,10 +88,8 @@ pub struct Results {
     pub causes: Vec<Causes>,
     /// Over latency at the usual speed, then over speed at the scene's latency.
     pub sweep: Vec<Point>,
-    /// What the scene's parameters do, and the choice of least work that keeps [`ALLOWED`].
-    pub choices: [Choice; 2],
-    /// Combinations that the choice was made of.
-    pub combinations: usize,
+    /// The free parameters.
+    pub choices: Choices,
     /// The frame of the pictures.
     #[serde(skip)]
     pub pictures: Pictures,
@@ -134,8 +107,14 @@ pub fn passes(culling: &Culling) -> Passes {
     }
 }
 
-/// Every way to make the buffer.
-fn sources() -> Vec<Way> {
+/// The passes of a scene with the usual margin.
+pub fn usual(culling: &Culling) -> Trial {
+    Trial::usual(passes(culling))
+}
+
+/// Every way to make the buffer: the passes of the method, the conservative mode, those of the scene
+/// if they are none of these, and chosen parameters.
+fn sources(culling: &Culling, chosen: &Trial) -> Vec<Way> {
     let sources = [
         ("depth", Passes::POINTS),
         ("depth of twice the resolution", Passes { half: Some(true), ..Passes::NONE }),
@@ -152,19 +131,29 @@ fn sources() -> Vec<Way> {
     for (source, passes) in sources {
         all.extend(fills.map(|(fill, median, dilation)| Way {
             name: format!("{source}{fill}"),
-            passes: Passes { median, dilation, ..passes },
+            trial: Trial::usual(Passes { median, dilation, ..passes }),
         }));
     }
-    all.push(Way { name: "conservative".into(), passes: Passes::CONSERVATIVE });
+    let mut add = |name: &str, trial: Trial| all.push(Way { name: name.into(), trial });
+    add("conservative", Trial::usual(Passes::CONSERVATIVE));
+    add(CHOSEN, *chosen);
+    let own = usual(culling);
+    if all.iter().all(|way| way.trial != own) {
+        all.push(Way { name: OWN.into(), trial: own });
+    }
     all
 }
+
+/// Names of the rows of the chosen parameters, and of the scene's passes.
+pub const CHOSEN: &str = "chosen parameters";
+const OWN: &str = "the scene's passes";
 
 /// A way to make the buffer.
 pub struct Way {
     /// In words.
     pub name: String,
-    /// Its passes.
-    pub passes: Passes,
+    /// Its passes and the margin.
+    pub trial: Trial,
 }
 
 /// Ways that are measured with a grid.
@@ -186,10 +175,11 @@ pub struct Ways {
 /// Every way to make the buffer of a scene: at its size, half and one and a half times that, with
 /// its grid, and voxels with grids of half and a quarter of the voxels along each axis. The scene's
 /// own come first.
-pub fn ways(culling: &Culling) -> Vec<Ways> {
+pub fn ways(culling: &Culling, chosen: &Trial) -> Vec<Ways> {
     let sized = |times: f64| culling.buffer.map(|n| ((f64::from(n) * times) as usize).max(16));
     let grid = |(i, voxels): (usize, [u32; 3])| {
-        let own = sources().into_iter().filter(|way| i == 0 || way.passes.voxels.is_some());
+        let own =
+            sources(culling, chosen).into_iter().filter(|way| i == 0 || way.trial.passes.voxels.is_some());
         WithGrid { voxels, ways: own.collect() }
     };
     let grids = distinct([1, 2, 4].map(|part| culling.grid.map(|n| (n / part).max(2))));
@@ -209,48 +199,51 @@ fn distinct<T: PartialEq>(sizes: [T; 3]) -> Vec<T> {
 
 /// What a scene asks for, and what is looked at.
 #[derive(Clone, Copy)]
-struct Set<'a> {
-    culling: &'a Culling,
-    site: &'a Site,
+pub(crate) struct Set<'a> {
+    pub culling: &'a Culling,
+    pub site: &'a Site,
     size: [usize; 2],
 }
 
 impl<'a> Set<'a> {
-    fn shot(&self, path: CameraPath, start: usize, speed: f64) -> (Shot, usize) {
+    pub fn new(culling: &'a Culling, site: &'a Site) -> Set<'a> {
+        Set { culling, site, size: culling.buffer.map(|n| n as usize) }
+    }
+
+    pub fn shot(&self, path: CameraPath, start: usize, speed: f64) -> (Shot, usize) {
         (Shot { path, start, speed }, FRAMES)
     }
 
-    fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'a> {
+    pub fn film(&self, shot: (Shot, usize), fineness: &[usize]) -> Film<'a> {
         let latency = self.culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
         Film::new(self.site, shot, self.size, fineness, &late)
     }
 
-    fn span(&self, latency: usize) -> Span<'static> {
+    pub fn span(&self, latency: usize) -> Span<'static> {
         Span { latency, frames: &MEASURED, voxels: self.culling.grid }
     }
 
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self, chosen: &Trial) -> Vec<Row> {
         let latency = self.culling.latency as usize;
         let of_buffer = |Ways { buffer, grids }: Ways| {
             let set = Set { size: buffer, ..*self };
             let film = set.film(set.shot(self.culling.path, 4, 1.0), &[2, 4]);
             let of_grid = |WithGrid { voxels, ways }: WithGrid| {
-                let trial = |way: &Way| Trial { passes: way.passes, bias: BIAS };
-                let trials: Vec<Trial> = ways.iter().map(trial).collect();
-                let tallies = measured(&film, &Span { voxels, ..set.span(latency) }, &trials);
-                let row = move |(way, tally): (Way, Tally)| Row {
-                    voxels: way.passes.voxels.map(|_| voxels),
-                    trial: trial(&way),
-                    name: way.name,
+                let passes: Vec<Passes> = ways.iter().map(|way| way.trial.passes).collect();
+                let found = measured(&film, &Span { voxels, ..set.span(latency) }, &passes);
+                let row = move |(Way { name, trial }, found): (Way, Measured)| Row {
+                    voxels: trial.passes.voxels.map(|_| voxels),
+                    name,
                     buffer,
-                    tally,
+                    tally: found.at(trial.bias),
+                    trial,
                 };
-                ways.into_iter().zip(tallies).map(row).collect::<Vec<_>>()
+                ways.into_iter().zip(found).map(row).collect::<Vec<_>>()
             };
             grids.into_iter().flat_map(of_grid).collect::<Vec<_>>()
         };
-        ways(self.culling).into_iter().flat_map(of_buffer).collect()
+        ways(self.culling, chosen).into_iter().flat_map(of_buffer).collect()
     }
 
     fn causes(&self, path: CameraPath) -> Causes {
@@ -283,12 +276,12 @@ impl<'a> Set<'a> {
         let own = passes(self.culling);
         // Finer depth is rendered of one latency alone.
         let own = Passes { half: own.half.map(|_| false), ..own };
-        let trials = [Passes::POINTS, own].map(|passes| Trial { passes, bias: BIAS });
         let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
             let film = self.film(self.shot(*path, 4, *speed), &[]);
             let at = |latency: usize| {
-                let found = measured(&film, &self.span(latency), &trials);
-                Point { path: *path, latency, speed: *speed, points: found[0], all: found[1] }
+                let found = measured(&film, &self.span(latency), &[Passes::POINTS, own]);
+                let [points, all] = [0, 1].map(|i| found[i].at(Trial::BIAS));
+                Point { path: *path, latency, speed: *speed, points, all }
             };
             latencies.clone().into_par_iter().map(at).collect::<Vec<_>>()
         };
@@ -334,76 +327,34 @@ impl<'a> Set<'a> {
             buffers: names.into_iter().zip(all.iter().map(made)).collect(),
         }
     }
-
-    /// Combinations of the free parameters.
-    fn combinations(&self) -> Vec<Trial> {
-        let mut trials = Vec::new();
-        let half = passes(self.culling).half.or(Some(false));
-        let lods = [(0.0, 0.0), (0.0, 24.0), (0.0, 96.0), (12.0, 48.0), (24.0, 96.0)];
-        let voxels = lods.map(|(near, far)| Some(Lod { near, far }));
-        for [median, dilation] in [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2], [2, 0], [2, 1], [2, 2]] {
-            for voxels in voxels.into_iter().chain([None]) {
-                for erosion in [0, 1, 2, 3] {
-                    let passes = Passes { half, median, voxels, dilation, erosion, ..Passes::NONE };
-                    trials.extend([0.01, 0.1].map(|bias| Trial { passes, bias }));
-                }
-            }
-        }
-        trials
-    }
-
-    /// What trials do on shots, three paths from places: all shots of each trial.
-    fn on(&self, (starts, frames): (&[usize], &[usize]), trials: &[Trial]) -> Vec<OnShots> {
-        let shots: Vec<_> =
-            PATHS.into_iter().flat_map(|path| starts.iter().map(move |start| (path, *start))).collect();
-        let one = |(path, start): &(CameraPath, usize)| {
-            let film = self.film(self.shot(*path, *start, 1.0), &[2]);
-            let span = Span { frames, ..self.span(self.culling.latency as usize) };
-            measured(&film, &span, trials)
-        };
-        let all: Vec<Vec<Tally>> = shots.par_iter().map(one).collect();
-        let of = |i: usize| OnShots {
-            sum: all.iter().fold(Tally::default(), |sum, of_shot| sum.plus(of_shot[i])),
-            most_culled: all.iter().map(|of_shot| of_shot[i].wrongly_culled()).fold(0.0, f64::max),
-        };
-        (0..trials.len()).map(of).collect()
-    }
-
-    /// The scene's own parameters, and of all combinations the one of least work that keeps
-    /// [`ALLOWED`] on some shots; where none does, the one that breaks it least. The rates are
-    /// counts, with steps in place of slopes, and there are few enough combinations to try all.
-    fn choices(&self) -> ([Choice; 2], usize) {
-        let own = Trial { passes: passes(self.culling), bias: BIAS };
-        let mut trials = self.combinations();
-        let count = trials.len();
-        trials.push(own);
-        let found = self.on((&[0, 2, 5, 7], &MEASURED[6..]), &trials);
-        let broken = |i: usize| {
-            let rates = [found[i].most_culled, found[i].sum.wrongly_kept()];
-            (0..2).map(|k| rates[k] / ALLOWED[k]).fold(1.0, f64::max)
-        };
-        // Of two of the same work the one that culls less.
-        let cost = |i: usize| (found[i].sum.work.total(), found[i].sum.culled);
-        let rank = |a: &usize, b: &usize| broken(*a).total_cmp(&broken(*b)).then(cost(*a).cmp(&cost(*b)));
-        let best = (0..count).min_by(rank).unwrap_or(count);
-        let reported = self.on((&[1, 3, 8], &MEASURED), &[trials[count], trials[best]]);
-        let choice =
-            |i: usize, k: usize| Choice { trial: trials[i], chosen: found[i], reported: reported[k] };
-        ([choice(count, 0), choice(best, 1)], count)
-    }
 }
 
 /// Measures the culling of a scene: the same results on every run, for any number of threads.
 pub fn results(culling: &Culling, site: &Site) -> Results {
-    let set = Set { culling, site, size: culling.buffer.map(|n| n as usize) };
-    let (choices, combinations) = set.choices();
+    let set = Set::new(culling, site);
+    let choices = choices(&set, usual(culling));
     Results {
         culling: culling.clone(),
-        rows: set.rows(),
+        rows: set.rows(&choices.best.trial),
         causes: PATHS.map(|path| set.causes(path)).to_vec(),
         sweep: set.sweep(),
         choices,
-        combinations,
         pictures: set.pictures(),
     }
+}
+
+/// The parameters that are chosen for a scene.
+pub fn chosen(culling: &Culling, site: &Site) -> Trial {
+    choices(&Set::new(culling, site), usual(culling)).best.trial
+}
+
+/// Whether any box is in any frame of the scene's path that is measured: without one there is no rate.
+pub fn has_boxes(culling: &Culling, site: &Site) -> bool {
+    let set = Set::new(culling, site);
+    let (shot, _) = set.shot(culling.path, 4, 1.0);
+    let in_frame = |frame: &usize| {
+        let camera = shot.camera(*frame, site, set.size);
+        site.objects.iter().any(|cuboid| Footprint::of(&camera, cuboid, set.size).is_ok())
+    };
+    MEASURED.iter().any(in_frame)
 }

@@ -7,9 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::film::{Film, Shot};
 use crate::grid::Grid;
+use crate::measure::Trial;
 use crate::passes::{Late, Work};
 use crate::site::Site;
-use crate::study::{FRAMES, MEASURED, Row, Way, Ways, WithGrid, ways};
+use crate::study::{FRAMES, MEASURED, Row, Way, Ways, WithGrid, chosen, ways};
 use lobefit::scene::Culling;
 
 /// Runs of each pass, of which the fastest counts.
@@ -54,12 +55,14 @@ pub const NONE: &str = "no times are recorded beside this page";
 pub const OTHER: &str = "the times recorded beside this page are of other passes or of another scene";
 
 impl Times {
-    /// Measures the passes of a scene on this machine, on one thread.
+    /// Measures the passes of a scene on this machine, on one thread, with the parameters that are
+    /// chosen for it.
     pub fn measured(culling: &Culling, site: &Site, command: String, device: String) -> Times {
+        let chosen = chosen(culling, site);
         let latency = culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
         let mut rows = Vec::new();
-        for Ways { buffer, grids } in ways(culling) {
+        for Ways { buffer, grids } in ways(culling, &chosen) {
             let shot = Shot { path: culling.path, start: 4, speed: 1.0 };
             let film = Film::new(site, (shot, FRAMES), buffer, &[2, 4], &late);
             for grid in grids {
@@ -91,7 +94,7 @@ fn of_grid(film: &Film, latency: usize, WithGrid { voxels, ways }: &WithGrid) ->
         .map(|way| Timed {
             name: way.name.clone(),
             buffer: film.size,
-            voxels: way.passes.voxels.map(|_| *voxels),
+            voxels: way.trial.passes.voxels.map(|_| *voxels),
             work: 0,
             milliseconds: Work::default(),
         })
@@ -110,7 +113,7 @@ fn of_grid(film: &Film, latency: usize, WithGrid { voxels, ways }: &WithGrid) ->
             arrived = film.accumulated(&mut grid, late..late + 1);
             fastest = fastest.min(start.elapsed().as_secs_f64());
         }
-        for (row, Way { passes, .. }) in rows.iter_mut().zip(ways) {
+        for (row, Way { trial: Trial { passes, .. }, .. }) in rows.iter_mut().zip(ways) {
             let depth = film.fine(passes.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
             let run = || passes.run(late, &film.cameras[frame], film.size);

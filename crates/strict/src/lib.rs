@@ -12,5 +12,5 @@ mod text;
 pub mod value;
 
 pub use error::{Position, SceneError};
-pub use object::read_object;
+pub use object::{place, read_object};
 pub use text::{plain, refused};

@@ -1,6 +1,9 @@
 //! JSON to a typed object.
 
-use serde::de::DeserializeOwned;
+use std::fmt;
+
+use serde::Deserializer;
+use serde::de::{DeserializeOwned, DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::error::{Position, SceneError};
 use super::text;
@@ -15,17 +18,74 @@ pub fn read_object<T: DeserializeOwned>(bytes: &[u8], file: &str, longest: usize
     let mut json = serde_json::Deserializer::from_str(text);
     let mut track = serde_path_to_error::Track::new();
     let parsed = T::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
-    let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
-    json.end().map_err(|e| field_error(&e, "", file))?;
+    let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), (file, text)))?;
+    json.end().map_err(|e| field_error(&e, "", (file, text)))?;
     Ok(parsed)
 }
 
+fn position(error: &serde_json::Error) -> Position {
+    Position { line: error.line().max(1), column: error.column().max(1) }
+}
+
+/// Where the value of a field, `culling.grid[0]`, stands in a text that was read: its end, of a list or
+/// an object its beginning.
+pub fn place(text: &[u8], path: &str) -> Option<Position> {
+    let steps: Vec<&str> = path.split(['.', '[', ']']).filter(|step| !step.is_empty()).collect();
+    let mut json = serde_json::Deserializer::from_slice(text);
+    Follow(&steps).deserialize(&mut json).err().map(|e| position(&e))
+}
+
+/// Follows steps through JSON, and ends with an error at the value that they lead to.
+struct Follow<'s>(&'s [&'s str]);
+
+impl Follow<'_> {
+    /// The first step and those behind it; an error where there is none.
+    fn step<E: Error>(&self) -> Result<(&str, Follow<'_>), E> {
+        let (first, rest) = self.0.split_first().ok_or_else(|| E::custom("here"))?;
+        Ok((first, Follow(rest)))
+    }
+}
+
+impl<'de> DeserializeSeed<'de> for Follow<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for Follow<'_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object or a list")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        let (name, rest) = self.step()?;
+        while let Some(key) = map.next_key::<String>()? {
+            if key == name {
+                return map.next_value_seed(rest);
+            }
+            map.next_value::<IgnoredAny>()?;
+        }
+        Ok(())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        let (index, rest) = self.step()?;
+        for _ in 0..index.parse().unwrap_or(0) {
+            list.next_element::<IgnoredAny>()?;
+        }
+        list.next_element_seed(rest).map(|_| ())
+    }
+}
+
 /// serde_json's error as ours: its place moved to the front.
-fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError {
-    let at = Position { line: error.line().max(1), column: error.column().max(1) };
-    let text = error.to_string();
+fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)) -> SceneError {
+    let said = error.to_string();
     let suffix = format!(" at line {} column {}", error.line(), error.column());
-    let message = text.strip_suffix(&suffix).unwrap_or(&text);
+    let message = said.strip_suffix(&suffix).unwrap_or(&said);
     let message = match message {
         "key must be a string" => "object keys must be strings in double quotes",
         other => other,
@@ -41,6 +101,9 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
         ("" | ".", inner) => inner.into(),
         (path, inner) => format!("{path}.{inner}"),
     };
+    // Of a field that is judged with its neighbours the reader stood at the end of them all.
+    let own = || if inner.is_empty() { None } else { place(text.as_bytes(), &path) };
+    let at = own().unwrap_or_else(|| position(error));
     let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
     SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }
 }

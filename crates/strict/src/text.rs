@@ -7,7 +7,7 @@ use super::limits;
 /// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and
 /// strings, which have at most `longest` bytes.
 pub(crate) fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
-    let text = plain(bytes, file, "; an object begins with `{`; see `lobefit schema`")?;
+    let text = plain(bytes, file, "; an object begins with `{`")?;
     nesting(bytes, longest).map_err(|(at, message)| refused(bytes, file, at, message))?;
     Ok(text)
 }

@@ -7,18 +7,18 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::study::{self, STUDIES, Size, Stale, Study};
+use crate::study::{self, Given, STUDIES, Size, Stale, Study};
 use lobefit::cli::CliError;
 use lobefit::cli::options::ThreadsOption;
 use lobefit::cli::output::{self, Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
-use lobefit::scene::{Scene, limits};
 use lobefit::store::{self, Folder};
 
 const REMARKS: &str = "\
-Writes reports/studies/NAME/index.html and results.json in the output folder and nothing else; with --reduced, in
-reports/studies/NAME-reduced, with --scene in reports/studies/NAME-scene. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one
-is of other code or other parameters than this version's, as `lobefit check` does.";
+Writes reports/studies/NAME/index.html and results.json in the output folder, with --times the record times.json beside them, and
+nothing else; with --reduced, in reports/studies/NAME-reduced, with --scene FILE.json in reports/studies/NAME-scene-FILE. A bake leaves
+them alone. --check runs no study: it compares their recipes, and exits with 1 where one is of other code or other parameters than
+this version's, as `lobefit check` does.";
 
 /// What the help says after the options: every study, and what is written where.
 fn after_help() -> String {
@@ -89,17 +89,11 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
 
 /// The study of a scene in a file.
 fn of_scene(study: &dyn Study, file: &Path) -> Result<Box<dyn Study>, CliError> {
-    let name = file.display().to_string();
-    let scene = Scene::from_json(&store::read(file, limits::FILE_BYTES)?, &name)?;
-    let refused =
-        || CliError::Usage(format!("--scene {name}: it does not call for the study {}", study.name()));
-    let folder = file.parent().unwrap_or(Path::new(""));
-    let beside = |path: &str, field: &str, limit: u64| {
-        let named = |source| CliError::NamedFile { scene: name.clone(), field: field.into(), source };
-        let path = store::inside(folder, path).map_err(named)?;
-        Ok((path.display().to_string(), store::read(&path, limit).map_err(named)?))
+    let refused = || {
+        let name = file.display();
+        CliError::Usage(format!("--scene {name}: it does not call for the study {}", study.name()))
     };
-    study.of_scene(&scene, &beside)?.ok_or_else(refused)
+    study.of_scene(&Given::read(file)?)?.ok_or_else(refused)
 }
 
 /// The record of times that a study's page shows: measured now, or what lies beside the page.

@@ -28,6 +28,16 @@ fn what_is_no_culling_is_refused() {
     ]);
 }
 
+/// A field that is judged with others is named where it stands.
+#[test]
+fn the_place_of_a_refused_field_is_its_own() {
+    let text = "{\"schema_version\": 1, \"materials\": [], \"culling\": {\n\"passes\": [\"median\"],\n\"grid\": [2,\n 100, 2],\n\"seed\": 1\n}\n}";
+    let said = |text: &str| Scene::from_json(text.as_bytes(), "s").expect_err("refused").to_string();
+    assert_eq!(said(text), "s:4:4: culling.grid[1]: 100 is no power of two");
+    let text = text.replace("100", "64");
+    assert!(said(&text).starts_with("s:2:11: culling.passes: no pass writes depth"), "{}", said(&text));
+}
+
 /// Without the block or without voxels nothing is emitted, and the plan says why.
 #[test]
 fn sub_voxels_are_called_for_by_voxels() {

@@ -4,12 +4,14 @@ mod passes;
 mod pictures;
 mod sweeps;
 
-use crate::measure::{Tally, part};
+use crate::choice::{ALLOWED, Choice};
+use crate::grid::Lod;
+use crate::measure::{Tally, Trial, part};
 use crate::passes::Passes;
-use crate::study::{ALL, ALLOWED, Choice, Point, Results, Row, passes as passes_of};
+use crate::study::{ALL, Point, Results, Row, usual};
 use crate::times::{Timed, Times};
 use lobefit::report::numbers::brief;
-use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread, check};
+use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread};
 use lobefit::scene::{CameraPath, World};
 
 /// Size of a chart's plotted area in pixels.
@@ -20,17 +22,13 @@ const CHART: (f64, f64) = (430.0, 190.0);
 /// # Errors
 /// Data that cannot be shown, by section and field.
 pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<Page, ReportError> {
-    if results.rows.iter().all(|row| row.tally.seen + row.tally.hidden == 0) {
-        let why = "has no box in any frame that is measured; a mesh is in metres, and the camera stands 1.7 m above its ground";
-        return Err(check::domain("occlusion", "culling.world", why));
-    }
     let timed = Times::of(times, &results.rows);
     let device = times.map_or("", |times| &times.device);
     let sections = vec![
         pictures::pictures(results)?,
         passes::passes(results, timed.as_deref().map_err(|why| *why), device)?,
         sweeps::sweeps(results)?,
-        sweeps::parameters(results),
+        sweeps::parameters(results, timed.as_deref().ok()),
         sweeps::holes(results),
         passes::resolutions(results, timed.as_deref().ok())?,
     ];
@@ -42,14 +40,14 @@ fn percent(x: f64) -> String {
     format!("{}\u{a0}%", brief(100.0 * x, 2))
 }
 
-/// What passes do on the path of the scene with its buffer and its grid, and what they take.
+/// What a trial does on the path of the scene with its buffer and its grid, and what it takes.
 fn by<'r>(
     results: &'r Results,
     timed: Option<&[&'r Timed]>,
-    passes: Passes,
+    trial: Trial,
 ) -> Option<(&'r Row, Option<&'r Timed>)> {
     let own = own(results);
-    let i = results.rows.iter().position(|row| own(row) && row.trial.passes == passes)?;
+    let i = results.rows.iter().position(|row| own(row) && row.trial == trial)?;
     Some((&results.rows[i], timed.map(|timed| timed[i])))
 }
 
@@ -71,7 +69,9 @@ fn path(path: CameraPath) -> &'static str {
 fn lead(results: &Results) -> String {
     let culling = &results.culling;
     let rates = |tally: &Tally| (percent(tally.wrongly_kept()), percent(tally.wrongly_culled()));
-    let of = |passes: Passes| by(results, None, passes).map(|(row, _)| rates(&row.tally)).unwrap_or_default();
+    let of = |passes: Passes| {
+        by(results, None, Trial::usual(passes)).map(|(row, _)| rates(&row.tally)).unwrap_or_default()
+    };
     let (alone, all, safe) = (of(Passes::POINTS), of(ALL), of(Passes::CONSERVATIVE));
     let few = results.rows.first().map_or_else(String::new, |row| few(&row.tally));
     let [width, height] = culling.buffer;
@@ -118,7 +118,7 @@ fn sideways(results: &Results) -> String {
         point.path == CameraPath::Strafe && point.speed == 1.0 && point.latency == culling.latency as usize
     };
     // Of a scene that leaves passes out the sweep has other rates.
-    let is_said = culling.path != CameraPath::Strafe && passes_of(culling) == ALL;
+    let is_said = culling.path != CameraPath::Strafe && usual(culling) == Trial::usual(ALL);
     let point = results.sweep.iter().find(here).filter(|_| is_said);
     point.map_or(String::new(), |point| {
         format!(", and {} where the camera moves sideways", percent(point.all.wrongly_culled()))
@@ -127,9 +127,9 @@ fn sideways(results: &Results) -> String {
 
 /// What the chosen parameters do on other shots, and whether they keep what is allowed there.
 fn chosen(results: &Results) -> String {
-    let [_, Choice { trial, reported, .. }] = &results.choices;
+    let Choice { trial, reported, .. } = &results.choices.best;
     let allowed = percent(ALLOWED[0]);
-    let what = worded(&trial.passes, trial.bias);
+    let what = worded(trial);
     let worst = match percent(reported.most_culled) {
         // A digit more tells it from what is allowed.
         same if same == allowed => format!("{}\u{a0}%", brief(100.0 * reported.most_culled, 4)),
@@ -189,22 +189,34 @@ const RATES: [(&str, bool); 6] = [
     ("wrongly kept", true),
     ("texels too near", true),
     ("never written", true),
-    ("work", true),
+    ("work per texel", true),
 ];
 
-/// `median 3 x 3, ...`.
-fn worded(passes: &Passes, bias: f32) -> String {
-    let square =
-        |radius: usize| if radius == 0 { "none".into() } else { format!("{0} x {0}", 2 * radius + 1) };
+/// The column of times, where there are any: one is empty of every row.
+const MS: (&str, bool) = ("ms a frame", true);
+
+/// Its cell, where times are recorded.
+fn milliseconds(timed: Option<&Timed>) -> Option<String> {
+    timed.map(|timed| brief(timed.milliseconds.total(), 3))
+}
+
+/// `median 3 x 3, ...`, whose numbers stay on the line of their units.
+fn worded(Trial { passes, bias }: &Trial) -> String {
+    let square = |radius: usize| match 2 * radius + 1 {
+        1 => "none".into(),
+        side => format!("{side}\u{a0}x\u{a0}{side}"),
+    };
     let voxels = match passes.voxels {
         None => "no voxels".into(),
-        Some(lod) => format!("sub-voxels up to {} m, super-voxels beyond {} m", lod.near, lod.far),
+        Some(Lod { near, far }) => {
+            format!("sub-voxels up to {near}\u{a0}m, super-voxels beyond {far}\u{a0}m")
+        }
     };
     format!(
         "median {}, dilation {}, erosion {}, {voxels}, margin {}",
         square(passes.median),
         square(passes.dilation),
         square(passes.erosion),
-        percent(f64::from(bias))
+        percent(f64::from(*bias))
     )
 }

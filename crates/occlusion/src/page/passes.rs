@@ -1,9 +1,9 @@
 //! What each pass buys and costs, at every resolution.
 
-use super::{RATES, Rate, by, curves, own, percent, rates};
-use crate::measure::{TOLERANCE, Tally, part};
+use super::{MS, RATES, Rate, by, curves, milliseconds, own, percent, rates};
+use crate::measure::{TOLERANCE, Tally, Trial, part};
 use crate::passes::{Passes, Work};
-use crate::study::{ALL, Results, Row};
+use crate::study::{ALL, CHOSEN, Results, Row};
 use crate::times::Timed;
 use lobefit::report::numbers::{brief, grouped};
 use lobefit::report::{
@@ -17,8 +17,8 @@ const CULLED: Rate = ("wrongly culled, %", Tally::wrongly_culled);
 const SMALL: (f64, f64) = (280.0, 150.0);
 
 /// What buffers are made from, in the order of the table.
-const SOURCES: [&str; 5] =
-    ["depth", "depth of twice the resolution", "voxels", "depth and voxels", "conservative"];
+const SOURCES: [&str; 6] =
+    ["depth", "depth of twice the resolution", "voxels", "depth and voxels", "conservative", CHOSEN];
 
 /// Passes in their order, and what each took.
 fn each<T: Copy>(work: &Work<T>) -> [(&'static str, T); 5] {
@@ -32,22 +32,18 @@ fn each<T: Copy>(work: &Work<T>) -> [(&'static str, T); 5] {
     ]
 }
 
-/// Milliseconds of a row.
-fn milliseconds(timed: Option<&Timed>) -> String {
-    timed.map_or("-".into(), |timed| brief(timed.milliseconds.total(), 3))
-}
-
 /// Work and time of each pass.
 fn split(results: &Results, timed: Option<&[&Timed]>) -> Vec<Vec<String>> {
     let half = Passes { half: Some(true), ..Passes::NONE };
-    let shown = [Passes::POINTS, half, ALL, Passes::CONSERVATIVE];
-    let rows = shown.into_iter().filter_map(|passes| by(results, timed, passes));
+    let shown = [Passes::POINTS, half, ALL, Passes::CONSERVATIVE].map(Trial::usual);
+    let shown = shown.into_iter().chain([results.choices.best.trial]);
+    let rows = shown.filter_map(|trial| by(results, timed, trial));
     let of_row = |(row, timed): (&Row, Option<&Timed>)| {
         let spent = timed.map(|timed| each(&timed.milliseconds).map(|(_, ms)| ms));
         let own = each(&row.tally.work).into_iter().enumerate().filter(|(_, (_, work))| *work > 0);
         let cells = |(i, (pass, work)): (usize, (&str, u64))| {
-            let ms = spent.map_or("-".into(), |spent| brief(spent[i], 3));
-            vec![row.name.clone(), pass.into(), brief(part(work, row.tally.texels), 3), ms]
+            let first = [row.name.clone(), pass.into(), brief(part(work, row.tally.texels), 3)];
+            first.into_iter().chain(spent.map(|spent| brief(spent[i], 3))).collect()
         };
         own.map(cells).collect::<Vec<_>>()
     };
@@ -59,7 +55,7 @@ fn holes_for_less(results: &Results, timed: Option<&[&Timed]>) -> String {
     let median = Passes { median: 1, ..Passes::POINTS };
     let half = Passes { half: Some(true), ..Passes::NONE };
     let [Some(points), Some(median), Some(half)] =
-        [Passes::POINTS, median, half].map(|passes| by(results, timed, passes))
+        [Passes::POINTS, median, half].map(|passes| by(results, timed, Trial::usual(passes)))
     else {
         return String::new();
     };
@@ -127,15 +123,16 @@ pub(super) fn passes(
         grouped(first.hidden),
         percent(f64::from(TOLERANCE)),
     );
+    let columns = [("buffer", false), ("pass", false), ("work per texel", true), MS];
     let split = words::table(
-        &[("buffer", false), ("pass", false), ("work", true), ("ms", true)],
+        &columns[..3 + usize::from(timed.is_some())],
         split(results, timed),
         "Work of each pass for each texel of the buffer, beside its time. Accumulation adds the depth of a frame to the voxels.",
     );
     let points = "Points of old depth leave cracks, most of which a median closes, and what they never saw, which only voxels know. A voxel is as thick as it is \
                   wide: it closes the holes of fences.";
-    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass. \
-                  Lower is better. Other resolutions: at the end of this page.";
+    let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass; \
+                  the conservative mode and the chosen parameters have one. Lower is better. Other resolutions: at the end of this page.";
     let culling = &results.culling;
     let one = |rate| {
         chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, super::CHART))
@@ -159,9 +156,9 @@ fn table(
     keep: &dyn Fn(&Row) -> bool,
     caption: &str,
 ) -> TextTable {
-    let columns = [&[("buffer", false)][..], &RATES, &[("ms", true)]].concat();
+    let columns = [&[("buffer", false)][..], &RATES, timed.map_or(&[], |_| &[MS])].concat();
     let rows = results.rows.iter().enumerate().filter(|(_, row)| keep(row)).map(|(i, row)| {
-        let cells = rates(&row.tally).into_iter().chain([milliseconds(timed.map(|timed| timed[i]))]);
+        let cells = rates(&row.tally).into_iter().chain(milliseconds(timed.map(|timed| timed[i])));
         std::iter::once(row.name.clone()).chain(cells).collect()
     });
     words::table(&columns, rows.collect(), caption)
@@ -197,7 +194,7 @@ fn chart(
             end: None,
         })
     });
-    let label = if timed.is_some() { "ms" } else { "thousands of texels and voxels" };
+    let label = if timed.is_some() { "ms a frame" } else { "thousands of texels and voxels" };
     let title = format!("{}, {} voxels", sized(buffer), sized(grid));
     let mut chart = curves(&title, [label, rate.0], lines.collect(), size);
     (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
@@ -224,11 +221,12 @@ fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> 
 pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result<Section, ReportError> {
     let own = own(results);
     let columns =
-        [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, &[("ms", true)]].concat();
+        [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, timed.map_or(&[], |_| &[MS])]
+            .concat();
     let rows = results.rows.iter().enumerate().filter(|(_, row)| !own(row)).map(|(i, row)| {
         let first = [sized(row.buffer), row.voxels.map_or("-".into(), sized), row.name.clone()];
         let ms = milliseconds(timed.map(|timed| timed[i]));
-        first.into_iter().chain(rates(&row.tally)).chain([ms]).collect()
+        first.into_iter().chain(rates(&row.tally)).chain(ms).collect()
     });
     let lead = "A grid of twice the voxel takes an eighth of the memory; texels that are too near grow with the size of voxels and of texels.";
     let caption = "Buffers and grids of other sizes than the scene's.";

@@ -1,8 +1,10 @@
 //! What latency, speed and free parameters do, and why texels are never written.
 
-use super::{CHART, RATES, Rate, curves, path, percent, rates, worded};
+use super::{CHART, MS, RATES, Rate, by, curves, milliseconds, path, percent, rates, worded};
+use crate::choice::{ALLOWED, Choice, Choices, FINALISTS, OnShots};
 use crate::measure::{Tally, part};
-use crate::study::{ALLOWED, Causes, Choice, OnShots, Point, Results};
+use crate::study::{Causes, MEASURED, Point, Results};
+use crate::times::Timed;
 use lobefit::report::{Block, ReportError, Section, Series, Style, figures, words};
 use lobefit::scene::CameraPath;
 
@@ -75,31 +77,46 @@ pub(super) fn holes(results: &Results) -> Section {
     }
 }
 
-pub(super) fn parameters(results: &Results) -> Section {
-    let columns =
-        [&[("parameters", false), ("shots", false), ("culled, worst shot", true)][..], &RATES].concat();
+pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section {
+    let first = [
+        ("parameters", false),
+        ("shots", false),
+        ("culled, worst shot", true),
+        ("culled sideways", true),
+        ("kept sideways", true),
+    ];
+    let columns = [&first[..], &RATES, timed.map_or(&[], |_| &[MS])].concat();
     let two = |name: &str, choice: &Choice| {
-        let text = format!("{name}: {}", worded(&choice.trial.passes, choice.trial.bias));
+        let ms = by(results, timed, choice.trial).and_then(|(_, timed)| milliseconds(timed));
         let row = |shots: &str, found: &OnShots| -> Vec<String> {
-            let first = [text.clone(), shots.into(), percent(found.most_culled)];
-            first.into_iter().chain(rates(&found.sum)).collect()
+            let sideways = [found.sideways.wrongly_culled(), found.sideways.wrongly_kept()].map(percent);
+            let first = [name.to_string(), shots.into(), percent(found.most_culled)];
+            first.into_iter().chain(sideways).chain(rates(&found.sum)).chain(ms.clone()).collect()
         };
         [row("chosen on", &choice.chosen), row("others", &choice.reported)]
     };
-    let [own, best] = &results.choices;
-    let rows = [two("usual", own), two("chosen", best)].concat();
+    let Choices { usual, best, tried } = &results.choices;
+    let rows = [two("usual", usual), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
+    let caption = format!(
+        "Usual: {}. Chosen: {}. Sideways: on the strafes of these shots alone.{}",
+        worded(&usual.trial),
+        worded(&best.trial),
+        timed.map_or("", |_| " Milliseconds: on the scene's path.")
+    );
     let lead = format!(
-        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. Rates are counts, with steps in place of slopes: \
-         all {} combinations are tried, on a turn, a strafe and a walk from four places each. The erosion takes the farthest of a square about every \
-         texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Chosen is the \
-         combination of least work that does, or breaks this least. It is reported on shots from three other places.",
-        results.combinations
+        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square about every \
+         texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Each box \
+         has a margin from which on it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} \
+         combinations of the rest are tried, on a turn, a strafe and a walk from four places each, and the best {FINALISTS} again in all {} frames of these shots. \
+         Chosen is the combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden. It is reported on shots from \
+         three other places.",
+        MEASURED.len()
     );
     Section {
         id: "parameters".into(),
         title: "Parameters".into(),
         lead,
-        blocks: vec![Block::Table(words::table(&columns, rows, ""))],
+        blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
     }
 }

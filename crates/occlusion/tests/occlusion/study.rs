@@ -5,9 +5,15 @@ use std::path::Path;
 
 use crate::mesh::courtyard;
 use lobefit::report::numbers::brief;
-use lobefit::scene::{Culling, Generator, Scene};
+use lobefit::scene::{CameraPath, Culling, Generator, Scene};
+use lobefit_occlusion::choice::ALLOWED;
+use lobefit_occlusion::cull::{Footprint, Verdict, test};
+use lobefit_occlusion::film::{Film, Shot};
+use lobefit_occlusion::grid::Grid;
+use lobefit_occlusion::measure::{Span, measured};
+use lobefit_occlusion::passes::{Late, Passes};
 use lobefit_occlusion::site::Site;
-use lobefit_occlusion::study::results;
+use lobefit_occlusion::study::{CHOSEN, results};
 use lobefit_occlusion::times::{NONE, OTHER, Times};
 
 fn culling(fields: &str) -> Culling {
@@ -33,7 +39,48 @@ fn results_do_not_depend_on_threads() {
     assert!(row("depth").holes > row("depth, median").holes);
     assert!(row("depth").holes > row("depth and voxels").holes);
     assert!(row("depth").work.total() < row("depth and voxels, median, dilation").work.total());
+    let best = &one.choices.best;
+    assert!(row(CHOSEN).work.total() > 0 && best.chosen.most_culled <= ALLOWED[0]);
     assert!(one.sweep.iter().filter(|point| point.speed == 1.0).count() == 16);
+}
+
+/// The least margin culls no more than is allowed, the next smaller number does; boxes tested one by
+/// one against the buffer say the same.
+#[test]
+fn the_least_margin_is_exact() {
+    let (site, size, latency) = (Site::generated(Generator::Town, 1), [64, 36], 5);
+    let shot = Shot { path: CameraPath::Strafe, start: 0, speed: 1.0 };
+    let film = Film::new(&site, (shot, 30), size, &[], &[]);
+    let (frames, voxels) = ([17, 29], [32, 32, 16]);
+    let passes = Passes { median: 1, dilation: 2, ..Passes::POINTS };
+    let eroded = Passes { erosion: 1, ..passes };
+    let found = measured(&film, &Span { latency, frames: &frames, voxels }, &[passes, eroded]);
+    let grid = Grid::new(voxels, &site.bounds);
+    for (found, passes) in found.iter().zip([passes, eroded]) {
+        for part in [0.0, 0.005, 0.02] {
+            let bias = found.least_bias(part);
+            let tally = found.at(bias);
+            assert!(tally.wrongly_culled() <= part, "{} for {part}", tally.wrongly_culled());
+            assert!(bias == 0.0 || found.at(bias.next_down()).wrongly_culled() > part, "{bias} for {part}");
+            let mut counts = [0; 4];
+            for frame in frames {
+                let (camera, late) = (&film.cameras[frame], frame - latency);
+                let late = Late { camera: &film.cameras[late], depth: &film.depth[late], grid: &grid };
+                let buffer = passes.run(late, camera, size).0;
+                for cuboid in &site.objects {
+                    let culled = |depth, bias| test(depth, camera, cuboid, bias) == Verdict::Culled;
+                    let hidden = culled(&film.depth[frame], 0.0);
+                    if Footprint::of(camera, cuboid, size).is_ok() {
+                        counts[usize::from(hidden)] += 1;
+                        counts[2 + usize::from(hidden)] += usize::from(culled(&buffer, bias) != hidden);
+                    }
+                }
+            }
+            let all = [tally.seen, tally.hidden, tally.culled, tally.kept].map(|n| n as usize);
+            assert_eq!(all, counts, "{part}");
+        }
+    }
+    assert!(found[0].least_bias(0.0) > 0.0, "without a margin something is culled wrongly");
 }
 
 /// A scene whose world is a mesh: its conservative mode makes nothing vanish, and what was timed is of

@@ -3,10 +3,13 @@
 //! any number of threads.
 
 pub mod coupling;
+mod given;
 pub mod occlusion;
 mod page;
 pub mod parallax;
 pub mod stability;
+
+pub use given::Given;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -17,22 +20,22 @@ use lobefit::approximate::FitStageError;
 use lobefit::bake::{Progress, TOOL};
 use lobefit::cli::{CliError, PackageError};
 use lobefit::report::{Origin, Page, ReportError, bar_from, html};
-use lobefit::scene::{Scene, SceneError};
+use lobefit::scene::SceneError;
 use lobefit::store::Files;
 use lobefit_fit::FitError;
 use lobefit_formula::fitting::FittingError;
 use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
+use page::REDUCED;
 use parallax::room::cubemap::CubemapError;
-
-/// Reads a file that a field of a scene names, by its path relative to the scene, and of at most so
-/// many bytes: its name for messages, and its bytes.
-pub type Beside<'a> = dyn Fn(&str, &str, u64) -> Result<(String, Vec<u8>), CliError> + 'a;
 
 /// A long experiment: a value of the list [`STUDIES`], with a folder that holds everything of it.
 pub trait Study: Sync {
     /// The word for it on the command line, and its folder.
     fn name(&self) -> &'static str;
+
+    /// Hash of its code, without that of other studies.
+    fn code(&self) -> &'static str;
 
     /// What it shows, for the help.
     fn about(&self) -> &'static str;
@@ -44,20 +47,20 @@ pub trait Study: Sync {
     fn parameters(&self, size: Size) -> Result<Value, StudyError>;
 
     /// The same of a scene of the user's, in a folder of its own; none of a study that takes no
-    /// scene, or of a scene that does not call for it. `beside` reads the files that it names.
+    /// scene, or of a scene that does not call for it.
     ///
     /// # Errors
-    /// A file that cannot be read, or is refused.
-    fn of_scene(&self, _scene: &Scene, _beside: &Beside) -> Result<Option<Box<dyn Study>>, CliError> {
+    /// A file that cannot be read, or is refused; what the study cannot measure.
+    fn of_scene(&self, _given: &Given) -> Result<Option<Box<dyn Study>>, CliError> {
         Ok(None)
     }
 
-    /// The name of the scene of the user's that it is of.
-    fn scene(&self) -> Option<&str> {
+    /// The name of the scene of the user's that it is of, and of its file.
+    fn scene(&self) -> Option<[&str; 2]> {
         None
     }
 
-    /// The formulas that it compares, beside the code of this package.
+    /// The formulas that it compares, beside its code.
     fn formulas(&self) -> Vec<&'static str> {
         Vec::new()
     }
@@ -103,18 +106,16 @@ pub fn from_name(name: &str) -> Option<&'static dyn Study> {
     STUDIES.into_iter().find(|study| study.name() == name)
 }
 
-/// What the lead of a page of a reduced study begins with.
-const REDUCED: &str = "REDUCED SIZE, for tests: few points, small pictures, few roughnesses. What it says of better and worse is not the \
-     study's. ";
-
 impl dyn Study + '_ {
     /// The files that it writes, relative to the folder of a bake: page and results. The reduced
-    /// study has a folder of its own, beside that of the full one, which it so leaves alone.
+    /// study and that of each scene have a folder of their own.
     pub fn files(&self, size: Size) -> [String; 2] {
-        let own = if self.scene().is_some() { "-scene" } else { "" };
         let reduced = if size == Size::Reduced { "-reduced" } else { "" };
+        let own = self.scene().map_or_else(String::new, |[_, file]| {
+            format!("-scene-{}", file.strip_suffix(".json").unwrap_or(file))
+        });
         ["index.html", "results.json"]
-            .map(|file| format!("reports/studies/{}{own}{reduced}/{file}", self.name()))
+            .map(|file| format!("reports/studies/{}{reduced}{own}/{file}", self.name()))
     }
 
     /// The record of its times, beside them.
@@ -123,38 +124,41 @@ impl dyn Study + '_ {
         page.replace("index.html", "times.json")
     }
 
-    /// Hash of everything that the study follows from: the tool's version, the code of this
-    /// package, the parameters at a size and the formulas compared. Of the code below this package
-    /// the version stands, and values of its formulas among the parameters.
+    /// Hash of everything that the study follows from: the tool's version, its own code, what else its
+    /// files say of their origin, the parameters at a size and the formulas compared. Of the code below
+    /// this package the version stands, and values of its formulas among the parameters.
     ///
     /// # Errors
     /// As [`run`].
     pub fn recipe(&self, size: Size) -> Result<String, StudyError> {
-        let mut hasher = blake3::Hasher::new();
-        hasher.update(TOOL.as_bytes());
-        hasher.update(env!("LOBEFIT_STUDIES").as_bytes());
-        hasher.update(self.parameters(size)?.to_string().as_bytes());
-        self.formulas().into_iter().fold(&mut hasher, |h, source| h.update(source.as_bytes()));
-        Ok(hasher.finalize().to_hex().to_string())
+        Ok(self.origin(size)?.recipe)
     }
 
     /// What makes it.
     pub fn command(&self, size: Size) -> String {
         let reduced = if size == Size::Reduced { " --reduced" } else { "" };
-        let of = if self.scene().is_some() { " --scene SCENE.json" } else { "" };
+        let of = self.scene().map_or_else(String::new, |[_, file]| format!(" --scene {file}"));
         format!("lobefit report --study {}{of}{reduced}", self.name())
     }
 
     /// What made a study: enough to make it again.
     fn origin(&self, size: Size) -> Result<Origin, StudyError> {
-        Ok(Origin {
-            scene: self.scene().unwrap_or_default().into(),
-            recipe: self.recipe(size)?,
+        let mut origin = Origin {
+            scene: self.scene().map_or_else(String::new, |[name, _]| name.into()),
+            recipe: String::new(),
             tool: env!("CARGO_PKG_VERSION").into(),
             command: self.command(size),
             pages: bar_from("../../")?,
         }
-        .with_figures("results.json"))
+        .with_figures("results.json");
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(TOOL.as_bytes());
+        hasher.update(self.code().as_bytes());
+        hasher.update(&serde_json::to_vec(&origin)?);
+        hasher.update(self.parameters(size)?.to_string().as_bytes());
+        self.formulas().into_iter().fold(&mut hasher, |h, source| h.update(source.as_bytes()));
+        origin.recipe = hasher.finalize().to_hex().to_string();
+        Ok(origin)
     }
 }
 

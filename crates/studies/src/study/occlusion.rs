@@ -1,17 +1,20 @@
 //! Occlusion culling by depth that arrives late, of the example's scene or of the user's
 //! (`lobefit-occlusion`).
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{Beside, REDUCED, Size, Study, StudyError};
+use super::page::REDUCED;
+use super::{Given, Size, Study, StudyError};
 use lobefit::bake::Progress;
 use lobefit::cli::CliError;
 use lobefit::cli::cost::device;
 use lobefit::report::{Origin, Page, document};
 use lobefit::scene::{Culling, Scene, World};
 use lobefit_import::limits::MESH_BYTES;
-use lobefit_import::{Mesh, mesh};
+use lobefit_import::mesh;
 use lobefit_occlusion::site::Site;
 use lobefit_occlusion::study::{self, Results};
 use lobefit_occlusion::times::Times;
@@ -32,10 +35,12 @@ pub struct Occlusion {
 /// What the study takes of a scene of the user's.
 #[derive(Clone)]
 pub struct Own {
-    name: String,
+    /// Of the scene, and of its file.
+    names: [String; 2],
     culling: Culling,
-    /// The world that is a mesh, with the hash of its file.
-    mesh: Option<(Mesh, String)>,
+    site: Site,
+    /// Hash of the file of a world that is a mesh.
+    mesh: Option<String>,
 }
 
 /// What is written.
@@ -60,16 +65,12 @@ impl Occlusion {
         Ok(culling)
     }
 
-    fn mesh(&self) -> Option<&(Mesh, String)> {
-        self.own.as_ref().and_then(|own| own.mesh.as_ref())
-    }
-
     /// What is looked at.
-    fn site(&self, culling: &Culling) -> Result<Site, StudyError> {
-        match (&culling.world, self.mesh()) {
-            (World::Generated(kind), _) => Ok(Site::generated(*kind, culling.seed)),
-            (World::Mesh(_), Some((mesh, _))) => Ok(Site::of_mesh(mesh)),
-            (World::Mesh(_), None) => Err(StudyError::NoCulling),
+    fn site(&self, culling: &Culling) -> Result<Cow<'_, Site>, StudyError> {
+        match (&self.own, &culling.world) {
+            (Some(own), _) => Ok(Cow::Borrowed(&own.site)),
+            (None, World::Generated(kind)) => Ok(Cow::Owned(Site::generated(*kind, culling.seed))),
+            (None, World::Mesh(_)) => Err(StudyError::NoCulling),
         }
     }
 }
@@ -79,38 +80,48 @@ impl Study for Occlusion {
         "occlusion"
     }
 
+    fn code(&self) -> &'static str {
+        env!("LOBEFIT_STUDY_OCCLUSION")
+    }
+
     fn about(&self) -> &'static str {
         "occlusion buffers from depth that is frames old: seconds"
     }
 
-    fn of_scene(&self, scene: &Scene, beside: &Beside) -> Result<Option<Box<dyn Study>>, CliError> {
-        let Some(culling) = scene.culling.clone() else { return Ok(None) };
-        let mesh = match &culling.world {
-            World::Generated(_) => None,
+    fn of_scene(&self, given: &Given) -> Result<Option<Box<dyn Study>>, CliError> {
+        const FIELD: &str = "culling.world";
+        let Some(culling) = given.scene.culling.clone() else { return Ok(None) };
+        let (site, mesh) = match &culling.world {
+            World::Generated(kind) => (Site::generated(*kind, culling.seed), None),
             World::Mesh(path) => {
-                let (file, bytes) = beside(path, "culling.world", MESH_BYTES)?;
-                Some((mesh(&bytes, &file)?, blake3::hash(&bytes).to_hex().to_string()))
+                let (file, bytes) = given.beside(path, FIELD, MESH_BYTES)?;
+                let site = Site::of_mesh(&mesh(&bytes, &file).map_err(|e| given.refused(FIELD, e))?);
+                if !study::has_boxes(&culling, &site) {
+                    let why = "none of its boxes is in any frame that is measured: it is read in metres, and the camera stands 1.7 m above its ground";
+                    return Err(given.refused(FIELD, format!("{file}: {why}")));
+                }
+                (site, Some(blake3::hash(&bytes).to_hex().to_string()))
             }
         };
-        let own = Own { name: scene.name.clone(), culling, mesh };
-        Ok(Some(Box::new(Occlusion { own: Some(own), times: None })))
+        let names = [given.scene.name.clone(), given.name()?];
+        Ok(Some(Box::new(Occlusion { own: Some(Own { names, culling, site, mesh }), times: None })))
     }
 
-    fn scene(&self) -> Option<&str> {
-        self.own.as_ref().map(|own| own.name.as_str())
+    fn scene(&self) -> Option<[&str; 2]> {
+        self.own.as_ref().map(|own| own.names.each_ref().map(String::as_str))
     }
 
     fn parameters(&self, size: Size) -> Result<Value, StudyError> {
         let mut parameters = serde_json::json!({ "code": CODE, "culling": self.culling(size)? });
-        if let Some((_, hash)) = self.mesh() {
-            parameters["mesh"] = Value::from(hash.as_str());
+        if let Some(hash) = self.own.as_ref().and_then(|own| own.mesh.as_deref()) {
+            parameters["mesh"] = Value::from(hash);
         }
         Ok(parameters)
     }
 
     fn timed(&self, size: Size, command: String) -> Result<Option<Vec<u8>>, StudyError> {
         let culling = self.culling(size)?;
-        let times = Times::measured(&culling, &self.site(&culling)?, command, device(1));
+        let times = Times::measured(&culling, self.site(&culling)?.as_ref(), command, device(1));
         Ok(Some(document("times.json", &times)?))
     }
 
@@ -127,7 +138,7 @@ impl Study for Occlusion {
     ) -> Result<(Page, Vec<u8>), StudyError> {
         progress.stage("occlusion buffers");
         let culling = self.culling(size)?;
-        let results = study::results(&culling, &self.site(&culling)?);
+        let results = study::results(&culling, self.site(&culling)?.as_ref());
         let mut page = page::page(&results, self.times.as_ref(), origin.clone())?;
         if size == Size::Reduced {
             page.lead.insert_str(0, REDUCED);

@@ -3,6 +3,10 @@
 use lobefit::report::numbers::place;
 use lobefit::report::{Curves, Series, Spread, Style, TextTable, words};
 
+/// What the lead of a page of a reduced study begins with.
+pub(super) const REDUCED: &str = "REDUCED SIZE, for tests: few points, small pictures, few roughnesses. What it says of better and worse is not the \
+     study's. ";
+
 /// A line of a chart.
 pub(super) fn line(name: impl Into<String>, points: Vec<(f64, f64)>, style: Style) -> Series {
     Series { name: name.into(), points, style, end: None }

@@ -223,6 +223,38 @@ fn wrong_use_is_refused_and_writes_nothing() {
     assert_eq!(names(folder.path()), ["file"]);
 }
 
+/// The recipe of a study follows from its own code: no study computes with another one's.
+#[test]
+fn no_study_names_another() {
+    fn read(path: &Path, text: &mut String) {
+        match std::fs::read_dir(path) {
+            Ok(entries) => entries.for_each(|entry| read(&entry.expect("an entry").path(), text)),
+            Err(_) => text.push_str(&std::fs::read_to_string(path).expect("text")),
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let names = STUDIES.map(Study::name);
+    let places = names
+        .map(|name| if name == "occlusion" { "study/occlusion.rs".into() } else { format!("study/{name}") });
+    for place in places.iter().map(String::as_str).chain(["flip", "render", "study/page.rs"]) {
+        let mut text = String::new();
+        read(&root.join(place), &mut text);
+        let others = names.iter().filter(|name| !place.contains(*name));
+        for other in others.map(|name| format!("study::{name}")) {
+            assert!(!text.contains(&other), "{place} names {other}");
+        }
+    }
+    let codes: std::collections::BTreeSet<&str> = STUDIES.map(Study::code).into_iter().collect();
+    assert_eq!(codes.len(), STUDIES.len());
+}
+
+/// A triangle of a millimetre.
+const SMALL: &str = r#"{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAbxKDOgAAAAAAAAAAAAAAAAAAAABvEoM6"}]}"#;
+
 /// A scene that names a mesh: its study, its times, which the page shows from then on, and what is
 /// refused with nothing written.
 #[test]
@@ -230,11 +262,9 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).expect("written");
     let scene = |world: &str| {
-        let culling = format!(r#"{{"world": "{world}", "buffer": [16, 16], "grid": [4, 4, 4]}}"#);
-        write(
-            "s.json",
-            format!(r#"{{"schema_version": 1, "materials": [], "culling": {culling}}}"#).as_bytes(),
-        );
+        let culling = format!("{{\"buffer\": [16, 16], \"grid\": [4, 4, 4],\n\"world\": \"{world}\"}}");
+        let text = format!("{{\"schema_version\": 1, \"materials\": [], \"culling\": {culling}}}");
+        write("s.json", text.as_bytes());
     };
     let run = |options: &[&str]| {
         let command = ["report", "--study", "occlusion", "--scene", "s.json"];
@@ -242,9 +272,11 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
         (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned() + &stderr(&output))
     };
     write("broken.glb", b"glTF\x02\0\0\0");
+    write("small.gltf", SMALL.as_bytes());
     for (world, said) in [
-        ("gone.glb", "error: s.json: culling.world: gone.glb: cannot read: "),
-        ("broken.glb", "error: broken.glb: the file ends in its header"),
+        ("gone.glb", "error: s.json:2:19: culling.world: gone.glb: cannot read: "),
+        ("broken.glb", "error: s.json:2:21: culling.world: broken.glb: the file ends in its header"),
+        ("small.gltf", "error: s.json:2:21: culling.world: small.gltf: none of its boxes is in any frame"),
     ] {
         scene(world);
         let (code, text) = run(&[]);
@@ -252,16 +284,18 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
     }
     assert!(!names(folder.path()).contains(&"reports".to_string()));
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/courtyard.glb");
-    write("m.glb", &std::fs::read(example).expect("the example"));
-    scene("m.glb");
+    write("M.GLB", &std::fs::read(example).expect("the example"));
+    scene("M.GLB");
     let page = || {
-        let file = folder.path().join("reports/studies/occlusion-scene/index.html");
+        let file = folder.path().join("reports/studies/occlusion-scene-s/index.html");
         std::fs::read_to_string(file).expect("a page")
     };
-    assert!(run(&["--times"]).1.contains("3 files written"));
-    assert!(page().contains("fastest of five runs"));
+    assert!(run(&[]).1.contains("2 files written"));
+    assert!(page().contains("Without milliseconds") && !page().contains("ms a frame"));
+    assert!(run(&["--times"]).1.contains("2 files written, 1 unchanged"));
+    assert!(page().contains("fastest of five runs") && page().contains("ms a frame"));
     assert!(run(&[]).1.contains("0 files written, 2 unchanged"), "the page follows from the record");
-    write("reports/studies/occlusion-scene/times.json", b"{}");
+    write("reports/studies/occlusion-scene-s/times.json", b"{}");
     let (code, text) = run(&[]);
-    assert!(code == Some(2) && text.contains("occlusion-scene/times.json: no record of "), "{text}");
+    assert!(code == Some(2) && text.contains("occlusion-scene-s/times.json: no record of "), "{text}");
 }

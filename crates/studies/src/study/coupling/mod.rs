@@ -28,6 +28,10 @@ impl Study for DiffuseCouplings {
         "coupling"
     }
 
+    fn code(&self) -> &'static str {
+        env!("LOBEFIT_STUDY_COUPLING")
+    }
+
     fn about(&self) -> &'static str {
         "diffuse couplings in a furnace and under a sky: minutes"
     }

@@ -28,6 +28,10 @@ impl Study for ProbeLookups {
         "parallax"
     }
 
+    fn code(&self) -> &'static str {
+        env!("LOBEFIT_STUDY_PARALLAX")
+    }
+
     fn about(&self) -> &'static str {
         "lookups of a probe's cubemap in rooms: minutes"
     }

@@ -32,6 +32,10 @@ impl Study for Stability {
         "stability"
     }
 
+    fn code(&self) -> &'static str {
+        env!("LOBEFIT_STUDY_STABILITY")
+    }
+
     fn about(&self) -> &'static str {
         "naive forms beside stable ones, where numerics is hard: seconds"
     }
