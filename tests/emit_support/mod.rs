@@ -4,6 +4,7 @@
 
 pub mod accuracy;
 pub mod compilers;
+pub mod example;
 pub mod languages;
 pub mod programs;
 pub mod solid;

@@ -6,28 +6,14 @@ use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
 use std::sync::LazyLock;
 
-use emit_support::compilers::includes_in_cpp;
-use emit_support::languages::compile;
-use emit_support::programs::compile_library;
-use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::plan::plan;
-use lobefit::scene::Scene;
+use emit_support::example::{baked, compiled, text};
+use lobefit::bake::Baked;
 use lobefit_shade::Source;
 use lobefit_shade::code::Language;
 
 const SCENE: &str = include_str!("../../examples/coats.json");
 
 static COATS: LazyLock<Baked> = LazyLock::new(|| baked(SCENE));
-
-fn baked(json: &str) -> Baked {
-    let scene = Scene::from_json(json.as_bytes(), "coats.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
-}
-
-fn text(language: Language) -> String {
-    let file = format!("fits/lobefit.{}", language.extension());
-    String::from_utf8(COATS.files[&file].clone()).expect("UTF-8")
-}
 
 /// R of the lobe: the mean of F G2/G1 over visible normals (Heitz 2018, "Sampling the GGX Distribution
 /// of Visible Normals"), at the points of a lattice.
@@ -71,7 +57,7 @@ fn places() -> Vec<[f64; 3]> {
 
 #[test]
 fn the_emitted_albedo_is_that_of_the_textbook_within_its_promise() {
-    let source = Source::parse("lobefit.wgsl", &text(Language::Wgsl)).expect("it parses");
+    let source = Source::parse("lobefit.wgsl", &text(&COATS, Language::Wgsl)).expect("it parses");
     let tape = source.tape("ggx_dielectric_albedo", 0).expect("a function");
     assert_eq!(tape.inputs(), ["roughness", "n_dot_v", "ior"]);
     let fit = COATS.fits.iter().find(|fit| fit.emitted).expect("an emitted fit");
@@ -106,11 +92,7 @@ fn the_sum_over_facets_settles_and_ends_in_fresnel() {
 
 #[test]
 fn compilers_take_the_files() {
-    for language in [Language::Hlsl, Language::Glsl] {
-        compile(language, &text(language));
-    }
-    includes_in_cpp(&text(Language::C));
-    compile_library(&text(Language::Rust));
+    compiled(&COATS);
 }
 
 /// The table of docs/scene.md, every formula over the indices of refraction of the scene.

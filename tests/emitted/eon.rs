@@ -5,12 +5,8 @@ use crate::emit_support;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use emit_support::compilers::includes_in_cpp;
-use emit_support::languages::compile;
-use emit_support::programs::compile_library;
-use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::plan::plan;
-use lobefit::scene::Scene;
+use emit_support::example::{baked, compiled, text};
+use lobefit::bake::Baked;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_shade::code::Language;
@@ -18,19 +14,9 @@ use lobefit_shade::{Source, Tape};
 
 static CLAY: LazyLock<Baked> = LazyLock::new(|| baked(include_str!("../../examples/clay.json")));
 
-fn baked(json: &str) -> Baked {
-    let scene = Scene::from_json(json.as_bytes(), "clay.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
-}
-
-fn text(language: Language) -> String {
-    let file = format!("fits/lobefit.{}", language.extension());
-    String::from_utf8(CLAY.files[&file].clone()).expect("UTF-8")
-}
-
 /// The emitted BRDF's first channel.
 fn lobe() -> impl Fn(f32, f32, [f64; 3]) -> f64 {
-    let source = Source::parse("lobefit.wgsl", &text(Language::Wgsl)).expect("it parses");
+    let source = Source::parse("lobefit.wgsl", &text(&CLAY, Language::Wgsl)).expect("it parses");
     let tape: Tape = source.tape("eon_brdf", 0).expect("a function");
     let names: Vec<String> = tape.inputs().to_vec();
     move |albedo, roughness, [mu, mu_l, l_dot_v]| {
@@ -65,7 +51,7 @@ fn furnace(lobe: &impl Fn(f32, f32, [f64; 3]) -> f64, albedo: f32, roughness: f3
 
 #[test]
 fn a_white_furnace_finds_the_stated_error() {
-    let (lobe, text) = (lobe(), text(Language::Wgsl));
+    let (lobe, text) = (lobe(), text(&CLAY, Language::Wgsl));
     let stated = text.split("a white base sends back 1, within ").nth(1).expect("the header says it");
     let stated: f64 = stated.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
     let mut worst = 0.0_f64;
@@ -97,11 +83,7 @@ fn the_lobe_is_reciprocal_and_ends_in_lambert_s() {
 
 #[test]
 fn compilers_take_the_files() {
-    for language in [Language::Hlsl, Language::Glsl] {
-        compile(language, &text(language));
-    }
-    includes_in_cpp(&text(Language::C));
-    compile_library(&text(Language::Rust));
+    compiled(&CLAY);
 }
 
 /// Ours at seven operations is within a tenth of what was published at twelve, and at twelve nine times nearer; the

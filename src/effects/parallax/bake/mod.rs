@@ -15,6 +15,7 @@ use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Limited, Made};
 use crate::scene::Scene;
 use lobefit_shade::code::Float;
+use lobefit_shade::round_up;
 use lobefit_truth::quantity::footprint;
 
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among
@@ -112,7 +113,7 @@ fn limited(lobes: &[Lobe]) -> Limited {
     let mut errors = BTreeMap::new();
     for (fit, variation) in lobes.iter().flat_map(|lobe| lobe.measured()) {
         if let Some(max) = variation.max() {
-            errors.entry(fit.approximation.name.clone()).or_insert(max);
+            errors.entry(fit.approximation.name.clone()).or_insert(round_up(max, 4));
         }
     }
     Limited { metric: "total variation".into(), errors }
