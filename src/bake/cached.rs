@@ -119,39 +119,3 @@ fn sign(bytes: &mut [u8], old: &[u8], new: &[u8]) {
         at += old.len();
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::plan::plan;
-    use crate::scene::Scene;
-
-    /// What another effect's formula changes of a part is the recipe that its files name.
-    #[test]
-    fn a_part_is_signed_with_the_recipe_that_asks_for_it() {
-        let scene = Scene::built_in().expect("a scene");
-        let plan = plan(&scene);
-        let [old, new, other] = ["a", "b", "c"].map(|digit| digit.repeat(64));
-        let mut made = Made::of(Part {
-            by: plan.effects[0].by,
-            finding: plan.effects[0].finding(Some(0.1), "an error"),
-            entries: Entries::default(),
-            code: BTreeMap::from([(Language::Wgsl, "fn f() {}\n".to_string())]),
-            files: Files::new(),
-            explored: Vec::new(),
-            answer: Answer::default(),
-        });
-        for (name, content) in [("a.exr", format!("\0{old}\u{1}{other}{old}")), ("b.html", String::new())] {
-            made.part.files.insert(name.into(), content.into_bytes());
-        }
-        let bytes = encoded(&made, &old).expect("JSON");
-        let again = |recipe: &str| decoded(bytes.clone(), made.part.by, recipe).expect("a part").part;
-        assert_eq!(again(&old), made.part);
-        made.part.files.insert("a.exr".into(), format!("\0{new}\u{1}{other}{new}").into_bytes());
-        assert_eq!(again(&new), made.part);
-        assert!(
-            decoded(bytes[..bytes.len() - 1].to_vec(), made.part.by, &old).is_none(),
-            "a byte is missing"
-        );
-    }
-}

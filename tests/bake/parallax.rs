@@ -268,8 +268,8 @@ fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
             "roughness^2",
             r#"{"name": "p", "roughness": [0, 1], "rho": [1e-6, 1e3], "norms": ["max"], "mips": {"map": "log", "count": 16}}"#,
         ),
-        ("roughness", r#"{"name": "p", "kernel": "half", "roughness": 0.5, "rho": 1, "norms": ["rms"]}"#),
-        ("roughness^4", r#"{"name": "p", "kernel": "ndf", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#),
+        ("roughness", r#"{"name": "p", "kernel": "ndf", "roughness": 0.5, "rho": 1, "norms": ["rms"]}"#),
+        ("roughness^4", r#"{"name": "p", "kernel": "half", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#),
     ] {
         let json = format!(
             r#"{{"schema_version": 1, "pick": "all", "reports": false, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#

@@ -207,7 +207,8 @@ fn a_table_of_the_sheen_drops_in_with_its_certificate() {
     assert_eq!(manifest["tables"][0]["quantity"], "sheen-charlie");
     let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
     assert!(text.contains("fn sheen_lookup(") && text.contains("fn sheen_base_scale("), "{text}");
-    let broken = plain(&with(&format!(r#""tables": [{table}, "max_error": 1e-6}}]"#))).broken;
+    // Half as many texels a side more keep this limit: no more is measured to say what does.
+    let broken = plain(&with(&format!(r#""tables": [{table}, "max_error": {}}}]"#, 0.9 * stated))).broken;
     assert!(
         broken.len() == 1 && broken[0].contains("m (materials[0].sheen.tables[0].max_error)"),
         "{broken:?}"

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use lobefit::store::Cache;
+
 use crate::common::{bytes, lobefit_with, names};
 
 const SCENE: &str = r#"{"schema_version": 1, "languages": ["wgsl"], "materials": [
@@ -38,13 +40,30 @@ fn a_second_bake_computes_nothing_and_writes_the_same_bytes() {
         assert!(bytes(&folder.path().join(out)) == alone, "{out}");
     }
     assert!(run(&["cache"]).contains("cache: 1 entry, "), "one effect");
-    // Damage is no result.
+    // Damage is no result, of a file or of the part in it.
     let entry = cache.join(&names(&cache)[0]);
     let whole = fs::read(&entry).unwrap();
     fs::write(&entry, &whole[..whole.len() / 2]).unwrap();
     assert!(!bake(&cache, folder.path(), "third", &[]).is_empty());
     assert_eq!(fs::read(&entry).unwrap(), whole);
-    assert!(bytes(&folder.path().join("third")) == alone);
+    let (key, results) = (names(&cache)[0].replace(".entry", ""), Cache::at(cache.clone()));
+    let part = results.get(&key).unwrap();
+    results.put(&key, &part[..part.len() - 1]);
+    assert!(!bake(&cache, folder.path(), "fourth", &[]).is_empty());
+    // What another effect's formula changes of a part is the recipe that its files name: a part that
+    // another recipe left is signed anew.
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&fs::read(folder.path().join("alone/manifest.json")).unwrap()).unwrap();
+    let recipe = manifest["recipe"].as_str().unwrap().as_bytes();
+    let mut other = part.clone();
+    let places: Vec<usize> = (0..part.len()).filter(|at| part[*at..].starts_with(recipe)).collect();
+    assert!(places.len() > 2, "{places:?}: in the part and in its files");
+    places.iter().for_each(|at| other[*at..][..recipe.len()].fill(b'b'));
+    results.put(&key, &other);
+    assert_eq!(bake(&cache, folder.path(), "fifth", &[]), "", "no stage is announced");
+    for out in ["third", "fourth", "fifth"] {
+        assert!(bytes(&folder.path().join(out)) == alone, "{out}");
+    }
     assert!(run(&["cache", "clear"]).contains("removed"));
     assert!(run(&["cache"]).contains("cache: 0 entries, 0.0 MiB"));
 }

@@ -131,7 +131,7 @@ fn limits_say_what_to_ship_with_the_line_that_calls_it() {
     let (_, _, large) = limited(&["--max-bytes", "4096"]);
     let large = shipped(&large, "ggx_albedo").expect("a table");
     assert!(large["cost"]["bytes"].as_u64() > Some(bytes) && large["cost"]["bytes"].as_u64() <= Some(4096));
-    let (_, _, strict) = limited(&["--max-error", "0.005", "--language", "hlsl"]);
+    let (_, _, strict) = limited(&["--max-error", "0.012", "--language", "hlsl"]);
     let strict = shipped(&strict, FORMULA).expect("a formula");
     assert!(strict["cost"]["ops"].as_u64() > formula["cost"]["ops"].as_u64());
     assert!(strict["snippet"].as_str().expect("a line").starts_with("float3 value = "), "{strict}");

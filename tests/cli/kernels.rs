@@ -13,9 +13,9 @@ use serde_json::{Value, json};
 
 fn scene(kernel: &str) -> Value {
     json!({"schema_version": 1, "pick": "all", "materials": [], "probes": [
-        {"name": "hall", "kernel": kernel, "roughness": [0.2, 1], "rho": [0.125, 2], "max_ops": 13, "norms": ["max"],
+        {"name": "hall", "kernel": kernel, "roughness": [0.2, 1], "rho": [0.125, 2], "max_ops": 9, "norms": ["max"],
          "lookups": [{}]},
-        {"name": "foyer", "max_ops": 13, "norms": ["max"]}]})
+        {"name": "foyer", "max_ops": 9, "norms": ["max"]}]})
 }
 
 fn text(folder: &Path, name: &str) -> String {
