@@ -25,8 +25,8 @@ pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<
         pictures::pictures(results)?,
         sweeps::holes(results),
         passes::passes(results, timed.as_deref().map_err(|why| *why), device)?,
-        sweeps::sweeps(results)?,
         sweeps::parameters(results, timed.as_deref().ok()),
+        sweeps::sweeps(results)?,
         passes::resolutions(results, timed.as_deref().ok())?,
     ];
     Ok(Page { title: "lobefit study: occlusion".into(), origin, lead: lead(results), sections })

@@ -7,16 +7,16 @@ use crate::study::{ALL, CHOSEN, Results, Row, SAFE};
 use crate::times::Timed;
 use lobefit::report::numbers::{brief, grouped};
 use lobefit::report::{
-    Block, Curves, Panel, ReportError, Section, Series, Spread, Style, TextTable, figures, words,
+    Block, Curves, Panel, ReportError, Section, Series, Spread, Style, TextTable, figures, folded, words,
 };
 
 const KEPT: Rate = ("wrongly kept, %", Tally::wrongly_kept);
 const CULLED: Rate = ("wrongly culled, %", Tally::wrongly_culled);
 
-/// Size of the plotted area of a chart of a sheet in pixels, and of one alone: wide enough for a page to let
-/// it scroll on a telephone, where less would be made too small to be read.
+/// Size of the plotted area of a chart of a sheet in pixels, and of one of a pair: a telephone makes them
+/// smaller, and their text is still read there.
 const SMALL: (f64, f64) = (280.0, 150.0);
-const LARGE: (f64, f64) = (560.0, 240.0);
+const LARGE: (f64, f64) = (320.0, 200.0);
 
 /// What buffers are made from, in the order of the table.
 const SOURCES: [&str; 6] =
@@ -162,8 +162,8 @@ pub(super) fn passes(
         lead: format!("{points} {}", holes_for_less(results, timed)),
         blocks: vec![
             Block::Table(table(results, timed, &own(results), &caption)),
-            Block::Table(split),
             figures(&[one(KEPT), one(CULLED)], charts)?,
+            folded("Work of each pass", vec![Block::Table(split)]),
         ],
     })
 }

@@ -82,7 +82,7 @@ pub(super) fn pictures(results: &Results) -> Result<Section, ReportError> {
             )?,
             figures(
                 &made,
-                "The buffer by each way; the last three are all passes, the conservative mode and the chosen parameters. Purple: nothing was written.",
+                "The buffer by each way; the last three are all passes, the conservative mode and the chosen parameters, whose margin is in the tests of boxes and in no picture. Purple: nothing was written.",
             )?,
             figures(
                 &off,

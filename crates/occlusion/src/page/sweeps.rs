@@ -108,7 +108,7 @@ fn most(Causes { path: on, holes }: &Causes) -> String {
     let all: u64 = causes.iter().map(|(n, _)| n).sum();
     match causes.into_iter().max_by_key(|(n, _)| *n) {
         Some((n, cause)) if all > 0 => format!(
-            "on the path `{}` {} of the texels, {} of which {cause}",
+            "on the path `{}` {} of the texels, {} of these {cause}",
             path(*on),
             percent(part(all, holes.texels)),
             percent(part(n, all))
@@ -161,6 +161,10 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
     let Choices { usual, best, tried } = &results.choices;
     let rows = [two("usual", usual), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
+    let none = match best.chosen.sum.wrongly_kept() > ALLOWED[1] {
+        true => format!(" Here none keeps {kept} or less."),
+        false => String::new(),
+    };
     let Work { dilation: cheapest, accumulate: dearest, .. } = COST;
     let caption = format!(
         "Usual: {}. Chosen: {}. Sideways: on the strafes of these shots alone.{}",
@@ -169,15 +173,14 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
         timed.map_or("", |_| " Milliseconds: on the scene's path.")
     );
     let lead = format!(
-        "The fitting engine is not used: it moves continuous constants along slopes, and of these only the margin is continuous. \
-         Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square about every \
-         texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Each box \
-         has a margin from which on it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} \
-         combinations of the rest are tried, on a turn, a strafe and a walk from four places each, and the best {FINALISTS} again in all {} frames of these shots. \
-         Chosen is the combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden; there a count of a pass is \
-         weighed with the time that one takes on a CPU, from {cheapest}\u{a0}ns of the dilation to {dearest}\u{a0}ns of the accumulation, the same in every study. \
-         It is reported on shots from \
-         three other places.",
+        "Free are the radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square \
+         about every texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. \
+         The fitting engine is not used: it moves continuous constants along slopes, and only the margin is continuous. Each box has a margin from which on \
+         it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} combinations of the rest are tried \
+         on two frames of a turn, a strafe and a walk from five places each, and the best {FINALISTS} on all {} frames of these shots. Chosen is the \
+         combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden.{none} A count of each pass is weighed with the time \
+         that it takes on a CPU, from {cheapest}\u{a0}ns of the dilation to {dearest}\u{a0}ns of the accumulation, the same in every study. The choice is reported on \
+         shots from the four other places.",
         MEASURED.len()
     );
     Section {

@@ -48,15 +48,19 @@ fn results_do_not_depend_on_threads() {
     assert!(row("depth").work.total() < row("depth and voxels, median, dilation").work.total());
     let best = &one.choices.best;
     assert!(row(CHOSEN).work.total() > 0 && best.chosen.most_culled <= ALLOWED[0]);
-    assert!(one.sweep.iter().filter(|point| point.speed == 1.0).count() == 16);
+    assert_eq!(
+        one.sweep.iter().filter(|point| point.speed == 1.0).count(),
+        8,
+        "latencies 1, 3, 5 and 8, two paths"
+    );
 }
 
-/// Of all combinations measured on all frames none is better than the best of those that a trial on two
-/// frames leaves.
+/// At this size none of all combinations, measured on all frames, is better than the best of those that a trial
+/// on two frames leaves; docs/occlusion.md says what the trial loses at others.
 #[test]
 fn the_finalists_lose_nothing() {
     let culling =
-        culling(r#""world": "town", "path": "turn", "buffer": [32, 18], "latency": 5, "grid": [32, 32, 16]"#);
+        culling(r#""world": "town", "path": "turn", "buffer": [48, 27], "latency": 5, "grid": [64, 64, 32]"#);
     let site = Site::generated(Generator::Town, 1);
     let [few, all] = [FINALISTS, usize::MAX].map(|finalists| choices(&culling, &site, finalists));
     assert!(all.tried == 216 && FINALISTS < all.tried);

@@ -30,7 +30,7 @@ use page::REDUCED;
 use parallax::room::cubemap::CubemapError;
 
 /// A long experiment: a value of the list [`STUDIES`], with a folder that holds everything of it.
-pub trait Study: Sync {
+pub trait Study: Send + Sync {
     /// The word for it on the command line, and its folder.
     fn name(&self) -> &'static str;
 

@@ -236,11 +236,13 @@ fn no_study_names_another() {
     let names = STUDIES.map(Study::name);
     let places = names
         .map(|name| if name == "occlusion" { "study/occlusion.rs".into() } else { format!("study/{name}") });
-    for place in places.iter().map(String::as_str).chain(["flip", "render", "study/page.rs"]) {
+    for place in
+        places.iter().map(String::as_str).chain(["flip", "render", "study/page.rs", "study/given.rs"])
+    {
         let mut text = String::new();
         read(&root.join(place), &mut text);
         let others = names.iter().filter(|name| !place.contains(*name));
-        for other in others.map(|name| format!("study::{name}")) {
+        for other in others.flat_map(|name| [format!("study::{name}"), format!("super::{name}")]) {
             assert!(!text.contains(&other), "{place} names {other}");
         }
     }
@@ -256,7 +258,7 @@ const SMALL: &str = r#"{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
 "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAbxKDOgAAAAAAAAAAAAAAAAAAAABvEoM6"}]}"#;
 
 /// A scene that names a mesh: its study, its times, which the page shows from then on, and what is
-/// refused with nothing written.
+/// refused with nothing written, a scene of the same file name elsewhere among it.
 #[test]
 fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -266,16 +268,19 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
         let text = format!("{{\"schema_version\": 1, \"materials\": [], \"culling\": {culling}}}");
         write("s.json", text.as_bytes());
     };
-    let run = |options: &[&str]| {
-        let command = ["report", "--study", "occlusion", "--scene", "s.json"];
+    let of = |file: &str, options: &[&str]| {
+        let command = ["report", "--study", "occlusion", "--scene", file];
         let output = lobefit(folder.path(), &[&command, options].concat(), b"");
         (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned() + &stderr(&output))
     };
+    let run = |options: &[&str]| of("s.json", options);
     write("broken.glb", b"glTF\x02\0\0\0");
+    write("other.glb", b"glTE\x02\0\0\0");
     write("small.gltf", SMALL.as_bytes());
     for (world, said) in [
         ("gone.glb", "error: s.json:2:19: culling.world: gone.glb: cannot read: "),
         ("broken.glb", "error: s.json:2:21: culling.world: broken.glb: the file ends in its header"),
+        ("other.glb", "error: s.json:2:20: culling.world: other.glb: not a binary glTF"),
         ("small.gltf", "error: s.json:2:21: culling.world: small.gltf: none of its boxes is in any frame"),
     ] {
         scene(world);
@@ -295,6 +300,21 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
     assert!(run(&["--times"]).1.contains("2 files written, 1 unchanged"));
     assert!(page().contains("fastest of five runs") && page().contains("ms a frame"));
     assert!(run(&[]).1.contains("0 files written, 2 unchanged"), "the page follows from the record");
+    std::fs::create_dir(folder.path().join("b")).expect("a folder");
+    write("b/s.json", br#"{"schema_version": 1, "materials": [], "culling": {}}"#);
+    write(".json", br#"{"schema_version": 1, "materials": [], "culling": {}}"#);
+    let before = page();
+    for (file, said) in [
+        (
+            "b/s.json",
+            "error: --scene b/s.json: reports/studies/occlusion-scene-s/results.json is of `lobefit report --study occlusion --scene s.json`; give another --out",
+        ),
+        (".json", "error: --scene .json: its name has nothing before `.json`"),
+    ] {
+        let (code, text) = of(file, &[]);
+        assert!(code == Some(2) && text.starts_with(said), "{text}");
+    }
+    assert_eq!(page(), before);
     write("reports/studies/occlusion-scene-s/times.json", b"{}");
     let (code, text) = run(&[]);
     assert!(code == Some(2) && text.contains("occlusion-scene-s/times.json: no record of "), "{text}");
