@@ -12,27 +12,28 @@ use lobefit::scene::CameraPath;
 /// Size of the plotted area of a chart in pixels: four stand side by side.
 const CHART: (f64, f64) = (208.0, 150.0);
 
-/// Ways to make the buffer that a chart compares, as a point of a sweep has them.
-const WAYS: [(&str, fn(&Point) -> &Tally); 4] = [
+/// A way to make the buffer: its name, and what a point of a sweep has of it.
+type Way = (&'static str, fn(&Point) -> &Tally);
+/// A horizontal axis: its label, and where a point lies on it, if it does.
+type Axis<'a> = (&'a str, &'a dyn Fn(&Point) -> Option<f64>);
+
+/// Ways that a chart compares.
+const WAYS: [Way; 4] = [
     ("points", |point| &point.points),
     ("all passes", |point| &point.all),
     (SAFE, |point| &point.conservative),
     ("chosen", |point| &point.chosen),
 ];
 
-/// A rate on a path, over what `x` takes of the points that it keeps.
-fn chart(
-    results: &Results,
-    (path, of): (CameraPath, Rate),
-    (label, x): (&str, &dyn Fn(&Point) -> Option<f64>),
-) -> Curves {
+/// A rate on a path, over an axis.
+fn chart(results: &Results, (path, of): (CameraPath, Rate), (label, x): Axis) -> Curves {
     let on_path: Vec<(f64, &Point)> = results
         .sweep
         .iter()
         .filter(|point| point.path == path)
         .filter_map(|point| Some((x(point)?, point)))
         .collect();
-    let line = |(i, (name, tally)): (usize, &(&str, fn(&Point) -> &Tally))| {
+    let line = |(i, (name, tally)): (usize, &Way)| {
         let mut points: Vec<(f64, f64)> =
             on_path.iter().map(|(x, point)| (*x, 100.0 * of.1(tally(point)))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -53,7 +54,7 @@ pub(super) fn sweeps(results: &Results) -> Result<Section, ReportError> {
     let by_speed = |point: &Point| (point.latency == latency).then_some(3.0 * point.speed);
     let rates: [Rate; 2] =
         [("wrongly kept, %", Tally::wrongly_kept), ("wrongly culled, %", Tally::wrongly_culled)];
-    let row = |x: (&str, &dyn Fn(&Point) -> Option<f64>)| {
+    let row = |x: Axis| {
         rates.map(|rate| [CameraPath::Turn, CameraPath::Strafe].map(|path| chart(results, (path, rate), x)))
     };
     let caption =

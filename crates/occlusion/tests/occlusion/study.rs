@@ -55,8 +55,8 @@ fn results_do_not_depend_on_threads() {
     );
 }
 
-/// At this size none of all combinations, measured on all frames, is better than the best of those that a trial
-/// on two frames leaves; docs/occlusion.md says what the trial loses at others.
+/// At this size no combination, measured on all frames, is better than the best of those that a trial on
+/// two frames leaves; docs/occlusion.md says what the trial loses at others.
 #[test]
 fn the_finalists_lose_nothing() {
     let culling =
