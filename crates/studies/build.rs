@@ -7,8 +7,9 @@ mod sources;
 
 use std::path::Path;
 
-/// What several studies compute with. The verb (`cli.rs`) and the list of studies (`study/mod.rs`)
-/// compute nothing: what they put into files is hashed as it stands there.
+/// What several studies compute with. The verb (`cli.rs`), the list of studies (`study/mod.rs`) and the reader
+/// of a user's scene (`study/given.rs`) compute nothing: what they put into files is hashed as it stands there,
+/// and so is what a study takes of a scene.
 const SHARED: [&str; 3] = ["src/flip", "src/render", "src/study/page.rs"];
 
 /// The studies, a folder or a file each.

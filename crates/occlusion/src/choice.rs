@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use crate::grid::Lod;
 use crate::measure::{Measured, Span, Tally, Trial, measured};
-use crate::passes::Passes;
-use crate::study::{MEASURED, Set};
-use lobefit::scene::CameraPath;
+use crate::passes::{Passes, Work};
+use crate::site::Site;
+use crate::study::{MEASURED, Set, usual};
+use lobefit::scene::{CameraPath, Culling};
 
 /// Largest part of the visible boxes that parameters may cull on any of the shots that they are chosen
 /// on, and of the hidden ones that they may keep on all of these together.
@@ -21,9 +22,16 @@ pub(crate) const PATHS: [CameraPath; 3] = [CameraPath::Turn, CameraPath::Strafe,
 type Shots = (&'static [usize], &'static [usize]);
 const CHOSEN_ON: Shots = (&[0, 2, 5, 7], &MEASURED);
 const REPORTED_ON: Shots = (&[1, 3, 8], &MEASURED);
-/// What all combinations are tried on first, and how many of the best are then measured on all frames.
+/// What all combinations are tried on first.
 const FIRST: Shots = (CHOSEN_ON.0, MEASURED.split_at(6).1);
-pub(crate) const FINALISTS: usize = 24;
+/// How many of the best are then measured on all frames.
+pub const FINALISTS: usize = 24;
+
+/// What a texel or voxel of each pass costs, so that counts of several passes can be added: nanoseconds of
+/// a thread, medians over the rows of `lobefit report --study occlusion --times` on an AMD EPYC (times.json
+/// beside the page; those of splats are spread from 0.5 to 13). Constants: no machine decides a choice.
+pub(crate) const COST: Work<f64> =
+    Work { reproject: 6.0, median: 1.5, accumulate: 17.0, voxels: 2.3, dilation: 1.2 };
 
 /// A choice of the free parameters.
 #[derive(Clone, Debug, Serialize)]
@@ -52,8 +60,8 @@ pub struct OnShots {
 pub struct Choices {
     /// The scene's own, with the usual values of what it does not say.
     pub usual: Choice,
-    /// Of all that were tried those of least work that keep [`ALLOWED`]; where none do, those that
-    /// keep least of what is hidden.
+    /// Of the [`FINALISTS`] those of least work, weighed by pass, that keep [`ALLOWED`]; where none do,
+    /// those that keep least of what is hidden.
     pub best: Choice,
     /// Combinations of radii and levels of detail that were tried, each with the least margin that
     /// culls no more than is allowed.
@@ -87,12 +95,13 @@ impl OfPasses {
     }
 }
 
-/// How much more of what is hidden is kept than allowed, then the work, then what is culled: less is
-/// better.
+/// How much more of what is hidden is kept than allowed, then the work weighed by [`COST`], then what is
+/// culled: less is better.
 fn rank((_, found): &(Trial, OnShots)) -> (u64, u64, u64) {
     let kept = (found.sum.wrongly_kept() / ALLOWED[1]).max(1.0);
+    let cost = found.sum.work.zip(COST, |count, each| count as f64 * each).total();
     // Bits of positive numbers have their order.
-    (kept.to_bits(), found.sum.work.total(), found.sum.culled)
+    (kept.to_bits(), cost.to_bits(), found.sum.culled)
 }
 
 /// What passes do on shots.
@@ -129,13 +138,15 @@ fn combinations(own: &Passes) -> Vec<Passes> {
     all
 }
 
-/// Tries everything, and reports the scene's own parameters and the best.
-pub(crate) fn choices(set: &Set, own: Trial) -> Choices {
+/// Tries everything on a few frames and so many of the best, [`FINALISTS`] of a study, on all; reports the
+/// scene's own parameters and the best.
+pub fn choices(culling: &Culling, site: &Site, finalists: usize) -> Choices {
+    let (set, own) = (&Set::new(culling, site), usual(culling));
     let all = combinations(&own.passes);
     let mut first: Vec<_> = on(set, FIRST, &all).iter().map(OfPasses::best).collect();
     first.sort_by_key(rank);
     // The scene's own passes come first, and are no finalists.
-    let finalists = first.iter().take(FINALISTS).map(|(trial, _)| trial.passes);
+    let finalists = first.iter().take(finalists).map(|(trial, _)| trial.passes);
     let passes: Vec<Passes> = std::iter::once(own.passes).chain(finalists).collect();
     let found = on(set, CHOSEN_ON, &passes);
     let usual = found[0].at(own.bias);

@@ -53,7 +53,7 @@ impl<T: Copy + Add<Output = T>> Work<T> {
     }
 
     /// What `with` makes of each pass of two.
-    pub fn zip(self, other: Work<T>, with: impl Fn(T, T) -> T) -> Work<T> {
+    pub fn zip<U: Copy, V>(self, other: Work<U>, with: impl Fn(T, U) -> V) -> Work<V> {
         Work {
             reproject: with(self.reproject, other.reproject),
             median: with(self.median, other.median),

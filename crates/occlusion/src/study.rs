@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::camera::Camera;
-use crate::choice::{Choices, PATHS, choices};
+use crate::choice::{Choices, PATHS};
 use crate::cull::Footprint;
 use crate::depth::Depth;
 use crate::film::{Film, Shot};
@@ -17,6 +17,8 @@ use lobefit::scene::{CameraPath, Culling, Pass};
 /// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
 pub const FRAMES: usize = 60;
 pub(crate) const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
+/// Latencies of the sweep, beside the scene's own.
+pub const LATENCIES: [usize; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 /// What a scene does not say: radius of the median and of the dilation, levels of detail.
 const MEDIAN: usize = 1;
 const DILATION: usize = 2;
@@ -54,6 +56,10 @@ pub struct Point {
     pub points: Tally,
     /// Of all passes of the scene.
     pub all: Tally,
+    /// Of the conservative mode.
+    pub conservative: Tally,
+    /// Of the chosen parameters.
+    pub chosen: Tally,
 }
 
 /// Holes on a path.
@@ -72,7 +78,8 @@ pub struct Pictures {
     pub truth: Depth,
     /// The depth that is there.
     pub old: Depth,
-    /// Names, and buffers: depth, voxels, both; then these with medians; then all.
+    /// Names, and buffers: depth, voxels, both; then these with medians; then all passes, the conservative
+    /// mode and the chosen parameters.
     pub buffers: Vec<(&'static str, Depth)>,
 }
 
@@ -135,7 +142,7 @@ fn sources(culling: &Culling, chosen: &Trial) -> Vec<Way> {
         }));
     }
     let mut add = |name: &str, trial: Trial| all.push(Way { name: name.into(), trial });
-    add("conservative", Trial::usual(Passes::CONSERVATIVE));
+    add(SAFE, Trial::usual(Passes::CONSERVATIVE));
     add(CHOSEN, *chosen);
     let own = usual(culling);
     if all.iter().all(|way| way.trial != own) {
@@ -144,8 +151,11 @@ fn sources(culling: &Culling, chosen: &Trial) -> Vec<Way> {
     all
 }
 
-/// Names of the rows of the chosen parameters, and of the scene's passes.
+/// Name of the rows of the conservative mode.
+pub const SAFE: &str = "conservative";
+/// Of the chosen parameters.
 pub const CHOSEN: &str = "chosen parameters";
+/// Of the scene's passes.
 const OWN: &str = "the scene's passes";
 
 /// A way to make the buffer.
@@ -266,29 +276,33 @@ impl<'a> Set<'a> {
     }
 
     /// Latencies at the usual speed, and speeds at the scene's latency.
-    fn sweep(&self) -> Vec<Point> {
+    fn sweep(&self, chosen: &Trial) -> Vec<Point> {
         let latency = self.culling.latency as usize;
-        let speeds = [0.25, 0.5, 2.0, 4.0].map(|speed| (speed, latency..latency + 1));
-        let cases = [(1.0, 1..9)].into_iter().chain(speeds);
+        let speeds = [0.25, 0.5, 2.0, 4.0].map(|speed| (speed, vec![latency]));
+        let mut latencies = LATENCIES.to_vec();
+        latencies.push(latency);
+        latencies.sort();
+        latencies.dedup();
+        let cases = [(1.0, latencies)].into_iter().chain(speeds);
         let cases: Vec<_> = cases
             .flat_map(|case| [CameraPath::Turn, CameraPath::Strafe].map(|path| (path, case.clone())))
             .collect();
-        let own = passes(self.culling);
-        // Finer depth is rendered of one latency alone.
-        let own = Passes { half: own.half.map(|_| false), ..own };
-        let one = |(path, (speed, latencies)): &(CameraPath, (f64, std::ops::Range<usize>))| {
+        let trials = [Passes::POINTS, passes(self.culling), Passes::CONSERVATIVE].map(Trial::usual);
+        let trials = [trials[0], trials[1], trials[2], *chosen];
+        let one = |(path, (speed, latencies)): &(CameraPath, (f64, Vec<usize>))| {
             let film = self.film(self.shot(*path, 4, *speed), &[]);
-            let at = |latency: usize| {
-                let found = measured(&film, &self.span(latency), &[Passes::POINTS, own]);
-                let [points, all] = [0, 1].map(|i| found[i].at(Trial::BIAS));
-                Point { path: *path, latency, speed: *speed, points, all }
+            let at = |latency: &usize| {
+                let found = measured(&film, &self.span(*latency), &trials.map(|trial| trial.passes));
+                let of = |i: usize| found[i].at(trials[i].bias);
+                let [points, all, conservative, chosen] = [0, 1, 2, 3].map(of);
+                Point { path: *path, latency: *latency, speed: *speed, points, all, conservative, chosen }
             };
-            latencies.clone().into_par_iter().map(at).collect::<Vec<_>>()
+            latencies.par_iter().map(at).collect::<Vec<_>>()
         };
         cases.par_iter().flat_map_iter(one).collect()
     }
 
-    fn pictures(&self) -> Pictures {
+    fn pictures(&self, chosen: &Trial) -> Pictures {
         let (film, latency) =
             (self.film(self.shot(self.culling.path, 4, 1.0), &[]), self.culling.latency as usize);
         // What is 10 m ahead has moved farthest since the depth that has arrived.
@@ -304,13 +318,11 @@ impl<'a> Set<'a> {
         let frame = fastest.unwrap_or(MEASURED[0]);
         let mut grid = Grid::new(self.culling.grid, &self.site.bounds);
         film.accumulated(&mut grid, 0..frame - latency + 1);
-        let late =
-            Late { camera: &film.cameras[frame - latency], depth: &film.depth[frame - latency], grid: &grid };
         let sheet = |median: usize| {
             let passes = Passes { median, dilation: 0, ..ALL };
             [Passes { voxels: None, ..passes }, Passes { half: None, ..passes }, passes]
         };
-        let all = [&sheet(0)[..], &sheet(MEDIAN), &[ALL]].concat();
+        let all = [&sheet(0)[..], &sheet(MEDIAN), &[ALL, Passes::CONSERVATIVE, chosen.passes]].concat();
         let names = [
             "depth",
             "voxels",
@@ -319,8 +331,14 @@ impl<'a> Set<'a> {
             "voxels, median",
             "both, median",
             "both, median, dilation",
+            SAFE,
+            CHOSEN,
         ];
-        let made = |passes: &Passes| passes.run(late, &film.cameras[frame], self.size).0;
+        let made = |passes: &Passes| {
+            let depth = film.fine(passes.fineness(), frame - latency);
+            let late = Late { camera: &film.cameras[frame - latency], depth: &depth, grid: &grid };
+            passes.run(late, &film.cameras[frame], self.size).0
+        };
         Pictures {
             truth: film.depth[frame].clone(),
             old: film.depth[frame - latency].clone(),
@@ -329,23 +347,18 @@ impl<'a> Set<'a> {
     }
 }
 
-/// Measures the culling of a scene: the same results on every run, for any number of threads.
-pub fn results(culling: &Culling, site: &Site) -> Results {
-    let set = Set::new(culling, site);
-    let choices = choices(&set, usual(culling));
+/// Measures the culling of a scene, whose parameters are chosen: the same results on every run, for any
+/// number of threads.
+pub fn results(culling: &Culling, site: &Site, choices: Choices) -> Results {
+    let (set, chosen) = (Set::new(culling, site), choices.best.trial);
     Results {
         culling: culling.clone(),
-        rows: set.rows(&choices.best.trial),
+        rows: set.rows(&chosen),
         causes: PATHS.map(|path| set.causes(path)).to_vec(),
-        sweep: set.sweep(),
+        sweep: set.sweep(&chosen),
+        pictures: set.pictures(&chosen),
         choices,
-        pictures: set.pictures(),
     }
-}
-
-/// The parameters that are chosen for a scene.
-pub fn chosen(culling: &Culling, site: &Site) -> Trial {
-    choices(&Set::new(culling, site), usual(culling)).best.trial
 }
 
 /// Whether any box is in any frame of the scene's path that is measured: without one there is no rate.

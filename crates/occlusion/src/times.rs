@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::measure::Trial;
 use crate::passes::{Late, Work};
 use crate::site::Site;
-use crate::study::{FRAMES, MEASURED, Row, Way, Ways, WithGrid, chosen, ways};
+use crate::study::{FRAMES, MEASURED, Row, Way, Ways, WithGrid, ways};
 use lobefit::scene::Culling;
 
 /// Runs of each pass, of which the fastest counts.
@@ -55,14 +55,17 @@ pub const NONE: &str = "no times are recorded beside this page";
 pub const OTHER: &str = "the times recorded beside this page are of other passes or of another scene";
 
 impl Times {
-    /// Measures the passes of a scene on this machine, on one thread, with the parameters that are
-    /// chosen for it.
-    pub fn measured(culling: &Culling, site: &Site, command: String, device: String) -> Times {
-        let chosen = chosen(culling, site);
+    /// Measures the passes of a scene on this machine, on one thread, with the parameters that were
+    /// chosen for it; by a command, on a device.
+    pub fn measured(
+        (culling, site): (&Culling, &Site),
+        chosen: &Trial,
+        [command, device]: [String; 2],
+    ) -> Times {
         let latency = culling.latency as usize;
         let late: Vec<usize> = MEASURED.iter().map(|frame| frame - latency).collect();
         let mut rows = Vec::new();
-        for Ways { buffer, grids } in ways(culling, &chosen) {
+        for Ways { buffer, grids } in ways(culling, chosen) {
             let shot = Shot { path: culling.path, start: 4, speed: 1.0 };
             let film = Film::new(site, (shot, FRAMES), buffer, &[2, 4], &late);
             for grid in grids {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, SeqAccess, Unexpected, Visitor};
 
 /// An interval of the reals with a name for messages.
 pub trait Interval {
@@ -177,11 +177,14 @@ where
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
         let mut items = Vec::with_capacity(N);
-        while let Some(item) = seq.next_element::<T>()? {
-            if items.len() == N {
-                return Err(A::Error::custom(format!("more than {N} numbers")));
-            }
+        while items.len() < N
+            && let Some(item) = seq.next_element::<T>()?
+        {
             items.push(item);
+        }
+        // Whatever it is: one too many is not judged for itself.
+        if items.len() == N && seq.next_element::<IgnoredAny>()?.is_some() {
+            return Err(A::Error::custom(format!("more than {N} numbers")));
         }
         let found = items.len();
         let items: [T; N] = items.try_into().map_err(|_| {
@@ -213,5 +216,23 @@ impl<'de, I: Interval, const ONE: bool> Deserialize<'de> for Span<I, ONE> {
             return Err(D::Error::custom(format!("the range [{}, {}] is upside down", lo.0, hi.0)));
         }
         Ok(Span([lo.0, hi.0], PhantomData))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number too many is refused as that, in the interval or not, and whatever it is.
+    #[test]
+    fn a_number_too_many_is_counted_and_not_judged() {
+        for more in ["0.5", "4", "\"x\"", "[]"] {
+            let text = format!("[0.1, 0.2, {more}]");
+            let found = serde_json::from_str::<Numbers<In<Unit>, 2, false>>(&text).map(|_| ());
+            let message = found.unwrap_err().to_string();
+            assert!(message.starts_with("more than 2 numbers"), "{text}: {message}");
+        }
+        let few = serde_json::from_str::<Numbers<In<Unit>, 2, false>>("[0.1]").map(|_| ());
+        assert!(few.unwrap_err().to_string().starts_with("1 number where 2 are called for"));
     }
 }

@@ -1,5 +1,6 @@
 //! JSON to a typed object.
 
+use std::cell::Cell;
 use std::fmt;
 
 use serde::Deserializer;
@@ -28,21 +29,28 @@ fn position(error: &serde_json::Error) -> Position {
 }
 
 /// Where the value of a field, `culling.grid[0]`, stands in a text that was read: its end, of a list or
-/// an object its beginning.
+/// an object its beginning; none of a field that is absent.
 pub fn place(text: &[u8], path: &str) -> Option<Position> {
     let steps: Vec<&str> = path.split(['.', '[', ']']).filter(|step| !step.is_empty()).collect();
     let mut json = serde_json::Deserializer::from_slice(text);
-    Follow(&steps).deserialize(&mut json).err().map(|e| position(&e))
+    let found = Cell::new(false);
+    let error = Follow { steps: &steps, found: &found }.deserialize(&mut json).err()?;
+    // The parser complains about more than the value: of what is left behind an absent field, say.
+    found.get().then(|| position(&error))
 }
 
-/// Follows steps through JSON, and ends with an error at the value that they lead to.
-struct Follow<'s>(&'s [&'s str]);
+/// Follows steps through JSON, and ends with an error at the value that they lead to, `found` then set.
+#[derive(Clone, Copy)]
+struct Follow<'s> {
+    steps: &'s [&'s str],
+    found: &'s Cell<bool>,
+}
 
-impl Follow<'_> {
+impl<'s> Follow<'s> {
     /// The first step and those behind it; an error where there is none.
-    fn step<E: Error>(&self) -> Result<(&str, Follow<'_>), E> {
-        let (first, rest) = self.0.split_first().ok_or_else(|| E::custom("here"))?;
-        Ok((first, Follow(rest)))
+    fn step<E: Error>(self) -> Result<(&'s str, Follow<'s>), E> {
+        let (first, steps) = self.steps.split_first().ok_or_else(|| E::custom("here"))?;
+        Ok((first, Follow { steps, ..self }))
     }
 }
 
@@ -50,6 +58,7 @@ impl<'de> DeserializeSeed<'de> for Follow<'_> {
     type Value = ();
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        self.found.set(self.steps.is_empty());
         deserializer.deserialize_any(self)
     }
 }
@@ -74,8 +83,11 @@ impl<'de> Visitor<'de> for Follow<'_> {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
         let (index, rest) = self.step()?;
-        for _ in 0..index.parse().unwrap_or(0) {
-            list.next_element::<IgnoredAny>()?;
+        let index: usize = index.parse().map_err(A::Error::custom)?;
+        for _ in 0..index {
+            if list.next_element::<IgnoredAny>()?.is_none() {
+                return Ok(());
+            }
         }
         list.next_element_seed(rest).map(|_| ())
     }
@@ -117,4 +129,33 @@ fn meant(message: &str) -> Option<&str> {
     // As clap does for options.
     let alike = alike.filter(|(likeness, _)| *likeness > 0.7);
     alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(text: &str, path: &str) -> Option<(usize, usize)> {
+        place(text.as_bytes(), path).map(|Position { line, column }| (line, column))
+    }
+
+    #[test]
+    fn places_are_of_what_is_there() {
+        let text = "{\"a\": {\"b\": [10, 20]},\n \"c\": 7, \"d\": {}}";
+        assert_eq!(at(text, "a.b[0]"), Some((1, 15)));
+        assert_eq!(at(text, "a.b[1]"), Some((1, 19)));
+        assert_eq!(at(text, "c"), Some((2, 7)));
+    }
+
+    /// What is absent has no place, whatever follows it; nor has what no step can name.
+    #[test]
+    fn what_is_absent_has_no_place() {
+        let text = "{\"a\": {\"b\": [10, 20], \"c\": 1}, \"d\": 7}";
+        for path in ["e", "a.d", "a.b[2]", "a.b[9]"] {
+            assert_eq!(at(text, path), None, "{path}");
+        }
+        assert_eq!((at("{ }", "a"), at("{ }", "a.b[3]"), at("[ ]", "[0]")), (None, None, None));
+        assert_eq!(at("{\"a\": 1, \"b\": 2}", "b.c"), None);
+        assert_eq!(at(text, "a.b[x]"), None);
+    }
 }

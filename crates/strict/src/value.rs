@@ -5,7 +5,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use serde::de::value::StrDeserializer;
-use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
 
 /// Between a field and the message about it, on their way through the reader's errors, which have
 /// no place for the first.
@@ -105,11 +105,13 @@ impl<'de, T: Deserialize<'de>, const MAX: usize> Deserialize<'de> for List<T, MA
             }
             fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
                 let mut items = Vec::new();
-                while let Some(item) = seq.next_element()? {
-                    if items.len() == MAX {
-                        return Err(A::Error::custom(format!("more than {MAX} entries")));
-                    }
+                while items.len() < MAX
+                    && let Some(item) = seq.next_element()?
+                {
                     items.push(item);
+                }
+                if items.len() == MAX && seq.next_element::<IgnoredAny>()?.is_some() {
+                    return Err(A::Error::custom(format!("more than {MAX} entries")));
                 }
                 Ok(List(items))
             }

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::study::{self, Given, STUDIES, Size, Stale, Study};
+use crate::study::{self, Given, STUDIES, Size, Stale, Study, Timed};
 use lobefit::cli::CliError;
 use lobefit::cli::options::ThreadsOption;
 use lobefit::cli::output::{self, Outcome, print, print_json};
@@ -16,8 +16,8 @@ use lobefit::store::{self, Folder};
 
 const REMARKS: &str = "\
 Writes reports/studies/NAME/index.html and results.json in the output folder, with --times the record times.json beside them, and
-nothing else; with --reduced, in reports/studies/NAME-reduced, with --scene FILE.json in reports/studies/NAME-scene-FILE. A bake leaves
-them alone. --check runs no study: it compares their recipes, and exits with 1 where one is of other code or other parameters than
+nothing else; with --reduced, in reports/studies/NAME-reduced, with --scene FILE.json in reports/studies/NAME-scene-FILE, where the
+study of another scene file of that name (by its path as given) is not replaced: give another --out. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one is of other code or other parameters than
 this version's, as `lobefit check` does.";
 
 /// What the help says after the options: every study, and what is written where.
@@ -96,15 +96,36 @@ fn of_scene(study: &dyn Study, file: &Path) -> Result<Box<dyn Study>, CliError> 
     study.of_scene(&Given::read(file)?)?.ok_or_else(refused)
 }
 
-/// The record of times that a study's page shows: measured now, or what lies beside the page.
-fn record(options: &Options, study: &dyn Study, size: Size) -> Result<Option<Vec<u8>>, CliError> {
+/// A study whose page shows times, where there are any, and the record of times to be written, where they
+/// were measured now.
+type WithTimes = (Option<Box<dyn Study>>, Option<Vec<u8>>);
+
+/// A study with its times: measured now, or recorded beside its page.
+fn with_times(options: &Options, study: &dyn Study, size: Size) -> Result<WithTimes, CliError> {
+    let (file, command) = (study.times_file(size), format!("{} --times", study.command(size)));
     if options.times {
-        let found = study.timed(size, format!("{} --times", study.command(size)))?;
+        let found = study.timed(size, command)?;
         let refused = || CliError::Usage(format!("--times: the study {} times nothing", study.name()));
-        return found.ok_or_else(refused).map(Some);
+        let Timed { record, study } = found.ok_or_else(refused)?;
+        return Ok((Some(study), Some(record)));
     }
-    let file = study.times_file(size);
-    Ok(store::read_set(&options.out, [file.as_str()], FILE_BYTES)?.remove(&file))
+    let record = store::read_set(&options.out, [file.as_str()], FILE_BYTES)?.remove(&file);
+    let timed = record.map(|record| study.with_times(&record)).transpose();
+    let refused = |e| CliError::Usage(format!("{file}: no record of `{command}`: {e}"));
+    Ok((timed.map_err(refused)?.flatten(), None))
+}
+
+/// Refuses to write over the study of another scene file.
+fn refuse_other(options: &Options, study: &dyn Study, size: Size) -> Result<(), CliError> {
+    let [_, results] = study.files(size);
+    let Some([_, file]) = study.scene() else { return Ok(()) };
+    let found = store::read_set(&options.out, [results.as_str()], FILE_BYTES)?;
+    match found.get(&results).and_then(|bytes| study::other(study, size, bytes)) {
+        Some(command) => Err(CliError::Usage(format!(
+            "--scene {file}: {results} is of `{command}`; give another --out, or remove it"
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// Runs a study and writes it.
@@ -112,18 +133,13 @@ fn make(options: &Options, study: &dyn Study) -> Result<Outcome, CliError> {
     let size = if options.reduced { Size::Reduced } else { Size::Full };
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
+    refuse_other(options, study, size)?;
     let progress = Spinner::new(options.quiet || options.json);
-    let record = options.threads.install(|| record(options, study, size))?;
-    let timed = record.as_deref().map(|record| study.with_times(record)).transpose();
-    let timed = timed.map_err(|e| {
-        let file = study.times_file(size);
-        CliError::Usage(format!("{file}: no record of `{} --times`: {e}", study.command(size)))
-    })?;
-    let timed = timed.flatten();
+    let (timed, record) = options.threads.install(|| with_times(options, study, size))?;
     let study = timed.as_deref().unwrap_or(study);
     let mut files = options.threads.install(|| Ok(study::run(study, size, &progress)?))?;
     drop(progress);
-    if let Some(record) = record.filter(|_| options.times) {
+    if let Some(record) = record {
         files.insert(study.times_file(size), record);
     }
     let written = folder.write(&files)?;

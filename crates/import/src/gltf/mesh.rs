@@ -107,7 +107,7 @@ const FARTHEST: f64 = 1e6;
 /// What is no such file, with its field; one without triangles, or with too many.
 pub fn mesh(bytes: &[u8], file: &str) -> Result<Mesh, SceneError> {
     let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
-    let (json, chunk) = chunks(bytes).map_err(|message| whole((String::new(), message)))?;
+    let (json, chunk) = chunks(bytes, file).map_err(|message| whole((String::new(), message)))?;
     let document: Document = read_object(json, file, usize::MAX)?;
     version(&document.asset).map_err(whole)?;
     let mut reader =

@@ -45,7 +45,7 @@ pub(crate) fn read(
 ) -> Result<Imported, SceneError> {
     let whole =
         |path: &str, message: String| SceneError::Whole { file: file.into(), path: path.into(), message };
-    let (json, chunk) = chunks(bytes).map_err(|message| whole("", message))?;
+    let (json, chunk) = chunks(bytes, file).map_err(|message| whole("", message))?;
     let document: Document = read_object(json, file, usize::MAX)?;
     version(&document.asset).map_err(|(path, message)| whole(&path, message))?;
     let mut images = match textures {
@@ -88,8 +88,13 @@ fn version(asset: &document::Asset) -> Result<(), Wrong> {
 
 /// The JSON of a file, all of it or the first chunk of a binary one; of a binary one the first byte of
 /// its buffer and the length.
-fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<[u64; 2]>), String> {
+fn chunks<'b>(bytes: &'b [u8], file: &str) -> Result<(&'b [u8], Option<[u64; 2]>), String> {
     if !bytes.starts_with(MAGIC) {
+        // JSON under this name is read as what it is.
+        let is_text = bytes.trim_ascii_start().first().is_none_or(|first| *first == b'{');
+        if file.to_ascii_lowercase().ends_with(".glb") && !is_text {
+            return Err("not a binary glTF: it does not begin with `glTF`".into());
+        }
         return Ok((bytes, None));
     }
     let word = |at: u64| {

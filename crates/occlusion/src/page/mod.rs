@@ -14,9 +14,6 @@ use lobefit::report::numbers::brief;
 use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread};
 use lobefit::scene::{CameraPath, World};
 
-/// Size of a chart's plotted area in pixels.
-const CHART: (f64, f64) = (430.0, 190.0);
-
 /// The page; of `times` what is of these results.
 ///
 /// # Errors
@@ -26,10 +23,10 @@ pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<
     let device = times.map_or("", |times| &times.device);
     let sections = vec![
         pictures::pictures(results)?,
+        sweeps::holes(results),
         passes::passes(results, timed.as_deref().map_err(|why| *why), device)?,
         sweeps::sweeps(results)?,
         sweeps::parameters(results, timed.as_deref().ok()),
-        sweeps::holes(results),
         passes::resolutions(results, timed.as_deref().ok())?,
     ];
     Ok(Page { title: "lobefit study: occlusion".into(), origin, lead: lead(results), sections })

@@ -3,7 +3,7 @@
 use super::{MS, RATES, Rate, by, curves, milliseconds, own, percent, rates};
 use crate::measure::{TOLERANCE, Tally, Trial, part};
 use crate::passes::{Passes, Work};
-use crate::study::{ALL, CHOSEN, Results, Row};
+use crate::study::{ALL, CHOSEN, Results, Row, SAFE};
 use crate::times::Timed;
 use lobefit::report::numbers::{brief, grouped};
 use lobefit::report::{
@@ -13,12 +13,14 @@ use lobefit::report::{
 const KEPT: Rate = ("wrongly kept, %", Tally::wrongly_kept);
 const CULLED: Rate = ("wrongly culled, %", Tally::wrongly_culled);
 
-/// Size of the plotted area of a chart of a sheet in pixels.
+/// Size of the plotted area of a chart of a sheet in pixels, and of one alone: wide enough for a page to let
+/// it scroll on a telephone, where less would be made too small to be read.
 const SMALL: (f64, f64) = (280.0, 150.0);
+const LARGE: (f64, f64) = (560.0, 240.0);
 
 /// What buffers are made from, in the order of the table.
 const SOURCES: [&str; 6] =
-    ["depth", "depth of twice the resolution", "voxels", "depth and voxels", "conservative", CHOSEN];
+    ["depth", "depth of twice the resolution", "voxels", "depth and voxels", SAFE, CHOSEN];
 
 /// Passes in their order, and what each took.
 fn each<T: Copy>(work: &Work<T>) -> [(&'static str, T); 5] {
@@ -65,37 +67,56 @@ fn holes_for_less(results: &Results, timed: Option<&[&Timed]>) -> String {
     let (unit, of) = if timed.is_some() { (" ms", "time") } else { ("", "work") };
     let more = |way: (&Row, Option<&Timed>)| {
         let filled = points.0.tally.holes as f64 - way.0.tally.holes as f64;
-        (filled / way.0.tally.texels as f64, cost(way) - cost(points))
+        [filled / way.0.tally.texels as f64, cost(way) - cost(points)]
     };
-    let (median, half) = ((more(median), median.0), (more(half), half.0));
-    let each = |((filled, cost), _): ((f64, f64), &Row)| cost / filled;
-    let verdict = match (median.0.0 > 0.0 && half.0.0 > 0.0, each(median) < each(half)) {
-        (false, _) => "one of them fills none".into(),
-        _ if median.0.1 <= 0.0 || half.0.1 <= 0.0 => {
-            format!("in one of them the {of} of filling is less than its clock can tell")
-        }
-        (true, true) => {
-            format!("the median takes {} times less {of} for each hole", brief(each(half) / each(median), 2))
-        }
-        (true, false) => {
-            format!(
-                "depth of twice the resolution takes {} times less {of} for each hole",
-                brief(each(median) / each(half), 2)
-            )
-        }
-    };
-    let worded = |((filled, cost), row): ((f64, f64), &Row)| {
+    let worded = |way: (&Row, Option<&Timed>)| {
+        let [filled, cost] = more(way);
+        let kept = percent(way.0.tally.wrongly_kept());
         format!(
-            "{} of the texels for {}{unit} more, and leaves {} wrongly kept",
+            "{} of the texels for {}{unit} more, and leaves {kept} wrongly kept",
             percent(filled),
-            brief(cost, 2),
-            percent(row.tally.wrongly_kept())
+            brief(cost, 2)
         )
     };
     format!(
-        "Which hides holes for less? Of the points alone a median fills {}; depth of twice the resolution fills {}: {verdict}.",
+        "Which hides holes for less? Of the points alone a median fills {}; depth of twice the resolution fills {}: {}. {}",
         worded(median),
-        worded(half)
+        worded(half),
+        cheaper(more(median), more(half), of),
+        dangers([points, median, half].map(|(row, _)| row.tally.wrongly_culled())),
+    )
+}
+
+/// Which of a median and depth of twice the resolution takes less for each hole; both by what they fill
+/// and what that costs.
+fn cheaper(median: [f64; 2], half: [f64; 2], of: &str) -> String {
+    if median[0] <= 0.0 || half[0] <= 0.0 {
+        return "one of them fills none".into();
+    }
+    if median[1] <= 0.0 || half[1] <= 0.0 {
+        return format!("in one of them the {of} of filling is less than its clock can tell");
+    }
+    let [of_median, of_half] = [median, half].map(|[filled, cost]| cost / filled);
+    let (name, times) = match of_median < of_half {
+        true => ("the median", of_half / of_median),
+        false => ("depth of twice the resolution", of_median / of_half),
+    };
+    match brief(times, 2).as_str() {
+        "1" => format!("they take as much {of} for each hole"),
+        times => format!("{name} takes {times} times less {of} for each hole"),
+    }
+}
+
+/// What the points, a median on them and depth of twice the resolution cull of what is seen.
+fn dangers(culled: [f64; 3]) -> String {
+    let [points, median, half] = culled.map(percent);
+    let safer = match culled[1].total_cmp(&culled[2]) {
+        _ if median == half => "neither is safer than the other",
+        std::cmp::Ordering::Less => "the median is the safer of the two",
+        _ => "depth of twice the resolution is the safer of the two",
+    };
+    format!(
+        "The danger: of the boxes that are seen the points alone cull {points}, with a median {median}, depth of twice the resolution {half}, so that {safer}."
     )
 }
 
@@ -134,9 +155,7 @@ pub(super) fn passes(
     let charts = "What accuracy costs. A source has four marks: alone, with the median, with the dilation, with both; lines join marks that differ by one pass; \
                   the conservative mode and the chosen parameters have one. Lower is better. Other resolutions: at the end of this page.";
     let culling = &results.culling;
-    let one = |rate| {
-        chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, super::CHART))
-    };
+    let one = |rate| chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, LARGE));
     Ok(Section {
         id: "passes".into(),
         title: "What each pass buys".into(),

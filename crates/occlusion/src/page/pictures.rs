@@ -4,7 +4,7 @@ use super::path;
 use crate::depth::{Depth, EMPTY};
 use crate::measure::error;
 use crate::study::Results;
-use lobefit::report::{Pixels, ReportError, Section, check, figures};
+use lobefit::report::{Pixels, ReportError, Section, figures};
 
 /// Depths of the lightest and of the darkest grey, metres.
 const GREYS: [f32; 2] = [1.0, 120.0];
@@ -58,14 +58,10 @@ fn errors(title: &str, found: &Depth, truth: &Depth) -> Pixels {
 
 pub(super) fn pictures(results: &Results) -> Result<Section, ReportError> {
     let shown = &results.pictures;
-    let (all, sheet) =
-        shown.buffers.split_last().ok_or_else(|| check::domain("study", "pictures", "there is none"))?;
-    let first = [
-        depth("the depth of the frame", &shown.truth),
-        depth("the depth that has arrived", &shown.old),
-        depth(all.0, &all.1),
-    ];
-    let made: Vec<Pixels> = sheet.iter().map(|(name, buffer)| depth(name, buffer)).collect();
+    let first =
+        [depth("the depth of the frame", &shown.truth), depth("the depth that has arrived", &shown.old)];
+    let made: Vec<Pixels> = shown.buffers.iter().map(|(name, buffer)| depth(name, buffer)).collect();
+    let [near, far] = GREYS;
     let off: Vec<Pixels> =
         shown.buffers.iter().map(|(name, buffer)| errors(name, buffer, &shown.truth)).collect();
     Ok(Section {
@@ -79,9 +75,15 @@ pub(super) fn pictures(results: &Results) -> Result<Section, ReportError> {
         blocks: vec![
             figures(
                 &first,
-                "What is wanted, what there is, and the occlusion buffer by all passes. Light is near, dark is far, blue is infinitely far.",
+                &format!(
+                    "What is wanted, and what there is. Depth: light is {near} m or nearer, dark {far} m or farther, each step of grey the same factor; \
+                     blue is infinitely far."
+                ),
             )?,
-            figures(&made, "The buffer by each way. Purple: nothing was written.")?,
+            figures(
+                &made,
+                "The buffer by each way; the last three are all passes, the conservative mode and the chosen parameters. Purple: nothing was written.",
+            )?,
             figures(
                 &off,
                 "The errors of these. Yellow is too near, false occlusion: what is behind it vanishes. Cyan is too far, false disocclusion: \

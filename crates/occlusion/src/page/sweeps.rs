@@ -1,60 +1,120 @@
 //! What latency, speed and free parameters do, and why texels are never written.
 
-use super::{CHART, MS, RATES, Rate, by, curves, milliseconds, path, percent, rates, worded};
-use crate::choice::{ALLOWED, Choice, Choices, FINALISTS, OnShots};
+use super::{MS, RATES, Rate, by, curves, milliseconds, path, percent, rates, worded};
+use crate::choice::{ALLOWED, COST, Choice, Choices, FINALISTS, OnShots};
 use crate::measure::{Tally, part};
-use crate::study::{Causes, MEASURED, Point, Results};
+use crate::passes::Work;
+use crate::study::{Causes, MEASURED, Point, Results, SAFE};
 use crate::times::Timed;
-use lobefit::report::{Block, ReportError, Section, Series, Style, figures, words};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, figures, words};
 use lobefit::scene::CameraPath;
 
+/// Size of the plotted area of a chart in pixels: four stand side by side.
+const CHART: (f64, f64) = (208.0, 150.0);
+
+/// Ways to make the buffer that a chart compares, as a point of a sweep has them.
+const WAYS: [(&str, fn(&Point) -> &Tally); 4] = [
+    ("points", |point| &point.points),
+    ("all passes", |point| &point.all),
+    (SAFE, |point| &point.conservative),
+    ("chosen", |point| &point.chosen),
+];
+
+/// A rate on a path, over what `x` takes of the points that it keeps.
+fn chart(
+    results: &Results,
+    (path, of): (CameraPath, Rate),
+    (label, x): (&str, &dyn Fn(&Point) -> Option<f64>),
+) -> Curves {
+    let on_path: Vec<(f64, &Point)> = results
+        .sweep
+        .iter()
+        .filter(|point| point.path == path)
+        .filter_map(|point| Some((x(point)?, point)))
+        .collect();
+    let line = |(i, (name, tally)): (usize, &(&str, fn(&Point) -> &Tally))| {
+        let mut points: Vec<(f64, f64)> =
+            on_path.iter().map(|(x, point)| (*x, 100.0 * of.1(tally(point)))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Series { name: (*name).into(), points, style: Style::Marked(i), end: None }
+    };
+    let most = results.sweep.iter().flat_map(|point| WAYS.map(|(_, tally)| 100.0 * of.1(tally(point))));
+    let mut chart =
+        curves(super::path(path), [label, of.0], WAYS.iter().enumerate().map(line).collect(), CHART);
+    chart.y.1 = Spread::Root;
+    chart.y_limits = Some((0.0, 1.05 * most.fold(1.0, f64::max)));
+    chart
+}
+
+/// What latency and speed do to each way that the page recommends or warns of.
 pub(super) fn sweeps(results: &Results) -> Result<Section, ReportError> {
     let latency = results.culling.latency as usize;
-    let chart = |(title, x): (&str, &str), keep: &dyn Fn(&Point) -> Option<f64>, of: Rate| {
-        let line = |path: CameraPath, all: bool, style: usize| {
-            let mut points: Vec<(f64, f64)> = results
-                .sweep
-                .iter()
-                .filter(|point| point.path == path)
-                .filter_map(|point| {
-                    Some((keep(point)?, 100.0 * of.1(if all { &point.all } else { &point.points })))
-                })
-                .collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let name = format!("{}, {}", super::path(path), if all { "all passes" } else { "points" });
-            Series { name, points, style: Style::Line(style), end: None }
-        };
-        let series = [
-            (CameraPath::Turn, false),
-            (CameraPath::Turn, true),
-            (CameraPath::Strafe, false),
-            (CameraPath::Strafe, true),
-        ];
-        let lines = series.into_iter().enumerate().map(|(i, (path, all))| line(path, all, i)).collect();
-        curves(title, [x, of.0], lines, CHART)
-    };
     let by_latency = |point: &Point| (point.speed == 1.0).then_some(point.latency as f64);
     let by_speed = |point: &Point| (point.latency == latency).then_some(3.0 * point.speed);
-    let [kept, culled]: [Rate; 2] =
+    let rates: [Rate; 2] =
         [("wrongly kept, %", Tally::wrongly_kept), ("wrongly culled, %", Tally::wrongly_culled)];
-    let charts = [
-        chart(("By latency: kept", "frames"), &by_latency, kept),
-        chart(("By latency: culled", "frames"), &by_latency, culled),
-        chart(("By speed: kept", "degrees a frame"), &by_speed, kept),
-        chart(("By speed: culled", "degrees a frame"), &by_speed, culled),
-    ];
+    let row = |x: (&str, &dyn Fn(&Point) -> Option<f64>)| {
+        rates.map(|rate| [CameraPath::Turn, CameraPath::Strafe].map(|path| chart(results, (path, rate), x)))
+    };
+    let caption =
+        "Points: old depth alone. All passes: those of the scene. Conservative, chosen: as in the tables.";
     Ok(Section {
         id: "sweeps".into(),
         title: "Latency and speed".into(),
         lead: format!(
             "Latency at 3 degrees a frame (sideways 0.25 m a frame), speed at a latency of {latency} frames; a step sideways grows as the turn does, \
-             by 0.083 m for each degree."
+             by 0.083 m for each degree.{}",
+            farthest(results)
         ),
-        blocks: vec![figures(
-            &charts,
-            "Points: old depth alone. All passes: those of the scene, with `reproject` in place of `reproject-half`.",
-        )?],
+        blocks: vec![
+            figures(row(("latency, frames", &by_latency)).as_flattened(), caption)?,
+            figures(row(("degrees a frame", &by_speed)).as_flattened(), "The same by speed.")?,
+        ],
     })
+}
+
+/// The most that the conservative mode and the chosen parameters cull in the whole sweep.
+fn farthest(results: &Results) -> String {
+    let most = |tally: fn(&Point) -> &Tally| {
+        let rate = |point: &Point| tally(point).wrongly_culled();
+        results.sweep.iter().map(|point| (rate(point), point)).max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let (Some(safe), Some(chosen)) = (most(WAYS[2].1), most(WAYS[3].1)) else { return String::new() };
+    let at = |(rate, point): (f64, &Point)| match rate > 0.0 {
+        false => "none anywhere".into(),
+        true => format!(
+            "at most {} (`{}`, latency {}, {}\u{a0}degrees a frame)",
+            percent(rate),
+            path(point.path),
+            point.latency,
+            3.0 * point.speed
+        ),
+    };
+    format!(
+        " Of the boxes that are seen the conservative mode culls {}, the chosen parameters, chosen at a latency of {} frames and the usual speed, {}.",
+        at(safe),
+        results.culling.latency,
+        at(chosen)
+    )
+}
+
+/// What most of the holes of a path come from, and their part of all texels.
+fn most(Causes { path: on, holes }: &Causes) -> String {
+    let causes = [
+        (holes.out_of_frame, "out of the old frame"),
+        (holes.stretched, "stretched"),
+        (holes.disoccluded, "disoccluded"),
+    ];
+    let all: u64 = causes.iter().map(|(n, _)| n).sum();
+    match causes.into_iter().max_by_key(|(n, _)| *n) {
+        Some((n, cause)) if all > 0 => format!(
+            "on the path `{}` {} of the texels, {} of which {cause}",
+            path(*on),
+            percent(part(all, holes.texels)),
+            percent(part(n, all))
+        ),
+        _ => format!("on the path `{}` none", path(*on)),
+    }
 }
 
 pub(super) fn holes(results: &Results) -> Section {
@@ -72,7 +132,10 @@ pub(super) fn holes(results: &Results) -> Section {
     Section {
         id: "holes".into(),
         title: "Why texels are never written".into(),
-        lead: String::new(),
+        lead: format!(
+            "Points of the old depth leave empty {}.",
+            results.causes.iter().map(most).collect::<Vec<_>>().join("; ")
+        ),
         blocks: vec![Block::Table(table)],
     }
 }
@@ -98,6 +161,7 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
     let Choices { usual, best, tried } = &results.choices;
     let rows = [two("usual", usual), two("chosen", best)].concat();
     let [culled, kept] = ALLOWED.map(percent);
+    let Work { dilation: cheapest, accumulate: dearest, .. } = COST;
     let caption = format!(
         "Usual: {}. Chosen: {}. Sideways: on the strafes of these shots alone.{}",
         worded(&usual.trial),
@@ -105,11 +169,14 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
         timed.map_or("", |_| " Milliseconds: on the scene's path.")
     );
     let lead = format!(
-        "Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square about every \
+        "The fitting engine is not used: it moves continuous constants along slopes, and of these only the margin is continuous. \
+         Radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square about every \
          texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. Each box \
          has a margin from which on it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} \
          combinations of the rest are tried, on a turn, a strafe and a walk from four places each, and the best {FINALISTS} again in all {} frames of these shots. \
-         Chosen is the combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden. It is reported on shots from \
+         Chosen is the combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden; there a count of a pass is \
+         weighed with the time that one takes on a CPU, from {cheapest}\u{a0}ns of the dilation to {dearest}\u{a0}ns of the accumulation, the same in every study. \
+         It is reported on shots from \
          three other places.",
         MEASURED.len()
     );

@@ -25,14 +25,19 @@ impl Given<'_> {
         Ok(Given { file, bytes, scene })
     }
 
-    /// The file's name in its folder, after which the folder of the study is named.
+    /// The file as it was given; the folder of the study is named after [`stem`].
     ///
     /// # Errors
-    /// A name that no folder can have on every system.
-    pub fn name(&self) -> Result<String, CliError> {
-        let name = self.file.file_name().unwrap_or_default().to_string_lossy();
-        store::inside(Path::new(""), &name)?;
-        Ok(name.into())
+    /// A name that no folder can have on every system, or of which nothing stands before `.json`.
+    pub fn file(&self) -> Result<String, CliError> {
+        let file = self.file.display().to_string();
+        let stem = stem(&file);
+        if stem.is_empty() {
+            let why = "its name has nothing before `.json`, after which the folder of the study is named";
+            return Err(CliError::Usage(format!("--scene {file}: {why}")));
+        }
+        store::inside(Path::new(""), &stem)?;
+        Ok(file)
     }
 
     /// What is said of a field of it that is refused.
@@ -52,4 +57,10 @@ impl Given<'_> {
         let path = store::inside(self.file.parent().unwrap_or(Path::new("")), path).map_err(refused)?;
         Ok((path.display().to_string(), store::read(&path, limit).map_err(refused)?))
     }
+}
+
+/// The name of a scene's file in its folder, without `.json`.
+pub fn stem(file: &str) -> String {
+    let name = Path::new(file).file_name().unwrap_or_default().to_string_lossy();
+    name.strip_suffix(".json").unwrap_or(&name).into()
 }

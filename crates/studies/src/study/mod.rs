@@ -46,8 +46,8 @@ pub trait Study: Sync {
     /// As [`run`].
     fn parameters(&self, size: Size) -> Result<Value, StudyError>;
 
-    /// The same of a scene of the user's, in a folder of its own; none of a study that takes no
-    /// scene, or of a scene that does not call for it.
+    /// The study of a scene of the user's, in a folder of its own; none where it takes no scene, or where
+    /// the scene does not call for it.
     ///
     /// # Errors
     /// A file that cannot be read, or is refused; what the study cannot measure.
@@ -55,7 +55,7 @@ pub trait Study: Sync {
         Ok(None)
     }
 
-    /// The name of the scene of the user's that it is of, and of its file.
+    /// The name of the scene of the user's that it is of, and its file as it was given.
     fn scene(&self) -> Option<[&str; 2]> {
         None
     }
@@ -65,11 +65,11 @@ pub trait Study: Sync {
         Vec::new()
     }
 
-    /// A record of how long its parts take on this machine; none of a study that times nothing.
+    /// How long its parts take on this machine, by a command; none of a study that times nothing.
     ///
     /// # Errors
     /// As [`run`].
-    fn timed(&self, _size: Size, _command: String) -> Result<Option<Vec<u8>>, StudyError> {
+    fn timed(&self, _size: Size, _command: String) -> Result<Option<Timed>, StudyError> {
         Ok(None)
     }
 
@@ -93,12 +93,21 @@ pub trait Study: Sync {
     ) -> Result<(Page, Vec<u8>), StudyError>;
 }
 
+/// What [`Study::timed`] makes.
+#[derive(Debug)]
+pub struct Timed {
+    /// The record.
+    pub record: Vec<u8>,
+    /// The study of the size that was timed, whose page shows the record.
+    pub study: Box<dyn Study>,
+}
+
 /// Every study of this version.
 pub static STUDIES: [&dyn Study; 4] = [
     &coupling::DiffuseCouplings,
     &parallax::ProbeLookups,
     &stability::Stability,
-    &occlusion::Occlusion { own: None, times: None },
+    &occlusion::Occlusion { own: None, times: None, choices: None },
 ];
 
 /// The study of a name.
@@ -111,9 +120,7 @@ impl dyn Study + '_ {
     /// study and that of each scene have a folder of their own.
     pub fn files(&self, size: Size) -> [String; 2] {
         let reduced = if size == Size::Reduced { "-reduced" } else { "" };
-        let own = self.scene().map_or_else(String::new, |[_, file]| {
-            format!("-scene-{}", file.strip_suffix(".json").unwrap_or(file))
-        });
+        let own = self.scene().map_or_else(String::new, |[_, file]| format!("-scene-{}", given::stem(file)));
         ["index.html", "results.json"]
             .map(|file| format!("reports/studies/{}{reduced}{own}/{file}", self.name()))
     }
@@ -291,6 +298,14 @@ pub fn stale(study: &dyn Study, size: Size, found: &Files) -> Result<Option<Stal
         file,
         detail: format!("not of the recipe {recipe} of this version's study; {again}"),
     }))
+}
+
+/// What made the files of a study in a folder, if that is another command than makes this one: a scene
+/// of the same file name lies elsewhere.
+pub fn other(study: &dyn Study, size: Size, results: &[u8]) -> Option<String> {
+    let document: Option<Value> = serde_json::from_slice(results).ok();
+    let command = document?["origin"]["command"].as_str()?.to_string();
+    (command != study.command(size)).then_some(command)
 }
 
 impl PackageError for StudyError {
