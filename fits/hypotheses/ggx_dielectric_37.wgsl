@@ -1,16 +1,17 @@
-override p0: f32 = 1.0128;
-override p1: f32 = -0.8098;
-override k: f32 = 0.5181;
-override c0: f32 = 0.102;
-override c1: f32 = -2.5317;
-override c2: f32 = 4.2221;
-override c3: f32 = 1.0618;
-override c4: f32 = 0.5028;
+override p0: f32 = 1.2005583;
+override p1: f32 = -0.96024716;
+override k: f32 = 0.6102079;
+override c0: f32 = 0.02278652;
+override c1: f32 = -5.0227213;
+override c2: f32 = 5.692883;
+override c3: f32 = 3.1635377;
+override c4: f32 = 0.4540241;
 
-/// Albedo of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Thirty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend on ior: above mu by
-/// alpha^2 (p0 + p1 roughness) over the width of the layer at grazing, mu + k alpha. The form of ggx_norm_i10 divides by what the lobe
-/// loses. With alpha = 0 it is Fresnel's term.
+/// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
+/// Thirty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
+/// on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at grazing.
+/// The whole is divided by ggx_norm_i10's form for the light that is lost between facets. Fresnel's
+/// term itself for alpha = 0.
 fn ggx_dielectric_37(roughness: f32, alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let layer = inverse * (c3 + c4 * inverse);

@@ -1,20 +1,22 @@
-override p0: f32 = 2.2006;
-override p1: f32 = -1.5246;
-override s: f32 = 0.465;
-override k: f32 = 1.1786;
-override c0: f32 = 0.1323;
-override c1: f32 = 0.0034;
-override c2: f32 = -0.2808;
-override c3: f32 = 4.3356;
-override c4: f32 = -3.63;
-override c5: f32 = 2.285;
-override c6: f32 = -3.8416;
-override c7: f32 = 7.4919;
+override p0: f32 = 2.1791286;
+override p1: f32 = -1.5889815;
+override s: f32 = 0.3999064;
+override k: f32 = 1.1450605;
+override c0: f32 = 1.8356162;
+override c1: f32 = 0.03720143;
+override c2: f32 = -2.204924;
+override c3: f32 = 5.1862736;
+override c4: f32 = -5.7804923;
+override c5: f32 = 1.8593271;
+override c6: f32 = -12.32126;
+override c7: f32 = 17.018293;
 
-/// Albedo of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Forty-one operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend on ior: above mu by
-/// alpha^2 (p0 + p1 roughness) over the width of the layer at grazing, mu + k alpha. The form of ggx_norm_i13 divides by what the lobe
-/// loses. With ior near 1 the term changes fast over the lobe: s alpha widens g. With alpha = 0 it is Fresnel's term.
+/// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
+/// Forty-one operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
+/// on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at grazing.
+/// The whole is divided by ggx_norm_i13's form for the light that is lost between facets. A line in alpha
+/// under the root follows that the term changes fast over the lobe where ior is near 1. Fresnel's
+/// term itself for alpha = 0.
 fn ggx_dielectric_41(roughness: f32, alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let norm = 1.0 + alpha * (c0 + inverse * (c1 + alpha * (c2 + mu * (c3 + inverse * (c4 + inverse * c5)

@@ -1,17 +1,19 @@
-override p0: f32 = 4.6834;
-override p1: f32 = 10.227;
-override s: f32 = 0.3599;
-override k: f32 = 0.5352;
-override c0: f32 = -0.1159;
-override c1: f32 = -1.1779;
-override c2: f32 = 3.4567;
-override c3: f32 = 0.5977;
-override c4: f32 = 0.3128;
+override p0: f32 = 5.8576145;
+override p1: f32 = 15.394095;
+override s: f32 = 0.32714623;
+override k: f32 = 0.54160404;
+override c0: f32 = -0.09754775;
+override c1: f32 = 0.10284574;
+override c2: f32 = 1.2536427;
+override c3: f32 = 0.48804393;
+override c4: f32 = 0.2813384;
 
-/// Albedo of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Forty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, c^2 = mu^2 + p0 alpha^2/(1 + p1 alpha), which
-/// does not depend on ior; the form of ggx_norm_i10 divides by what the lobe loses. With ior near 1 the term changes fast over the
-/// lobe: s alpha widens g. With alpha = 0 it is Fresnel's term.
+/// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
+/// Forty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
+/// on ior. Here c^2 exceeds mu^2 by a ratio of alpha^2 and a line in alpha.
+/// The whole is divided by ggx_norm_i10's form for the light that is lost between facets. A line in alpha
+/// under the root follows that the term changes fast over the lobe where ior is near 1. Fresnel's
+/// term itself for alpha = 0.
 fn ggx_dielectric_47(alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let layer = inverse * (c3 + c4 * inverse);

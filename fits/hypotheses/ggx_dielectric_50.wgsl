@@ -1,20 +1,22 @@
-override p0: f32 = 5.2956;
-override p1: f32 = 11.5548;
-override s: f32 = 0.4206;
-override k: f32 = 1.594;
-override c0: f32 = -0.7838;
-override c1: f32 = -0.0117;
-override c2: f32 = 1.0996;
-override c3: f32 = 4.9807;
-override c4: f32 = 1.2531;
-override c5: f32 = 2.572;
-override c6: f32 = -3.4003;
-override c7: f32 = 4.5052;
+override p0: f32 = 5.336558;
+override p1: f32 = 10.809133;
+override s: f32 = 0.5556323;
+override k: f32 = 1.58064;
+override c0: f32 = 0.27464202;
+override c1: f32 = -0.0040307185;
+override c2: f32 = -0.59679097;
+override c3: f32 = 8.515329;
+override c4: f32 = -3.166359;
+override c5: f32 = 2.421384;
+override c6: f32 = -5.673575;
+override c7: f32 = 2.9030907;
 
-/// Albedo of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Fifty operations. Over the lobe the Fresnel term stands at one effective cosine c, c^2 = mu^2 + p0 alpha^2/(1 + p1 alpha), which
-/// does not depend on ior; the form of ggx_norm_i13 divides by what the lobe loses. With ior near 1 the term changes fast over the
-/// lobe: s alpha widens g. With alpha = 0 it is Fresnel's term.
+/// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
+/// Fifty operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
+/// on ior. Here c^2 exceeds mu^2 by a ratio of alpha^2 and a line in alpha.
+/// The whole is divided by ggx_norm_i13's form for the light that is lost between facets. A line in alpha
+/// under the root follows that the term changes fast over the lobe where ior is near 1. Fresnel's
+/// term itself for alpha = 0.
 fn ggx_dielectric_50(alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let norm = 1.0 + alpha * (c0 + inverse * (c1 + alpha * (c2 + mu * (c3 + inverse * (c4 + inverse * c5)

@@ -72,7 +72,7 @@ impl Prepared {
         let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
         let domain = self.target.domain()?;
         let (found, safe) = match safe_range {
-            None => (searched(hypothesis, norm, (&samples, &[]), &domain, &Options::new(norm))?, None),
+            None => (patiently(hypothesis, norm, &samples, &domain)?, None),
             Some(safe_range) => {
                 let (found, safe) = keeping(hypothesis, norm, &samples, &domain, safe_range)?;
                 (found, Some(safe))
@@ -147,7 +147,23 @@ impl Prepared {
     }
 }
 
-/// Iterations of a search that must keep something: the longest formulas lie in narrow valleys, and
+/// The best coefficients. Where the iterations are used up, the search goes on from the starting values
+/// alone: those of a fit, as a rule, from which a narrower domain is near.
+fn patiently(
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    samples: &Samples,
+    domain: &Domain,
+) -> Result<Searched, FitStageError> {
+    let usual = Options::new(norm);
+    let within = |options: &Options| searched(hypothesis, norm, (samples, &[]), domain, options);
+    within(&usual).or_else(|error| match error {
+        FitStageError::NotConverged { .. } => within(&Options { starts: 1, iterations: ITERATIONS, ..usual }),
+        error => Err(error),
+    })
+}
+
+/// Iterations of a search that must keep something, or was not done: the longest formulas lie in narrow valleys, and
 /// take some 400 where f0 or the region are not those that their starting values are for.
 const ITERATIONS: u64 = 800;
 

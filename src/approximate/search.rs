@@ -2,7 +2,7 @@
 
 use super::{FitStageError, Runaway};
 use crate::data::Norm;
-use lobefit_fit::{Constraint, FitError, Goal, Options, Samples, Termination, optimise, round_to_f32};
+use lobefit_fit::{Constraint, FitError, Gap, Goal, Options, Samples, Termination, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
 
 /// What a search found: coefficients rounded to f32 and proven regular, under the name of their
@@ -12,6 +12,10 @@ pub(crate) struct Searched {
     pub coefficients: Vec<f32>,
     pub termination: Termination,
 }
+
+/// Part of the error below which what is left to gain is no reason to do without a fit. Its certificate
+/// is measured like any other.
+const LITTLE: f64 = 0.01;
 
 /// Coefficients for a hypothesis within constraints: found, rounded, proven regular.
 pub(crate) fn searched(
@@ -26,7 +30,8 @@ pub(crate) fn searched(
     let fitted = fitted.map_err(|error| {
         prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().map_or(error, FitError::from)
     })?;
-    if !fitted.termination.is_converged() {
+    let little_left = matches!(fitted.gap, Gap::Local(gap) | Gap::Global(gap) if gap < LITTLE);
+    if !fitted.termination.is_converged() && !little_left {
         // A pole that the search ran into says more than how the search ended.
         prove_regular(hypothesis.tape(), &fitted.coefficients, domain)?;
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());

@@ -326,7 +326,7 @@ pub(super) fn answer(made: &Made) -> Answer {
 }
 
 impl Limited {
-    /// The error of a function: of a lookup that of its width.
+    /// The error of a function; for a lookup, the error of its width.
     fn of(&self, name: &str, lookups: &[LookupFunction]) -> Option<f64> {
         let width = lookups.iter().find(|lookup| lookup.function == name).map(|lookup| &lookup.width);
         self.errors.get(width.map_or(name, String::as_str)).copied()
@@ -344,7 +344,7 @@ fn limit(purpose: &mut Purpose, limited: &Limited, lookups: &[LookupFunction]) {
     }
 }
 
-/// Notes it of each call, in place of the error of its certificate.
+/// Puts the error that the scene limits into each call, in place of the certificate's.
 pub(super) fn limit_calls(entries: &mut Entries, limited: &Limited) {
     for call in &mut entries.calls {
         if let Some(max) = limited.of(&call.name, &entries.lookups) {

@@ -7,10 +7,11 @@ use serde::Serialize;
 use super::demand::{Demand, Job, Ranges, hull, merged};
 use super::who::grouped;
 use super::{BakeError, Effect};
-use crate::approximate::Emission;
+use crate::approximate::{Emission, Entry};
 use crate::data::Pick;
 use crate::report::EffectFinding;
 use crate::scene::Scene;
+use lobefit_shade::Hypothesis;
 
 /// One job of an effect, for people and scripts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -97,6 +98,19 @@ impl JobSummary {
             seconds,
             merging: job.merging(),
         }
+    }
+
+    /// Says where no formula is within the budget, of which a call takes so many operations `beside`.
+    pub fn doubting(mut self, job: &Job, own: &[Entry], beside: u32) -> JobSummary {
+        let costs = own.iter().filter_map(|entry| Hypothesis::parse(entry.file, entry.source).ok());
+        let cheapest = costs.map(|formula| formula.tape().cost_ops() + beside).min();
+        if let (Some(cheapest), Some(most)) = (cheapest, job.goals.max_ops)
+            && cheapest > most
+        {
+            self.approximation +=
+                &format!("; no formula has so few: the cheapest takes {cheapest} operations");
+        }
+        self
     }
 }
 

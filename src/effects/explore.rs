@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::BakeError;
 use super::context::Context;
-use super::grid::Grid;
+use super::grid::{self, Grid};
 use super::table::BakedTable;
 use crate::approximate::{Fit, Region, lerp};
 use crate::data::{Channel, Source, Table, TexelFormat};
@@ -206,10 +206,7 @@ impl Exploring<'_> {
             let mu = view(column / (size[0] - 1) as f64, self.region.mu, alpha);
             self.region.push(&mut points, roughness, mu);
         }
-        self.at.iter().fold(points, |points, (input, value)| {
-            let count = points.len();
-            points.with(input, vec![f64::from(*value as f32); count])
-        })
+        grid::at(points, &self.at)
     }
 
     /// Without an approximation, and with each that is emitted; a table where there is none.

@@ -49,13 +49,9 @@ impl Grid {
         Grid::new(region, chosen(region, wanted), grazing(region, COSINES))
     }
 
-    /// The same with inputs that have one value each.
-    pub fn at(mut self, inputs: &[(&'static str, f64)]) -> Grid {
-        for (input, value) in inputs {
-            let count = self.points.len();
-            self.points = self.points.with(input, vec![f64::from(*value as f32); count]);
-        }
-        self
+    /// This grid, with inputs that have one value each.
+    pub fn at(self, inputs: &[(&'static str, f64)]) -> Grid {
+        Grid { points: at(self.points, inputs), ..self }
     }
 
     /// A formula at every point, for one f0.
@@ -118,4 +114,12 @@ pub fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
     } else {
         Ruler { name: "roughness".into(), values }
     }
+}
+
+/// Points with inputs that have one value each.
+pub fn at(points: Points, inputs: &[(&'static str, f64)]) -> Points {
+    inputs.iter().fold(points, |points, (input, value)| {
+        let count = points.len();
+        points.with(input, vec![f64::from(*value as f32); count])
+    })
 }

@@ -1,5 +1,5 @@
-//! Fits of one column of a quantity of alpha and mu, and of at most a few inputs more: all that an
-//! effect needs which a shader answers with formulas alone.
+//! Fits of one column of a quantity over alpha, mu and the inputs of `shown_at`: all that an effect
+//! needs whose shaders call formulas alone.
 
 use std::collections::BTreeMap;
 
@@ -86,7 +86,8 @@ impl ValueFits<'_> {
         let [truth, fit] = self.seconds;
         let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
         let what = format!("{} of {}", self.column, self.of);
-        let fits = jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)));
+        let fits =
+            jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)).doubting(job, self.own, 0));
         let tables = jobs.iter().flat_map(|job| self.table.iter().flat_map(|table| table.expects(job)));
         fits.chain(tables).collect()
     }

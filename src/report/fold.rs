@@ -18,8 +18,8 @@ const LETTER: f64 = 7.8;
 const LONG: f64 = 900.0;
 
 /// Pixels of what stands before the sections and after them, and of a section without its blocks.
-const FRAME: f64 = 380.0;
-const HEAD: f64 = 130.0;
+const FRAME: f64 = 350.0;
+const HEAD: f64 = 115.0;
 
 /// Blocks behind a line that says what they are, and how many.
 pub fn folded(what: &str, blocks: Vec<Block>) -> Block {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::goals::Goals;
 use super::layers::{Base, Sheen};
-use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
+use super::limits::{EXACT_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::value::{Maybe, Text, Word, about, from_file};
@@ -153,7 +153,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         } },
         { "required": ["ior"], "properties": {
             "kind": { "const": "dielectric" },
-            "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": 3.0 },
+            "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": EXACT_IOR },
         } },
         {
             "required": ["ior"],
@@ -244,9 +244,11 @@ impl TryFrom<MaterialFile> for Material {
         if kind == Kind::Glass {
             check_path_tracer(&wants, ior)?;
         }
-        let suits = kind == Kind::Dielectric && lobe == Lobe::Isotropic && ior.is_some_and(|n| n[1] <= 3.0);
+        let suits =
+            kind == Kind::Dielectric && lobe == Lobe::Isotropic && ior.is_some_and(|n| n[1] <= EXACT_IOR);
         if wants.exact_fresnel.is_some() && !suits {
-            let message = "it is of dielectrics with an `ior` of at most 3 and without anisotropy";
+            let message =
+                format!("it is of dielectrics with an `ior` of at most {EXACT_IOR} and without anisotropy");
             return Err(about("wants.exact_fresnel", message));
         }
         let (name, roughness, sheen, base) = (file.name.0, file.roughness.0, file.sheen.0, file.base.0);

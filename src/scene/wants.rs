@@ -28,10 +28,10 @@ pub struct FitWant {
     pub hypotheses: Vec<String>,
 }
 
-/// Wanted fits of E with the exact Fresnel term of a dielectric.
+/// Wanted fits of R with the exact Fresnel term of a dielectric.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExactWant {
-    /// What they must keep; the limit is of the error of E.
+    /// What they must keep; the limit is of the error of R.
     #[serde(flatten)]
     pub goals: Goals,
 }
@@ -43,7 +43,7 @@ pub struct Wants {
     pub tables: Vec<TableWant>,
     /// Fits of the isotropic lobe; never of glass.
     pub fit: Option<FitWant>,
-    /// Fits of E with the exact Fresnel term, of a dielectric with an index of refraction.
+    /// Fits of R with the exact Fresnel term, of a dielectric with an index of refraction.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact_fresnel: Option<ExactWant>,
@@ -56,7 +56,7 @@ pub(super) struct OpenWants {
     exact_fresnel: Option<ExactWant>,
 }
 
-/// What the material wants of its specular lobe: tables, fits, or both. Without `wants`: a table
+/// What the material wants of its specular lobe: at least one of the fields. Without `wants`: a table
 /// and fits, with their defaults; of anisotropic materials and of glass, a table with a third axis.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
@@ -70,7 +70,7 @@ struct WantsFile {
     #[serde(default)]
     fit: Maybe<FitWant>,
     /// Formulas of the lobe's albedo with the exact Fresnel term in place of Schlick's: of a dielectric
-    /// with `ior` and without anisotropy.
+    /// with an `ior` of at most 3 and without anisotropy.
     #[serde(default)]
     exact_fresnel: Maybe<ExactWant>,
     /// Refused: a table is an entry of the list `tables`.
@@ -89,7 +89,7 @@ impl<'de> Deserialize<'de> for Renamed {
     }
 }
 
-/// Fits of the albedo E(roughness, mu, ior) of a dielectric's lobe with the exact Fresnel term.
+/// Fits of the albedo R(roughness, mu, ior) of a dielectric's lobe with the exact Fresnel term.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "ExactFresnel")]
 #[serde(deny_unknown_fields, expecting = "an object that describes fits")]
@@ -97,7 +97,7 @@ struct ExactFile {
     /// Most operations that an emitted fit may take; default: any number.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
-    /// Error of E that at least one emitted fit within `max_ops` must meet, else the bake fails;
+    /// Error of R that at least one emitted fit within `max_ops` must meet, else the bake fails;
     /// default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,

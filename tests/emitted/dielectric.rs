@@ -1,5 +1,5 @@
-//! The effect dielectric: the emitted albedo against the sum over facets of a textbook, in every
-//! language, and beside what engines ship.
+//! The effect dielectric: the emitted albedo in WGSL against the sum over facets of a textbook, the
+//! files of four languages before their compilers, and the formulas beside what engines ship.
 
 use crate::emit_support;
 use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
@@ -8,16 +8,24 @@ use std::sync::LazyLock;
 
 use emit_support::example::{baked, compiled, text};
 use lobefit::bake::Baked;
+use lobefit::data::Smith;
+use lobefit::effects::dielectric::{HYPOTHESES, PUBLISHED};
 use lobefit_shade::Source;
 use lobefit_shade::code::Language;
 
 const SCENE: &str = include_str!("../../examples/coats.json");
 
-static COATS: LazyLock<Baked> = LazyLock::new(|| baked(SCENE));
+/// Every formula over the indices of refraction of the example.
+static COATS: LazyLock<Baked> = LazyLock::new(|| all(SCENE));
+
+/// A scene's bake with every formula.
+fn all(json: &str) -> Baked {
+    baked(&json.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1))
+}
 
 /// R of the lobe: the mean of F G2/G1 over visible normals (Heitz 2018, "Sampling the GGX Distribution
 /// of Visible Normals"), at the points of a lattice.
-fn reflected(alpha: f64, mu: f64, ior: f64, points: usize) -> f64 {
+fn reflected(smith: Smith, [alpha, mu, ior]: [f64; 3], points: usize) -> f64 {
     let sine = (1.0 - mu * mu).sqrt();
     let view = [sine, 0.0, mu];
     let stretched = normalised([alpha * sine, 0.0, mu]);
@@ -36,57 +44,94 @@ fn reflected(alpha: f64, mu: f64, ior: f64, points: usize) -> f64 {
         let cosine = dot(view, h);
         let light = 2.0 * cosine * h[2] - mu;
         if light > 0.0 {
-            sum += fresnel(cosine, ior) * (1.0 + lambda(mu)) / (1.0 + lambda(mu) + lambda(light));
+            let seen = match smith {
+                Smith::Correlated => (1.0 + lambda(mu)) / (1.0 + lambda(mu) + lambda(light)),
+                Smith::Separable => 1.0 / (1.0 + lambda(light)),
+            };
+            sum += fresnel(cosine, ior) * seen;
         }
     }
     sum / points as f64
 }
 
-/// Places of the scene's domain, narrow lobes and grazing views among them.
-fn places() -> Vec<[f64; 3]> {
+/// Places at some indices of refraction, narrow lobes and grazing views among them.
+fn places(iors: &[f64]) -> Vec<[f64; 3]> {
     let mut places = Vec::new();
     for roughness in [0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0] {
         for mu in [0.01, 0.03, 0.08, 0.2, 0.4, 0.7, 1.0] {
-            for ior in [1.1, 1.2, 1.33, 1.5, 1.8, 2.2, 2.5] {
-                places.push([roughness, mu, ior]);
-            }
+            places.extend(iors.iter().map(|&ior| [roughness, mu, ior]));
         }
     }
     places
 }
 
+/// Every formula has a fit, and each emitted one is within its certificate, which is no idle one.
+fn agrees(baked: &Baked, smith: Smith, iors: &[f64]) {
+    let source = Source::parse("lobefit.wgsl", &text(baked, Language::Wgsl)).expect("it parses");
+    let places = places(iors);
+    let truths: Vec<f64> =
+        places.iter().map(|[rough, mu, ior]| reflected(smith, [rough * rough, *mu, *ior], 1 << 12)).collect();
+    let emitted: Vec<_> = baked.fits.iter().filter(|fit| fit.emitted).collect();
+    assert_eq!(emitted.len(), HYPOTHESES.len(), "a formula has no fit");
+    for fit in emitted {
+        let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
+        let tape = source.tape(name, 0).expect("a function");
+        let value = |place: &[f64; 3]| {
+            let of = |input: &String| match input.as_str() {
+                "roughness" => place[0] as f32,
+                "alpha" => (place[0] as f32) * (place[0] as f32),
+                "ior" => place[2] as f32,
+                _ => place[1] as f32,
+            };
+            f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+        };
+        let errors = places.iter().zip(&truths).map(|(place, truth)| (value(place) - truth, place));
+        let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
+        println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
+        assert!(error.abs() <= stated + 5e-4, "{name}: {error} at {place:?}; stated {stated}");
+        assert!(error.abs() > 0.4 * stated, "{name}: {stated} is stated, {error} found");
+    }
+}
+
 #[test]
 fn the_emitted_albedo_is_that_of_the_textbook_within_its_promise() {
-    let source = Source::parse("lobefit.wgsl", &text(&COATS, Language::Wgsl)).expect("it parses");
-    let tape = source.tape("ggx_dielectric_albedo", 0).expect("a function");
-    assert_eq!(tape.inputs(), ["roughness", "n_dot_v", "ior"]);
-    let fit = COATS.fits.iter().find(|fit| fit.emitted).expect("an emitted fit");
-    let stated = fit.approximation.certificate.max_abs;
-    let mut worst = (0.0, [0.0; 3]);
-    for place in places() {
-        let [roughness, mu, ior] = place;
-        let truth = reflected(roughness * roughness, mu, ior, 1 << 12);
-        let error = f64::from(tape.at(&place.map(|x| x as f32), &[])) - truth;
-        worst = if f64::abs(error) > f64::abs(worst.0) { (error, place) } else { worst };
-    }
-    let (error, [roughness, mu, ior]) = worst;
-    println!("largest error {error:.5} at roughness {roughness}, mu {mu}, ior {ior}; stated {stated}");
-    assert!(
-        error.abs() <= stated + 5e-4,
-        "{error} at roughness {roughness}, mu {mu}, ior {ior}; stated {stated}"
-    );
-    assert!(error.abs() > 0.5 * stated, "the statement {stated} is near what is found, {error}");
-    assert!(stated <= 0.015, "the scene's limit");
+    agrees(&COATS, Smith::Correlated, &[1.1, 1.2, 1.33, 1.5, 1.8, 2.2, 2.5]);
+}
+
+/// Of one coat that is smooth in part, and with the other shadowing.
+#[test]
+fn one_index_of_refraction_has_every_formula() {
+    let scene = |head: &str| {
+        let head = format!("{{ {head} \"schema_version\": 1, \"languages\": [\"wgsl\"], \"materials\": [");
+        head + r#"{ "name": "coat", "kind": "dielectric", "ior": 1.5, "roughness": [0, 1], "wants": { "exact_fresnel": {} } }] }"#
+    };
+    agrees(&all(&scene("")), Smith::Correlated, &[1.3, 1.5, 1.7]);
+    agrees(&all(&scene("\"smith\": \"separable\",")), Smith::Separable, &[1.3, 1.5, 1.7]);
 }
 
 #[test]
 fn the_sum_over_facets_settles_and_ends_in_fresnel() {
-    for [roughness, mu, ior] in places() {
+    for [roughness, mu, ior] in places(&[1.1, 1.33, 1.8, 2.5]) {
+        let at = |alpha: f64, points: usize| reflected(Smith::Correlated, [alpha, mu, ior], points);
         let alpha = roughness * roughness;
-        let (coarse, fine) = (reflected(alpha, mu, ior, 1 << 11), reflected(alpha, mu, ior, 1 << 12));
+        let (coarse, fine) = (at(alpha, 1 << 11), at(alpha, 1 << 12));
         assert!((coarse - fine).abs() < 5e-4, "{roughness} {mu} {ior}: {coarse} {fine}");
-        let smooth = reflected(1e-5, mu, ior, 256);
+        let smooth = at(1e-5, 256);
         assert!((smooth - fresnel(mu, ior)).abs() < 1e-4, "{mu} {ior}: {smooth}");
+    }
+}
+
+/// Below the narrowest certified lobe the formulas run into Fresnel's term.
+#[test]
+fn narrower_lobes_are_as_near() {
+    let source = Source::parse("lobefit.wgsl", &text(&COATS, Language::Wgsl)).expect("it parses");
+    let tape = source.tape("ggx_dielectric_50", 0).expect("a function");
+    for roughness in [0.0_f64, 0.005, 0.01, 0.015] {
+        for [_, mu, ior] in places(&[1.1, 1.5, 2.5]) {
+            let truth = reflected(Smith::Correlated, [(roughness * roughness).max(1e-7), mu, ior], 1 << 10);
+            let found = f64::from(tape.at(&[(roughness * roughness) as f32, mu as f32, ior as f32], &[]));
+            assert!((found - truth).abs() < 0.015, "{roughness} {mu} {ior}: {found} {truth}");
+        }
     }
 }
 
@@ -95,13 +140,12 @@ fn compilers_take_the_files() {
     compiled(&COATS);
 }
 
-/// The table of docs/scene.md, every formula over the indices of refraction of the scene.
+/// The table of docs/scene.md.
 #[test]
 fn ours_beat_what_engines_ship() {
-    let all = baked(&SCENE.replacen('{', r#"{ "pick": "all", "languages": ["wgsl"], "reports": false,"#, 1));
     let page = include_str!("../../docs/scene.md");
     let (mut ours, mut theirs) = (f64::INFINITY, f64::INFINITY);
-    for fit in &all.fits {
+    for fit in &COATS.fits {
         let a = &fit.approximation;
         let (ops, error) = (a.cost.ops, a.certificate.max_abs);
         let row = format!("| `{}` | {ops} | {} |", a.name, lobefit_shade::round_up(error, 4));
@@ -109,6 +153,8 @@ fn ours_beat_what_engines_ship() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
-    assert_eq!(all.fits.len(), 8);
+    assert_eq!(COATS.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.1 * theirs, "{ours} {theirs}");
+    // The scene's limit is that of the most accurate.
+    assert!(SCENE.contains("\"max_error\": 0.015") && ours <= 0.015, "{ours}");
 }

@@ -1,5 +1,6 @@
-/// Published: MaterialX, mx_microfacet_specular.glsl, mx_ggx_dir_albedo_analytic, as its dielectric takes it: f0 R1/R3 + R2/R4, each
-/// biquadratic in mu and alpha, f0 from the index of refraction. Takes alpha, though newer versions name it roughness. Meant for the height-correlated Smith form.
+/// Published: MaterialX, mx_microfacet_specular.glsl, mx_ggx_dir_albedo_analytic, as its dielectric takes it:
+/// f0 R1/R3 + R2/R4, each biquadratic in mu and alpha, f0 from the index of refraction. Meant for the
+/// height-correlated Smith form.
 fn ggx_dielectric_materialx(alpha: f32, mu: f32, ior: f32) -> f32 {
     let root = (ior - 1.0) / (ior + 1.0);
     let f0 = root * root;

@@ -84,7 +84,8 @@ impl Effect for DiffuseCoupling {
             let specular = specular(scene, job)?;
             let fits = hypotheses(specular).len() * job.goals.norms.len();
             let of = format!("the coupling factor under a {} lobe", specular.name());
-            Some(JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S))
+            let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
+            Some(summary.doubting(job, hypotheses(specular), 0))
         };
         jobs.iter().filter_map(summary).collect()
     }

@@ -5,11 +5,12 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::value::ValueFits;
-use super::who::{about, reasons, rough, stay_smooth};
-use super::{BakeError, Called, Effect, JobSummary, Made};
+use super::who::{about, named, reasons, rough, verb};
+use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
 use crate::data::Use;
+use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Kind, Material, Scene};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{GgxGlass, Quantity};
@@ -29,11 +30,16 @@ pub const PUBLISHED: [Entry; 4] = published![
     "ggx_dielectric_materialx" by "MaterialX, mx_ggx_dir_albedo_analytic",
 ];
 
-/// Narrowest range of the index of refraction of a job.
-const IOR_WIDTH_MIN: f64 = 0.05;
+/// Narrowest range of the index of refraction of a job: over less, constants are hardly told apart.
+const IOR_WIDTH_MIN: f64 = 0.4;
 
-/// Where the truth is quick: the domain of its table.
-const IOR: [f64; 2] = [1.0, 3.0];
+/// Least alpha of a job. For narrower lobes, which are near Fresnel's own term, every value of the truth
+/// is an integral of its own.
+const ALPHA_MIN: f64 = 4e-4;
+
+/// Least cosine of which the truth is quick, and seconds of the truth with smaller ones.
+const MU_QUICK: f64 = 2e-4;
+const SLOW_S: f64 = 60.0;
 
 const FITS: ValueFits = ValueFits {
     quantity: &GgxGlass,
@@ -61,8 +67,13 @@ impl Effect for Dielectric {
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
         let demand = |(of, material, range): (usize, &Material, [f64; 2])| {
             let (want, ior) = (material.wants.exact_fresnel.as_ref()?, material.ior?);
+            let least = scene.alpha.roughness(ALPHA_MIN);
+            if range[1] < least {
+                return None;
+            }
+            let range = [range[0].max(least), range[1]];
             let mut demand = FITS.demand(scene, of, range, want.goals.clone());
-            demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, IOR));
+            demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
             Some(demand)
         };
         rough(scene).filter_map(demand).collect()
@@ -75,13 +86,19 @@ impl Effect for Dielectric {
         if smooth.is_empty() && others.is_empty() {
             return "no material is a dielectric".into();
         }
-        reasons([about(&smooth, stay_smooth)]).unwrap_or_else(|| {
+        let near = |m: &[&Material]| {
+            let (named, stay) = (named(m), verb(m, "stay"));
+            format!("{named} {stay} below alpha {ALPHA_MIN}, where the lobe is near Fresnel's own term")
+        };
+        reasons([about(&smooth, near)]).unwrap_or_else(|| {
             "no dielectric wants `exact_fresnel`; with Schlick's term it is of `reflection`".into()
         })
     }
 
-    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        let [truth, fit] = FITS.seconds;
+        let truth = if scene.mu[0] < MU_QUICK { SLOW_S } else { truth };
+        ValueFits { seconds: [truth, fit], ..FITS }.expects(jobs)
     }
 
     fn formulas(&self) -> Vec<&'static Entry> {
@@ -99,12 +116,17 @@ impl Effect for Dielectric {
         &[FITS.role]
     }
 
+    fn lobe(&self, scene: &Scene) -> String {
+        ggx(scene)
+    }
+
     fn notes(&self) -> &'static [Note] {
         &[(
             &[FITS.role],
             &[
-                "`ggx_dielectric_albedo` is R of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside. What lies",
-                "below is dimmed by no more than 1 - R; of that, what is lost between facets belongs to neither.",
+                "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
+                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R and reaches neither. Pass an ior",
+                "within the stated domain.",
             ],
         )]
     }

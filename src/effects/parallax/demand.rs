@@ -121,7 +121,8 @@ pub(super) fn summary(scene: &Scene, job: &Job) -> Option<JobSummary> {
     };
     let of = format!("the width of a fetch from a {} chain", lobe.kernel.name());
     let fits = HYPOTHESES.len() * job.goals.norms.len() + PUBLISHED.len();
-    let mut summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
+    let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
+    let mut summary = summary.doubting(job, &HYPOTHESES, 0);
     summary.recommended = Some("the most accurate".into());
     summary.approximation += &format!("{chains}{lookups}{fitted}");
     Some(summary)

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::table::Dfg;
 use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
+use crate::data::{AlphaMap, Smith};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
@@ -46,7 +47,7 @@ pub const NORMALISATION: &str = "ggx_energy_compensation";
 const FITS: &str = "normalisation";
 
 /// Operations and error of the normalisations that none beats in both, over roughness 0.02 to 1 and
-/// mu from 0.01. Over a part of the domain each errs by less.
+/// mu from 0.01, with correlated Smith and alpha = roughness^2.
 pub const REACHED: [(u32, f64); 17] = [
     (1, 0.513),
     (2, 0.254),
@@ -136,7 +137,7 @@ pub(super) fn left_out(scene: &Scene) -> String {
     if rough.is_empty() {
         return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
     }
-    // What is rough and wants neither table nor fits is anisotropic, glass or a dielectric with the exact term.
+    // What is rough and wants neither table nor fits is anisotropic, glass, or has the exact term.
     let (glass, others): (Vec<&Material>, Vec<&Material>) =
         rough.into_iter().partition(|m| m.lobe() == Lobe::Glass);
     let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
@@ -216,27 +217,35 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
         (false, false) => "",
     };
     let summary = JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants));
-    let doubt = if wants.hypotheses.is_empty() { doubt(job, wants.coloured) } else { None };
-    let doubt = doubt.unwrap_or_default();
+    if !wants.hypotheses.is_empty() {
+        return summary;
+    }
+    // A text that does not parse is a defect, which the bake names.
+    let beside = if wants.coloured { compensation::coloured_ops().unwrap_or(0) } else { 0 };
+    let doubt = doubt(scene, job, beside).unwrap_or_default();
+    let summary = summary.doubting(job, &NORMALISATIONS, beside);
     JobSummary { approximation: summary.approximation + &doubt, ..summary }
 }
 
-/// What stands against the goals of a job of normalisations, as far as the operations and the errors
-/// [`REACHED`] say it. `bake` knows: it fits them over the job's own region.
-fn doubt(job: &Job, coloured: bool) -> Option<String> {
-    let beside = if coloured { compensation::coloured_ops().ok()? } else { 0 };
+/// What the errors [`REACHED`] say against the goals of a job of normalisations in their domain: what is
+/// reached within the budget, and which budget reaches the limit. `bake` knows: it fits them over the
+/// job's own region.
+fn doubt(scene: &Scene, job: &Job, beside: u32) -> Option<String> {
+    let [roughness, mu] = [job.range("roughness").ok()?, job.range("mu").ok()?];
+    let is_known = scene.smith == Smith::Correlated && scene.alpha == AlphaMap::RoughnessSquared;
+    if !is_known || roughness[0] < 0.02 || mu[0] < 0.01 {
+        return None;
+    }
     let most = job.goals.max_ops.unwrap_or(u32::MAX);
-    let [(cheapest, _), ..] = REACHED;
-    let Some((ops, least)) = REACHED.iter().rfind(|(ops, _)| ops + beside <= most) else {
-        return Some(format!("; no formula has so few: the cheapest takes {} operations", cheapest + beside));
-    };
+    let (ops, least) = REACHED.iter().rfind(|(ops, _)| ops + beside <= most)?;
     let limit = job.goals.max_error.filter(|limit| limit < least)?;
     let keeps = REACHED.iter().find(|(_, error)| *error <= limit);
-    let instead = keeps.map_or("`bake` ends with the table that does".into(), |(ops, _)| {
-        format!("{} operations keep it", ops + beside)
-    });
+    let instead = keeps
+        .map_or(", and no formula less: `bake` ends with the table that keeps it".into(), |(ops, error)| {
+            format!(", {} reach {error}", ops + beside)
+        });
     Some(format!(
-        "; max_error {limit} is below the {least} that {} operations have over roughness 0.02 to 1: if not here, {instead}",
+        "; max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
         ops + beside
     ))
 }
@@ -278,7 +287,6 @@ fn fit_seconds(job: &Job, wants: &FitJob) -> f64 {
 mod tests {
     use super::*;
     use crate::approximate::{Region, certification};
-    use crate::data::AlphaMap;
 
     #[test]
     fn the_counts_are_those_of_the_program() {

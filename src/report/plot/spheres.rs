@@ -75,7 +75,7 @@ impl Figure for Spheres<'_> {
         let cells = Cells {
             frame: hover::corners(frame),
             rows: self.rows.iter().map(|row| row.name.clone()).collect(),
-            columns: self.columns.iter().map(|&value| numbers::place(value)).collect(),
+            columns: self.columns.iter().map(|&value| numbers::brief(value, 2)).collect(),
             name: self.column_name.clone(),
             unit: self.unit.clone(),
             radius: Some(RADIUS),

@@ -179,16 +179,16 @@ fn forms<'a>(offer: &Offer, function: &'a str, manifest: &'a Manifest) -> Vec<&'
 /// lines of all forms: where they are declared, with which parameters, and of a table what to load.
 fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
     let mut found: Vec<(Language, Lines)> = Vec::new();
-    let then = compensating(forms, drawn.manifest).map(|name| (name, "then, e = value"));
+    let then = compensating(forms, drawn.manifest);
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
         let text = String::from_utf8_lossy(text);
         let mut calls: Vec<Lines> = Vec::new();
-        for (function, label) in forms.iter().map(|form| (*form, "or, for one channel")).chain(then) {
+        for function in forms {
             let Some(Called { call, parameters }) = call(&text, function) else { continue };
             let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
-            let file = if calls.is_empty() { include.file.as_str() } else { label };
+            let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
             let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             // Of two calls the second is a comment, so that what is copied compiles.
@@ -200,7 +200,11 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             calls.push((call.clone(), comment(language.comment(), &lines) + &line));
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
-        let code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
+        let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
+        let then = then.and_then(|name| crate::emit::include::call(&text, name));
+        code.extend(
+            then.map(|then| comment(language.comment(), &[format!("then, e = value: {}", then.call)])),
+        );
         found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);

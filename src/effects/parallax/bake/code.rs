@@ -11,6 +11,7 @@ use crate::effects::parallax::probe;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
+use lobefit_shade::round_up;
 
 /// The text of all lobes; empty where nothing is emitted.
 pub(super) fn in_language(language: Language, lobes: &[Lobe]) -> Result<String, BakeError> {
@@ -63,8 +64,8 @@ fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
 }
 
 pub(super) fn total(where_: &str, spread: &Spread, least: &Spread) -> String {
-    let [mean, max, least_mean, least_max] =
-        [spread.mean, spread.max, least.mean, least.max].map(header::short);
+    let largest = round_up(spread.max, 4);
+    let [mean, max, least_mean, least_max] = [spread.mean, largest, least.mean, least.max].map(header::short);
     format!(
         "total variation, {where_}: mean {mean}, max {max}; the best width leaves {least_mean}, {least_max}"
     )

@@ -86,7 +86,9 @@ pub fn glass(
 pub(super) fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
     let refuse =
         |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
-    if !(alpha == 0.0 || (ALPHA[0]..=ALPHA[1]).contains(&alpha)) {
+    // A roughness rounded to f32 may make an alpha just below the least.
+    let least = ALPHA[0] * (1.0 - 1e-6);
+    if !(alpha == 0.0 || (least..=ALPHA[1]).contains(&alpha)) {
         return refuse("alpha", alpha, "is neither 0 nor in [1e-4, 1]");
     }
     if !(SMALLEST_MU..=1.0).contains(&mu) {
