@@ -1,5 +1,6 @@
 //! The effect dielectric: the emitted albedo in WGSL against the sum over facets of a textbook, the
 //! files of four languages before their compilers, and the formulas beside what engines ship.
+#![allow(clippy::disallowed_methods)]
 
 use crate::emit_support;
 use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
