@@ -58,12 +58,13 @@ impl Prepared {
         Ok(Prepared { target, even, edged, measured })
     }
 
-    /// A formula's best coefficients in a norm, proven and measured.
+    /// A formula's best coefficients in a norm, proven and measured. Of ours a search goes on for
+    /// longer, since its starting values are a fit's.
     pub fn fit(
         &self,
         hypothesis: &Hypothesis,
         norm: Norm,
-        safe_range: Option<&SafeRange>,
+        (safe_range, is_ours): (Option<&SafeRange>, bool),
     ) -> Result<Fit, FitStageError> {
         let sampled = match norm {
             Norm::Max => &self.edged,
@@ -72,7 +73,8 @@ impl Prepared {
         let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
         let domain = self.target.domain()?;
         let (found, safe) = match safe_range {
-            None => (patiently(hypothesis, norm, &samples, &domain)?, None),
+            None if is_ours => (patiently(hypothesis, norm, &samples, &domain)?, None),
+            None => (searched(hypothesis, norm, (&samples, &[]), &domain, (&Options::new(norm), 0.0))?, None),
             Some(safe_range) => {
                 let (found, safe) = keeping(hypothesis, norm, &samples, &domain, safe_range)?;
                 (found, Some(safe))
@@ -147,8 +149,12 @@ impl Prepared {
     }
 }
 
-/// The best coefficients. Where the iterations are used up, the search goes on from the starting values
-/// alone: those of a fit, as a rule, from which a narrower domain is near.
+/// Part of the error below which what is left to gain is no reason to do without a fit. Its certificate
+/// is measured like any other.
+const LITTLE: f64 = 0.01;
+
+/// The best coefficients of a formula of ours. Where no search ends at a minimum, one goes on from the
+/// starting values alone, from which a narrower domain is near, and may end with little left to gain.
 fn patiently(
     hypothesis: &Hypothesis,
     norm: Norm,
@@ -156,15 +162,18 @@ fn patiently(
     domain: &Domain,
 ) -> Result<Searched, FitStageError> {
     let usual = Options::new(norm);
-    let within = |options: &Options| searched(hypothesis, norm, (samples, &[]), domain, options);
-    within(&usual).or_else(|error| match error {
-        FitStageError::NotConverged { .. } => within(&Options { starts: 1, iterations: ITERATIONS, ..usual }),
+    let within =
+        |options: &Options, near: f64| searched(hypothesis, norm, (samples, &[]), domain, (options, near));
+    within(&usual, 0.0).or_else(|error| match error {
+        FitStageError::NotConverged { .. } => {
+            within(&Options { starts: 1, iterations: ITERATIONS, ..usual }, LITTLE)
+        }
         error => Err(error),
     })
 }
 
-/// Iterations of a search that must keep something, or was not done: the longest formulas lie in narrow valleys, and
-/// take some 400 where f0 or the region are not those that their starting values are for.
+/// Iterations of a search that must keep something, or did not end: the longest formulas lie in narrow
+/// valleys, and take some 400 where f0 or the region are not those that their starting values are for.
 const ITERATIONS: u64 = 800;
 
 /// The best coefficients, if they keep what they must; else the best of those that do.
@@ -183,7 +192,7 @@ fn keeping(
     let usual = Options::new(norm);
     let alone = Options { starts: 1, iterations: ITERATIONS, ..usual };
     let within = |constraints: &[Constraint], options| {
-        searched(hypothesis, norm, (samples, constraints), domain, options)
+        searched(hypothesis, norm, (samples, constraints), domain, (options, 0.0))
     };
     let free = within(&[], &alone).or_else(|_| within(&[], &usual))?;
     if let SafeProof::Proven(safe) = safe_range.prove(hypothesis, &free.coefficients)? {

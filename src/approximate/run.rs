@@ -179,7 +179,8 @@ impl<'a> Stage<'a> {
         let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
         let fit = |(h, norm): &Job| {
             let price = self.wanted.emission.price(h)?;
-            Ok(Fit { price, ..self.of(h)?.fit(h, *norm, self.wanted.safe_range.as_ref())? })
+            let is_ours = self.wanted.own.iter().any(|entry| entry.file == h.file());
+            Ok(Fit { price, ..self.of(h)?.fit(h, *norm, (self.wanted.safe_range.as_ref(), is_ours))? })
         };
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
@@ -240,7 +241,7 @@ impl<'a> Stage<'a> {
                 Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
             };
             let prepared = own.as_ref().map_or_else(|| self.of(h), Ok)?;
-            let fit = match prepared.fit(h, Norm::Max, safe_range.as_ref()) {
+            let fit = match prepared.fit(h, Norm::Max, (safe_range.as_ref(), true)) {
                 Ok(fit) => fit,
                 // A formula without a fit in this domain is passed over, as it is within a budget.
                 Err(error) if is_unreliable(&error) => continue,

@@ -13,25 +13,22 @@ pub(crate) struct Searched {
     pub termination: Termination,
 }
 
-/// Part of the error below which what is left to gain is no reason to do without a fit. Its certificate
-/// is measured like any other.
-const LITTLE: f64 = 0.01;
-
-/// Coefficients for a hypothesis within constraints: found, rounded, proven regular.
+/// Coefficients for a hypothesis within constraints: found, rounded, proven regular. They are a minimum,
+/// or less than the part `near` of the error is left to gain.
 pub(crate) fn searched(
     hypothesis: &Hypothesis,
     norm: Norm,
     (samples, constraints): (&Samples, &[Constraint]),
     domain: &Domain,
-    options: &Options,
+    (options, near): (&Options, f64),
 ) -> Result<Searched, FitStageError> {
     let fitted = optimise(hypothesis, samples, constraints, options);
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
         prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().map_or(error, FitError::from)
     })?;
-    let little_left = matches!(fitted.gap, Gap::Local(gap) | Gap::Global(gap) if gap < LITTLE);
-    if !fitted.termination.is_converged() && !little_left {
+    let is_near = matches!(fitted.gap, Gap::Local(gap) | Gap::Global(gap) if gap < near);
+    if !fitted.termination.is_converged() && !is_near {
         // A pole that the search ran into says more than how the search ended.
         prove_regular(hypothesis.tape(), &fitted.coefficients, domain)?;
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());

@@ -98,7 +98,7 @@ fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
     let conclusion = answer["conclusion"].as_str().ok_or("no conclusion")?;
     let measured = manifest["effects"][0]["measured_error"].as_f64().ok_or("no error")?;
     let limited = answer["purposes"][0]["choices"][0]["limited"].as_f64().ok_or("no limited error")?;
-    assert!((limited - measured).abs() < 1e-9, "{limited} and {measured}");
+    assert_eq!(limited, lobefit_shade::round_up(measured, 4), "of {measured}");
     assert!(conclusion.contains("a fetch, total variation at most 0."), "{conclusion}");
     assert!(!conclusion.contains("adjusted alpha"), "{conclusion}");
     let choices = answer["purposes"][0]["choices"].as_array().ok_or("no choices")?;

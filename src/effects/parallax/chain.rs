@@ -161,7 +161,8 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let columns = inputs.map(|input| cells.iter().map(|cell| f64::from(input(cell) as f32)).collect());
     let samples =
         Samples { inputs: columns.to_vec(), scale: vec![1.0; target.len()], target: target.clone() };
-    let found = searched(&hypothesis, Norm::Max, (&samples, &[]), &domain(grid)?, &Options::new(Norm::Max))?;
+    let found =
+        searched(&hypothesis, Norm::Max, (&samples, &[]), &domain(grid)?, (&Options::new(Norm::Max), 0.0))?;
     let single: Vec<Vec<f32>> =
         samples.inputs.iter().map(|column| column.iter().map(|x| *x as f32).collect()).collect();
     let values = found.hypothesis.tape().evaluate(&single, &found.coefficients)?;
