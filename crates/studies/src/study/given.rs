@@ -25,7 +25,7 @@ impl Given<'_> {
         Ok(Given { file, bytes, scene })
     }
 
-    /// The file as it was given; the folder of the study is named after [`stem`].
+    /// The file as it was given; the folder of the study is named after its stem.
     ///
     /// # Errors
     /// A name that no folder can have on every system, or of which nothing stands before `.json`.
