@@ -110,7 +110,8 @@ fn on(set: &Set, (starts, frames): Shots, passes: &[Passes]) -> Vec<OfPasses> {
     let shots: Vec<_> =
         PATHS.into_iter().flat_map(|path| starts.iter().map(move |start| (path, *start))).collect();
     let one = |(path, start): &(CameraPath, usize)| {
-        let film = set.film(set.shot(*path, *start, 1.0), &[2]);
+        // The scene says how fine its depth is, whatever else is tried.
+        let film = set.film(set.shot(*path, *start, 1.0), &[passes[0].fineness()]);
         let span = Span { frames, ..set.span(set.culling.latency as usize) };
         measured(&film, &span, passes)
     };

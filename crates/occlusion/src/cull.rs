@@ -60,12 +60,11 @@ impl Footprint {
         let mut farthest = 0.0_f32;
         for y in self.rows[0]..=self.rows[1] {
             let row = &depth.texels[y * depth.size[0]..][self.columns[0]..=self.columns[1]];
-            for &z in row {
-                // Written so that what is not a number hides nothing.
-                if !(z >= 0.0 && z < self.nearest) {
-                    return 0.0;
-                }
-                farthest = farthest.max(z);
+            farthest = f32::from_bits(row.iter().fold(farthest.to_bits(), |far, z| far.max(z.to_bits())));
+            // Empty texels and what is not a number have the largest bits: written so that they hide
+            // nothing.
+            if !(farthest >= 0.0 && farthest < self.nearest) {
+                return 0.0;
             }
         }
         self.nearest / farthest - 1.0

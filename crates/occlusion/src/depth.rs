@@ -85,21 +85,27 @@ impl Depth {
     /// stands in front of its neighbours too.
     pub fn eroded(&self, radius: usize) -> Depth {
         let [width, height] = self.size;
-        let worst = |far: f32, z: &f32| if far == EMPTY || *z == EMPTY { EMPTY } else { far.max(*z) };
-        // The farthest of each row's stretch, then of each column's.
-        let mut rows = Depth { size: self.size, texels: Vec::with_capacity(self.texels.len()) };
-        for row in self.texels.chunks(width) {
-            let stretch = |x: usize| &row[x.saturating_sub(radius)..(x + radius + 1).min(width)];
-            rows.texels.extend((0..width).map(|x| stretch(x).iter().fold(0.0, worst)));
-        }
-        let mut out = rows.clone();
-        for y in 0..height {
-            for other in y.saturating_sub(radius)..(y + radius + 1).min(height) {
-                let (own, other) =
-                    (&mut out.texels[y * width..][..width], &rows.texels[other * width..][..width]);
-                own.iter_mut().zip(other).for_each(|(far, z)| *far = worst(*far, z));
+        // Along rows, then along columns; over neighbours that all texels have at the same distance.
+        let mut rows = self.clone();
+        for (row, own) in rows.texels.chunks_mut(width).zip(self.texels.chunks(width)) {
+            for step in 1..=radius.min(width - 1) {
+                worsen(&mut row[step..], own);
+                worsen(row, &own[step..]);
             }
         }
+        let mut out = rows.clone();
+        for step in 1..=radius.min(height - 1) {
+            worsen(&mut out.texels[step * width..], &rows.texels);
+            worsen(&mut out.texels, &rows.texels[step * width..]);
+        }
         out
+    }
+}
+
+/// Replaces texels by what is farther, or empty. Bits of depths, which are positive, have their order,
+/// and those of [`EMPTY`], which is not, come last.
+fn worsen(texels: &mut [f32], others: &[f32]) {
+    for (texel, other) in texels.iter_mut().zip(others) {
+        *texel = f32::from_bits(texel.to_bits().max(other.to_bits()));
     }
 }

@@ -80,7 +80,7 @@ impl<'a> Film<'a> {
             };
             (times, cameras.par_iter().enumerate().map(one).collect())
         };
-        let fine = fineness.iter().map(|times| at(*times)).collect();
+        let fine = fineness.iter().filter(|times| **times > 1).map(|times| at(*times)).collect();
         Film { site, size, cameras, depth, fine }
     }
 

@@ -65,7 +65,7 @@ impl Grid {
     /// Sets the sub-voxel of a place, in which its lower borders lie; nothing outside of the grid.
     /// Whether it was set.
     pub fn set(&mut self, place: Place) -> bool {
-        let at = [0, 1, 2].map(|k| ((place[k] - self.low[k]) / self.side[k]).floor());
+        let at = [0, 1, 2].map(|k| (place[k] - self.low[k]) / self.side[k]);
         // Written so that what is not a number is outside.
         if !(0..3).all(|k| at[k] >= 0.0 && at[k] < (4 * self.supers[k]) as f32) {
             return false;
@@ -150,7 +150,7 @@ fn square(camera: &Camera, place: Place, side: f32, out: &mut Depth) -> u64 {
     let ends = |k: usize| {
         let end = |x: f32| (x.max(0.0) as usize).min(out.size[k]);
         // The texels whose centres lie inside, or else the one that the place is in.
-        let [first, last] = [end((pixel[k] - half + 0.5).floor()), end((pixel[k] + half + 0.5).floor())];
+        let [first, last] = [end(pixel[k] - half + 0.5), end(pixel[k] + half + 0.5)];
         let own = pixel[k].max(0.0) as usize;
         if first < last || pixel[k] < 0.0 {
             (first, last)

@@ -242,27 +242,25 @@ pub fn measured(film: &Film, span: &Span, passes: &[Passes]) -> Vec<Measured> {
         let (camera, truth) = (&film.cameras[frame], &film.depth[frame]);
         let tested: Vec<Tested> =
             film.site.objects.iter().filter_map(|cuboid| Tested::new(cuboid, camera, truth)).collect();
-        // Passes that differ by the erosion alone, and stand side by side, share the buffer before it.
-        let before = |passes: &Passes| Passes { erosion: 0, ..*passes };
-        let one = |(shared, sums): (&[Passes], &mut [Measured])| {
-            let first = before(&shared[0]);
+        // Passes that differ at their end alone share the buffer before it.
+        let before = |passes: &Passes| Passes { dilation: 0, erosion: 0, ..*passes };
+        let one = |shared: Vec<(&Passes, &mut Measured)>| {
+            let first = before(shared[0].0);
             let depth = film.fine(first.fineness(), late);
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
             let (buffer, mut work, _) = first.run(late, camera, film.size);
             work.accumulate = if first.voxels.is_some() { arrived } else { 0 };
-            for (passes, sum) in shared.iter().zip(sums) {
-                let (eroded, touched) = passes.erode(&buffer);
-                let work = Work { dilation: work.dilation + touched, ..work };
-                sum.add((&eroded, work), (truth, camera), &tested);
+            for (passes, sum) in shared {
+                let (buffer, touched) = passes.finished(&buffer);
+                sum.add((&buffer, Work { dilation: touched, ..work }), (truth, camera), &tested);
             }
         };
-        let mut rest = all.as_mut_slice();
-        let shared = passes.chunk_by(|a, b| before(a) == before(b));
-        let mut groups = Vec::new();
-        for shared in shared {
-            let (sums, others) = rest.split_at_mut(shared.len());
-            groups.push((shared, sums));
-            rest = others;
+        let mut groups: Vec<Vec<(&Passes, &mut Measured)>> = Vec::new();
+        for each in passes.iter().zip(&mut all) {
+            match groups.iter_mut().find(|group| before(group[0].0) == before(each.0)) {
+                Some(group) => group.push(each),
+                None => groups.push(vec![each]),
+            }
         }
         groups.into_par_iter().for_each(one);
     }

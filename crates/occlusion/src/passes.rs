@@ -128,23 +128,23 @@ impl Passes {
                 timed(&mut work.median, &mut seconds.median, &mut || out.median(self.median));
             }
         }
-        if self.dilation > 0 {
-            timed(&mut work.dilation, &mut seconds.dilation, &mut || out.dilation(self.dilation));
-        }
-        if self.erosion > 0 {
-            timed(&mut work.dilation, &mut seconds.dilation, &mut || {
-                let touched;
-                (out, touched) = self.erode(&out);
-                touched
-            });
-        }
+        timed(&mut work.dilation, &mut seconds.dilation, &mut || {
+            let touched;
+            (out, touched) = self.finished(&out);
+            touched
+        });
         (out, work, seconds)
     }
 
-    /// The erosion of a buffer that the other passes made, with the texels touched.
-    pub fn erode(&self, buffer: &Depth) -> (Depth, u64) {
-        // By rows, then by columns.
-        let each = if self.erosion > 0 { 2 * (2 * self.erosion + 1) } else { 0 };
-        (buffer.eroded(self.erosion), (buffer.texels.len() * each) as u64)
+    /// The dilation and the erosion of a buffer that the other passes made, with the texels touched.
+    pub fn finished(&self, buffer: &Depth) -> (Depth, u64) {
+        let mut out = buffer.clone();
+        let mut touched = if self.dilation > 0 { out.dilation(self.dilation) } else { 0 };
+        if self.erosion > 0 {
+            out = out.eroded(self.erosion);
+            // By rows, then by columns.
+            touched += (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64;
+        }
+        (out, touched)
     }
 }

@@ -102,9 +102,14 @@ fn span(polygon: &Polygon, row: usize, width: usize) -> (usize, usize) {
             (low, high) = (low.min(x), high.max(x));
         }
     }
-    // A cast of what is below 0 or too large is the nearest end.
-    let column = |x: f32| ((x - 0.5).ceil().max(0.0) as usize).min(width);
-    (column(low), column(high))
+    (first(low, width), first(high, width))
+}
+
+/// The first pixel along an axis whose centre is no less; the nearest end where none is inside.
+fn first(x: f32, count: usize) -> usize {
+    let x = (x - 0.5).max(0.0).min(count as f32);
+    let below = x as usize;
+    below + usize::from((below as f32) < x)
 }
 
 /// Calls `draw` for each row of a polygon: row, columns, 1/z at the first column and its step;
@@ -117,12 +122,11 @@ fn scan(
 ) {
     let all = &polygon.points[..polygon.count];
     let rows = all.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), p| (l.min(p[1]), h.max(p[1])));
-    let row = |y: f32| ((y - 0.5).ceil().max(0.0) as usize).min(size[1]);
-    for y in row(rows.0)..row(rows.1) {
-        let (first, last) = span(polygon, y, size[0]);
-        if first < last {
-            let start = inverse[0] + inverse[2] * (y as f32 + 0.5) + inverse[1] * (first as f32 + 0.5);
-            draw(y, (first, last), [start, inverse[1]]);
+    for y in first(rows.0, size[1])..first(rows.1, size[1]) {
+        let (left, right) = span(polygon, y, size[0]);
+        if left < right {
+            let start = inverse[0] + inverse[2] * (y as f32 + 0.5) + inverse[1] * (left as f32 + 0.5);
+            draw(y, (left, right), [start, inverse[1]]);
         }
     }
 }
