@@ -8,10 +8,10 @@ override c3: f32 = 3.1635377;
 override c4: f32 = 0.4540241;
 
 /// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Thirty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
-/// on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at grazing.
-/// The whole is divided by ggx_norm_i10's form for the light that is lost between facets. Fresnel's
-/// term itself for alpha = 0.
+/// Thirty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does
+/// not depend on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at
+/// grazing. The whole is divided by ggx_norm_i10's form for the light that is lost between facets.
+/// Fresnel's term itself for alpha = 0.
 fn ggx_dielectric_37(roughness: f32, alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let layer = inverse * (c3 + c4 * inverse);

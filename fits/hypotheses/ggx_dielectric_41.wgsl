@@ -12,11 +12,11 @@ override c6: f32 = -12.32126;
 override c7: f32 = 17.018293;
 
 /// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Forty-one operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
-/// on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at grazing.
-/// The whole is divided by ggx_norm_i13's form for the light that is lost between facets. A line in alpha
-/// under the root follows that the term changes fast over the lobe where ior is near 1. Fresnel's
-/// term itself for alpha = 0.
+/// Forty-one operations. Over the lobe the Fresnel term stands at one effective cosine c, which does
+/// not depend on ior. Here c exceeds mu by a multiple of alpha^2 over the width of the layer at
+/// grazing. The whole is divided by ggx_norm_i13's form for the light that is lost between facets. A
+/// line in alpha under the root follows that the term changes fast over the lobe where ior is near 1.
+/// Fresnel's term itself for alpha = 0.
 fn ggx_dielectric_41(roughness: f32, alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let norm = 1.0 + alpha * (c0 + inverse * (c1 + alpha * (c2 + mu * (c3 + inverse * (c4 + inverse * c5)

@@ -9,11 +9,11 @@ override c3: f32 = 0.48804393;
 override c4: f32 = 0.2813384;
 
 /// Albedo R of the GGX reflection lobe of a dielectric with the exact Fresnel term, seen from outside.
-/// Forty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does not depend
-/// on ior. Here c^2 exceeds mu^2 by a ratio of alpha^2 and a line in alpha.
-/// The whole is divided by ggx_norm_i10's form for the light that is lost between facets. A line in alpha
-/// under the root follows that the term changes fast over the lobe where ior is near 1. Fresnel's
-/// term itself for alpha = 0.
+/// Forty-seven operations. Over the lobe the Fresnel term stands at one effective cosine c, which does
+/// not depend on ior. Here c^2 exceeds mu^2 by a ratio of alpha^2 and a line in alpha. The whole is
+/// divided by ggx_norm_i10's form for the light that is lost between facets. A line in alpha under the
+/// root follows that the term changes fast over the lobe where ior is near 1. Fresnel's term itself for
+/// alpha = 0.
 fn ggx_dielectric_47(alpha: f32, mu: f32, ior: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let layer = inverse * (c3 + c4 * inverse);

@@ -58,14 +58,9 @@ impl Prepared {
         Ok(Prepared { target, even, edged, measured })
     }
 
-    /// A formula's best coefficients in a norm, proven and measured. Of ours a search goes on for
-    /// longer, since its starting values are a fit's.
-    pub fn fit(
-        &self,
-        hypothesis: &Hypothesis,
-        norm: Norm,
-        (safe_range, is_ours): (Option<&SafeRange>, bool),
-    ) -> Result<Fit, FitStageError> {
+    /// A formula's best coefficients, proven and measured.
+    pub fn fit(&self, hypothesis: &Hypothesis, search: &Search) -> Result<Fit, FitStageError> {
+        let Search { norm, safe_range, by } = *search;
         let sampled = match norm {
             Norm::Max => &self.edged,
             Norm::Rms => &self.even,
@@ -73,7 +68,7 @@ impl Prepared {
         let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
         let domain = self.target.domain()?;
         let (found, safe) = match safe_range {
-            None if is_ours => (patiently(hypothesis, norm, &samples, &domain)?, None),
+            None if by == By::Us => (patiently(hypothesis, norm, &samples, &domain)?, None),
             None => (searched(hypothesis, norm, (&samples, &[]), &domain, (&Options::new(norm), 0.0))?, None),
             Some(safe_range) => {
                 let (found, safe) = keeping(hypothesis, norm, &samples, &domain, safe_range)?;
@@ -147,6 +142,24 @@ impl Prepared {
         let price = f64::from(approximation.cost.ops);
         Ok(Fit { approximation, hypothesis, termination, price, emitted, recommended, safe })
     }
+}
+
+/// What a formula's coefficients are to keep, and how long they are searched.
+#[derive(Clone, Copy)]
+pub(super) struct Search<'a> {
+    pub norm: Norm,
+    /// What they keep beyond the domain.
+    pub safe_range: Option<&'a SafeRange>,
+    pub by: By,
+}
+
+/// Who wrote a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    /// The catalogue: its starting values are a fit's, and a search goes on for longer.
+    Us,
+    /// The user.
+    User,
 }
 
 /// Part of the error below which what is left to gain is no reason to do without a fit. Its certificate

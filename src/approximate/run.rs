@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::prepared::Prepared;
+use super::prepared::{By, Prepared, Search};
 use super::target::{Sampled, Target, TargetSpec};
 use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
 use crate::data::{AlphaMap, Norm, Pick};
@@ -62,11 +62,11 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     }
     let (jobs, results) = match enough {
         Some(limit) => stage.fits_within(own, limit)?,
-        None => stage.fits(&own),
+        None => stage.fits(&own, By::Us),
     };
     let mut fits = kept(&jobs, results, &mut dropped)?;
     stage.pick(&mut fits)?;
-    fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
+    fits.extend(stage.fits(&user, By::User).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     stage.recommend(&mut fits);
@@ -91,7 +91,7 @@ pub fn compared(wanted: &Wanted, known: (&Target, &Arc<Sampled>)) -> Result<Vec<
     let own = parse(sources(wanted.own), Float::F32)?;
     let published = parse(sources(wanted.published.iter().copied()), Float::F32)?;
     let stage = Stage::new(wanted, own.iter().chain(&published), &Counter::default(), &[known])?;
-    let (jobs, results) = stage.fits(&own);
+    let (jobs, results) = stage.fits(&own, By::Us);
     let mut fits = kept(&jobs, results, &mut Vec::new())?;
     fits.extend(stage.published(&wanted.published, &published)?);
     Ok(fits)
@@ -173,14 +173,14 @@ impl<'a> Stage<'a> {
     }
 
     /// Each formula in each norm, and its fit.
-    fn fits(&self, formulas: &[Hypothesis]) -> Results {
+    fn fits(&self, formulas: &[Hypothesis], by: By) -> Results {
         let norms =
             |h: &Hypothesis| self.wanted.norms.iter().map(|norm| (h.clone(), *norm)).collect::<Vec<_>>();
         let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
         let fit = |(h, norm): &Job| {
             let price = self.wanted.emission.price(h)?;
-            let is_ours = self.wanted.own.iter().any(|entry| entry.file == h.file());
-            Ok(Fit { price, ..self.of(h)?.fit(h, *norm, (self.wanted.safe_range.as_ref(), is_ours))? })
+            let search = Search { norm: *norm, safe_range: self.wanted.safe_range.as_ref(), by };
+            Ok(Fit { price, ..self.of(h)?.fit(h, &search)? })
         };
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
@@ -202,7 +202,7 @@ impl<'a> Stage<'a> {
             let last = priced[TOGETHER.min(priced.len()) - 1].0;
             let rest = priced.split_off(priced.partition_point(|(price, _)| *price <= last));
             let some: Vec<Hypothesis> = priced.into_iter().map(|(_, h)| h).collect();
-            let (more, fits) = self.fits(&some);
+            let (more, fits) = self.fits(&some, By::Us);
             jobs.extend(more);
             results.extend(fits);
             priced = rest;
@@ -241,7 +241,8 @@ impl<'a> Stage<'a> {
                 Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
             };
             let prepared = own.as_ref().map_or_else(|| self.of(h), Ok)?;
-            let fit = match prepared.fit(h, Norm::Max, (safe_range.as_ref(), true)) {
+            let search = Search { norm: Norm::Max, safe_range: safe_range.as_ref(), by: By::Us };
+            let fit = match prepared.fit(h, &search) {
                 Ok(fit) => fit,
                 // A formula without a fit in this domain is passed over, as it is within a budget.
                 Err(error) if is_unreliable(&error) => continue,

@@ -2,15 +2,16 @@
 
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::Vendor;
-use crate::emit::call::Call;
+use crate::emit::call::{Call, Callers, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
+use crate::report::sections::words;
 use crate::scene::{Kind, Scene};
 
 /// Stands before the recommended function where a material or probe has a choice.
 pub(super) const MARK: &str = "*";
 
-/// Most names that stand in a row; more are a group.
+/// Most names that stand in a row; more are counted there, and named below with all that they call.
 const NAMED: usize = 3;
 
 /// What is called, a row for each function, with who calls it, and what it costs: operations, or by
@@ -32,12 +33,6 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     if rows.is_empty() {
         return Vec::new();
     }
-    let mut groups: Vec<(String, &[&str])> = Vec::new();
-    for (_, names) in &rows {
-        if names.len() > NAMED && groups.iter().all(|(_, known)| known != names) {
-            groups.push((label(names, scene, &groups), names));
-        }
-    }
     let row = |(call, names): &(&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let cost = call.price.filter(|_| vendor.is_some());
@@ -48,7 +43,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
             [] => String::new(),
             _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
         };
-        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), listed(names, &groups)]
+        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), who(names, scene)]
     };
     let header = [
         ("call", Left),
@@ -60,7 +55,12 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         ("for", Left),
     ];
     let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
-    lines.extend(groups.iter().map(|(label, names)| format!("{label}: {}", names.join(", "))));
+    if rows.iter().any(|(_, names)| names.len() > NAMED) {
+        let taken = callers(calls).into_iter();
+        lines.extend(
+            taken.map(|Callers { names, calls }| format!("{}: {}", names.join(", "), calls.join(", "))),
+        );
+    }
     lines
 }
 
@@ -73,29 +73,21 @@ pub(super) fn cosines(calls: &[Call], scene: &Scene) -> Option<String> {
     })
 }
 
-/// `18 dielectrics`, or where that says two things or too little `group 1 (18)`.
-fn label(names: &[&str], scene: &Scene, known: &[(String, &[&str])]) -> String {
-    let kind = |name: &&str| {
-        let material = scene.materials.iter().find(|material| material.name == **name);
-        material.map_or("probes", |material| match material.kind {
-            Kind::Metal => "metals",
-            Kind::Dielectric => "dielectrics",
-            Kind::Glass => "glasses",
-        })
+/// `steel, gold`, or of many `10 metals, 26 dielectrics`.
+fn who(names: &[&str], scene: &Scene) -> String {
+    if names.len() <= NAMED {
+        return names.join(", ");
+    }
+    let kind = |name: &&&str| scene.materials.iter().find(|m| m.name == ***name).map(|m| m.kind);
+    let kinds = [
+        (Some(Kind::Metal), "metal", "metals"),
+        (Some(Kind::Dielectric), "dielectric", "dielectrics"),
+        (Some(Kind::Glass), "glass", "glasses"),
+        (None, "probe", "probes"),
+    ];
+    let counted = |(own, one, many): (Option<Kind>, &str, &str)| {
+        let n = names.iter().filter(|name| kind(name) == own).count();
+        (n > 0).then(|| words::count(n, one, many))
     };
-    let mut kinds: Vec<&str> = names.iter().map(kind).collect();
-    kinds.dedup();
-    let label = format!("{} {}", names.len(), kinds.concat());
-    match kinds.len() == 1 && known.iter().all(|(other, _)| *other != label) {
-        true => label,
-        false => format!("group {} ({})", known.len() + 1, names.len()),
-    }
-}
-
-/// `steel, gold`, or the label of a group.
-fn listed(names: &[&str], groups: &[(String, &[&str])]) -> String {
-    match groups.iter().find(|(_, group)| *group == names) {
-        Some((label, _)) => label.clone(),
-        None => names.join(", "),
-    }
+    kinds.into_iter().filter_map(counted).collect::<Vec<_>>().join(", ")
 }

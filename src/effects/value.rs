@@ -50,15 +50,17 @@ pub struct ValueFits<'a> {
     pub seconds: [f64; 2],
     /// Tables beside the fits.
     pub table: Option<ValueTable<'a>>,
-    /// What the include files have beside the fits: functions that call the most accurate one.
+    /// What the include files have beside the fits: functions of the most accurate one.
     pub around: Option<Around>,
 }
 
-/// Functions that call a fit.
+/// Functions about a fit.
 #[derive(Clone, Copy)]
 pub struct Around {
     /// Their text in a language.
     pub print: fn(Language, &Fit) -> Result<String, BakeError>,
+    /// The one that takes the value of the fit, where none calls the fit.
+    pub then: Option<&'static str>,
     /// What the card of the fit says of them; empty where there are none.
     pub said: fn(&Fit) -> Result<String, BakeError>,
 }
@@ -131,6 +133,9 @@ impl ValueFits<'_> {
         }
         self.explored(&mut made, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
+        if let Some(then) = self.around.and_then(|around| around.then) {
+            made.part.entries.calls.iter_mut().for_each(|call| call.then = Some(then.into()));
+        }
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;
         Ok(made)
     }

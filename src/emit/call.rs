@@ -23,6 +23,9 @@ pub struct Call {
     pub function: String,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
+    /// The function that takes its value.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub then: Option<String>,
     /// The texture that it fetches from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
@@ -90,12 +93,46 @@ pub struct MaskLookup {
     pub cost: CostEntry,
 }
 
+/// Materials or probes that call the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Callers<'a> {
+    /// Their names.
+    pub names: Vec<&'a str>,
+    /// What they call: `sheen_albedo then sheen_base_scale`.
+    pub calls: Vec<String>,
+}
+
 impl Call {
+    /// Those of its material or probe for its purpose, it among them.
+    fn choice<'a>(&'a self, calls: &'a [Call]) -> impl Iterator<Item = &'a Call> {
+        calls.iter().filter(|other| (&other.of, &other.purpose) == (&self.of, &self.purpose))
+    }
+
     /// Whether it is the one to take of several of its material or probe for its purpose.
     pub fn is_preferred(&self, calls: &[Call]) -> bool {
-        let stands_beside = |other: &&Call| (&other.of, &other.purpose) == (&self.of, &self.purpose);
-        self.recommended && calls.iter().filter(stands_beside).count() > 1
+        self.recommended && self.choice(calls).count() > 1
     }
+}
+
+/// Who calls what: of calls that stand for one another the one to take.
+pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
+    let mut each: Vec<Callers> = Vec::new();
+    for call in calls.iter().filter(|call| call.recommended || call.choice(calls).count() == 1) {
+        let text = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
+        let text = call.function.clone() + &text;
+        match each.iter_mut().find(|one| one.names[0] == call.of) {
+            Some(one) => one.calls.push(text),
+            None => each.push(Callers { names: vec![&call.of], calls: vec![text] }),
+        }
+    }
+    let mut sets: Vec<Callers> = Vec::new();
+    for one in each {
+        match sets.iter_mut().find(|set| set.calls == one.calls) {
+            Some(set) => set.names.extend(one.names),
+            None => sets.push(one),
+        }
+    }
+    sets
 }
 
 impl Manifest {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Value, json};
 
 use super::number::{BufferSide, GridSide, Latency, Numbers, Seed, Whole};
-use super::value::{List, Maybe, Text, TextRule, Word, about, from_file};
+use super::value::{List, Maybe, Text, TextRule, Word, about, distinct, from_file};
 use super::{limits, name};
 
 /// Quarter resolution of 1280 x 720.
@@ -138,6 +138,16 @@ pub enum Pass {
 impl Pass {
     /// What there is where the scene does not say: the passes of the method.
     const DEFAULT: [Pass; 4] = [Pass::Reproject, Pass::Median, Pass::Voxels, Pass::Dilation];
+
+    fn name(self) -> &'static str {
+        match self {
+            Pass::Reproject => "reproject",
+            Pass::ReprojectHalf => "reproject-half",
+            Pass::Median => "median",
+            Pass::Voxels => "voxels",
+            Pass::Dilation => "dilation",
+        }
+    }
 }
 
 /// Occlusion culling by depth that is frames old. It calls for the lookups of sub-voxels, where
@@ -213,12 +223,9 @@ impl TryFrom<CullingFile> for Culling {
 /// The passes in their order; a list that is empty, names one twice or makes nothing is refused.
 fn passes(given: Option<List<Word<Pass>, 5>>) -> Result<Vec<Pass>, String> {
     let Some(List(words)) = given else { return Ok(Pass::DEFAULT.to_vec()) };
-    let mut passes: Vec<Pass> = words.iter().map(|word| word.0).collect();
-    passes.sort();
-    passes.dedup();
+    let passes = distinct(words.into_iter().map(|Word(pass)| pass), Pass::name)?;
     let has = |pass: Pass| passes.contains(&pass);
     match () {
-        () if passes.len() != words.len() => Err("a pass is there twice".into()),
         () if has(Pass::Reproject) && has(Pass::ReprojectHalf) => {
             Err("`reproject` and `reproject-half` stand for one another; give one of them".into())
         }

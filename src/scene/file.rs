@@ -14,7 +14,7 @@ use super::number::{Cosine, Span, Version, Whole};
 use super::output::{self, OneOf, Output};
 use super::probe::Probe;
 use super::table::TableWant;
-use super::value::{List, Maybe, Text, Word};
+use super::value::{List, Maybe, Text, Word, about, distinct, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_shade::code::{Float, Language};
 use lobefit_strict::read_object;
@@ -130,13 +130,7 @@ fn formats(given: Option<List<Word<Container>, { Container::ALL.len() }>>) -> Re
     if words.is_empty() {
         return Err("the list is empty; leave the field out for EXR".into());
     }
-    let mut formats = BTreeSet::new();
-    for Word(format) in words {
-        if !formats.insert(format) {
-            return Err(format!("`{}` is there twice", format.name()));
-        }
-    }
-    Ok(formats.into_iter().collect())
+    distinct(words.into_iter().map(|Word(format)| format), Container::name)
 }
 
 impl Scene {
@@ -174,13 +168,17 @@ impl Scene {
     /// The fields, each right by itself.
     fn parsed(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
         let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES)?;
-        let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
-        let formats = formats(parsed.formats.0).map_err(|message| whole(("formats".into(), message)))?;
+        let whole = |field: &str, message: String| {
+            let message = about(field, message);
+            let (path, message) = told(&message);
+            SceneError::Whole { file: file.into(), path: path.into(), message: message.into() }
+        };
+        let formats = formats(parsed.formats.0).map_err(|message| whole("formats", message))?;
         let languages = output::languages(parsed.languages.0);
         let output = Output {
             pick: parsed.pick.0.map_or_else(Pick::default, |w| w.0),
             arguments: parsed.arguments.0.map_or_else(Arguments::default, |w| w.0),
-            languages: languages.map_err(|message| whole(("languages".into(), message)))?,
+            languages: languages.map_err(|message| whole("languages", message))?,
             cost: parsed.cost.0.and_then(|w| w.0.0),
             budget: None,
             every_error: None,

@@ -1,11 +1,9 @@
 //! The goals of a want: how good and how cheap what is emitted must be.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 
 use super::number::{ErrorLimit, In, Ops, Whole};
-use super::value::{List, Maybe, Word, about};
+use super::value::{List, Maybe, Word, about, distinct};
 use crate::data::Norm;
 
 /// How good and how cheap a fit or a table must be.
@@ -59,13 +57,9 @@ impl Goals {
 
 /// The errors to minimise: by default the largest, each once, in the order max, rms.
 fn norms(given: Norms) -> Result<Vec<Norm>, String> {
-    let given = given.0.map_or_else(|| vec![Norm::Max], |l| l.0.iter().map(|w| w.0).collect());
-    let norms: BTreeSet<Norm> = given.iter().copied().collect();
-    if norms.is_empty() {
+    let Some(List(given)) = given.0 else { return Ok(vec![Norm::Max]) };
+    if given.is_empty() {
         return Err(about("norms", "the list is empty; leave the field out for `max`"));
     }
-    if norms.len() != given.len() {
-        return Err(about("norms[1]", format!("`{}` is there twice", given[0].name())));
-    }
-    Ok(norms.into_iter().collect())
+    distinct(given.into_iter().map(|Word(norm)| norm), Norm::name).map_err(|why| about("norms", why))
 }

@@ -159,7 +159,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             "required": ["ior"],
             "properties": {
                 "kind": { "const": "glass" },
-                "ior": { "maximum": 3.0, "items": { "maximum": 3.0 } },
+                "ior": { "maximum": EXACT_IOR, "items": { "maximum": EXACT_IOR } },
                 "anisotropy": false,
                 "base": false,
                 "wants": { "properties": { "fit": false, "exact_fresnel": false } },

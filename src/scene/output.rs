@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::value::{List, Word};
+use super::value::{List, Word, distinct};
 use crate::data::{Arguments, Pick, Vendor};
 use lobefit_shade::code::{Float, Language};
 
@@ -138,10 +138,5 @@ pub(super) fn languages(given: Option<List<Word<OneOf<Language>>, 6>>) -> Result
     if words.is_empty() {
         return Err("the list is empty; leave the field out for all".into());
     }
-    for (i, Word(OneOf(language))) in words.iter().enumerate() {
-        if words[..i].iter().any(|Word(other)| other.0 == *language) {
-            return Err(format!("`{}` is there twice", language.name()));
-        }
-    }
-    Ok(Language::ALL.into_iter().filter(|language| words.iter().any(|Word(w)| w.0 == *language)).collect())
+    distinct(words.into_iter().map(|Word(OneOf(language))| language), Language::name)
 }

@@ -275,7 +275,7 @@ fn budgets_cover_what_their_materials_call() {
 fn outputs_that_are_no_words_are_refused() {
     for (fields, part) in [
         (r#""languages": [],"#, "languages: the list is empty"),
-        (r#""languages": ["wgsl", "wgsl"],"#, "languages: `wgsl` is there twice"),
+        (r#""languages": ["wgsl", "wgsl"],"#, "languages[1]: `wgsl` is there twice"),
         (r#""languages": ["cuda"],"#, "languages[0]: unknown language `cuda`"),
         (r#""pick": "worst","#, "pick: unknown variant `worst`"),
         (r#""arguments": "mu","#, "arguments: unknown variant `mu`"),

@@ -7,6 +7,7 @@ use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::FitJob;
+use lobefit::emit::call::callers;
 use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::Hypothesis;
@@ -40,6 +41,31 @@ fn of(scene: &Scene) -> Baked {
 
 fn manifest(baked: &Baked) -> Value {
     serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest")
+}
+
+/// Materials that call the same stand together, with what takes the value of a call, and of functions that
+/// stand for one another the one to take.
+#[test]
+fn who_calls_what_is_a_row_for_all_that_call_the_same() {
+    let metal = |name: &str| {
+        format!(
+            r#"{{"name": "{name}", "kind": "metal", "f0": 0.9, "roughness": 0.5, "wants": {{"fit": {{"max_ops": 8}}}}}}"#
+        )
+    };
+    let satin = |name: &str| format!(r#"{{"name": "{name}", {SATIN}}}"#);
+    let materials = [metal("steel"), satin("silk"), metal("gold"), satin("velvet")].join(",");
+    let json = format!(
+        r#"{{"schema_version": 1, "pick": "frontier", "reports": false, "languages": ["wgsl"], "materials": [{materials}]}}"#
+    );
+    let baked = of(&Scene::from_json(json.as_bytes(), "test.json").expect("a scene"));
+    let found = callers(&baked.calls);
+    let names: Vec<&[&str]> = found.iter().map(|row| &row.names[..]).collect();
+    assert_eq!(names, [["steel", "gold"], ["silk", "velvet"]]);
+    let [metals, satins] = &found[..] else { panic!("{found:?}") };
+    let several = baked.calls.iter().filter(|call| call.of == "steel").count();
+    assert!(several > 1 && metals.calls.len() == 1, "{several} {metals:?}");
+    assert!(metals.calls[0].starts_with("ggx_energy_compensation_"), "{metals:?}");
+    assert!(satins.calls.len() == 1 && satins.calls[0].ends_with(" then sheen_base_scale"), "{satins:?}");
 }
 
 /// A smooth specular lobe, so that the sheen is all there is.

@@ -1,6 +1,7 @@
 //! The kinds of value that a field can hold. Each refuses what it is not while the reader still stands
 //! at it, so that the error has the place; each says in the JSON Schema what it takes.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::marker::PhantomData;
 
@@ -16,7 +17,7 @@ const ABOUT: char = '\u{1f}';
 pub fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
     let message = message.to_string();
     let (inner, text) = told(&message);
-    let dot = if inner.is_empty() { "" } else { "." };
+    let dot = if inner.is_empty() || inner.starts_with('[') { "" } else { "." };
     format!("{field}{dot}{inner}{ABOUT}{text}")
 }
 
@@ -25,6 +26,23 @@ pub fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
 pub fn told(message: &str) -> (&str, &str) {
     let named = |field: &str| field.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c));
     message.split_once(ABOUT).filter(|(field, _)| named(field)).unwrap_or(("", message))
+}
+
+/// What a list holds, in the order of its kind.
+///
+/// # Errors
+/// Something that is there twice, with its second place.
+pub fn distinct<T: Ord + Copy>(
+    given: impl IntoIterator<Item = T>,
+    name: impl Fn(T) -> &'static str,
+) -> Result<Vec<T>, String> {
+    let mut all = BTreeSet::new();
+    for (i, one) in given.into_iter().enumerate() {
+        if !all.insert(one) {
+            return Err(about(format!("[{i}]"), format!("`{}` is there twice", name(one))));
+        }
+    }
+    Ok(all.into_iter().collect())
 }
 
 /// An optional field: absent, or a value. `null` is neither.

@@ -1,5 +1,6 @@
-/// Published: B. Karis, "Physically Based Shading on Mobile", 2014: f0 A + B of the split sum, f0 from the index of
-/// refraction. Takes roughness (alpha = roughness^2). Fitted to UE4's lobe with Schlick's Fresnel term.
+/// Published: B. Karis, "Physically Based Shading on Mobile", 2014: f0 A + B of the split sum, f0 from
+/// the index of refraction. Takes roughness (alpha = roughness^2). Fitted to UE4's lobe with Schlick's
+/// Fresnel term.
 fn ggx_dielectric_karis(roughness: f32, mu: f32, ior: f32) -> f32 {
     let root = (ior - 1.0) / (ior + 1.0);
     let f0 = root * root;

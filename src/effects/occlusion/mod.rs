@@ -140,6 +140,7 @@ fn call(function: &MaskFunction, cost: CostEntry) -> Call {
         recommended: false,
         function: function.name.into(),
         name: function.name.into(),
+        then: None,
         file: None,
         max_error: 0.0,
         metric: METRIC.into(),

@@ -39,6 +39,7 @@ const FITS: ValueFits = ValueFits {
     table: None,
     around: Some(Around {
         print: scale,
+        then: Some(BASE_SCALE),
         said: |_| Ok("sheen_base_scale makes of it what the layers below keep.".into()),
     }),
 };
@@ -56,10 +57,13 @@ const TABLE: ValueTable = ValueTable {
 /// What the base below keeps, in WGSL.
 const SCALE: &str = include_str!("sheen.wgsl");
 
+/// Its function.
+const BASE_SCALE: &str = "sheen_base_scale";
+
 /// The function of the base, in a language.
 fn scale(language: Language, _: &Fit) -> Result<String, BakeError> {
     let source = Source::parse("sheen.wgsl", SCALE).map_err(CodeError::from)?;
-    Ok(format!("\n{}", source.print_documented(language, "sheen_base_scale")?))
+    Ok(format!("\n{}", source.print_documented(language, BASE_SCALE)?))
 }
 
 /// The tables that the sheens of a scene want, each once and within the strictest limit, with who
@@ -124,7 +128,7 @@ impl Effect for Sheen {
     }
 
     fn functions(&self) -> Vec<String> {
-        vec!["sheen_base_scale".into()]
+        vec![BASE_SCALE.into()]
     }
 
     fn sources(&self) -> Vec<&'static str> {

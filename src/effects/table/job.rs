@@ -360,7 +360,7 @@ fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
         span.text()
     } else if range[1] < rows[0] {
         format!(
-            "{own}, all below the rows, which begin at {}: every lookup clamps and none is judged",
+            "{own}, all below the rows, which begin at {}: every lookup clamps, and is not judged",
             rows[0]
         )
     } else {

@@ -257,7 +257,7 @@
     row(body, "middle", b);
     const about = drawn === "compensation" ? ": |E N \u2212 1| of a formula, the lookup error of E of a table" : "";
     document.getElementById("stated").textContent =
-      `Max error and RMS are the certificate${about}. Largest drawn is what this page finds at ${GRID}\u00d7${GRID} places of its domain, for this f0. ` +
+      `Max error and RMS are the certificate${about}. Largest drawn is what this page finds at ${GRID}\u00d7${GRID} places of its domain${drawn === "value" ? "" : ", for this f0"}. ` +
       `The truth is interpolated between ${truth.size.join("\u00d7")} texels: off by ${figure(truth.error)} at most.` +
       (Object.keys(data.times.microseconds).length ? ` Times are of one call for each pixel of 3840\u00d72160 on an ${data.times.device}, where recorded.` : "") +
       [...new Set([...outside(a), ...outside(b)])].join("");

@@ -1,8 +1,6 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
 use super::{SCREEN, figures, words};
-use crate::data::Use;
-use crate::emit::compensation::Compensation;
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -179,7 +177,11 @@ fn forms<'a>(offer: &Offer, function: &'a str, manifest: &'a Manifest) -> Vec<&'
 /// lines of all forms: where they are declared, with which parameters, and of a table what to load.
 fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
     let mut found: Vec<(Language, Lines)> = Vec::new();
-    let then = compensating(forms, drawn.manifest);
+    let calls = &drawn.manifest.entries.calls;
+    let then = calls
+        .iter()
+        .filter(|call| forms.contains(&call.function.as_str()))
+        .find_map(|call| call.then.as_ref());
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
@@ -211,13 +213,6 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
     let first = found.first().and_then(|(_, (call, _))| call.split_once(" = "));
     let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
     (shown, found.into_iter().map(|(language, (_, code))| (language.title().to_string(), code)).collect())
-}
-
-/// What compensates a lobe with the value of a table of its albedo.
-fn compensating(forms: &[&str], manifest: &Manifest) -> Option<&'static str> {
-    let tables = manifest.entries.tables.iter().filter(|table| forms.contains(&table.function.as_str()));
-    let of_albedo = tables.filter(|table| table.used_as == Use::VALUE.name);
-    of_albedo.map(|table| Compensation::of_quantity(&table.quantity).map(Compensation::of_colours)).next()?
 }
 
 /// A call, and the call below its comment.

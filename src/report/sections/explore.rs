@@ -7,7 +7,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::answers::{self, Drawn};
 use super::{figures, words};
 use crate::emit::include::Include;
-use crate::report::explore::{ExplorePage, Explored, ExploredApproximation, Standing, Times, document};
+use crate::report::explore::{self, ExplorePage, Explored, ExploredApproximation, Standing, Times, document};
 use crate::report::{Block, Page, ReportError, Section, Shade, SphereRow, Spheres, Spread};
 
 /// Radiance of white: above 1, so that gains show too.
@@ -24,6 +24,10 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
     let device = drawn.record.map_or("", |record| &record.device.adapter);
     let times = Times { device: device.into(), microseconds: shown.filter_map(time).collect() };
     let data = document(&ramp, &times, &explore.effects)?;
+    let is_lobe = |one: &Explored| one.drawn != explore::Drawn::Value;
+    let furnace = explore.effects.iter().flat_map(|effect| &effect.shown).any(is_lobe);
+    let furnace =
+        if furnace { " In a white furnace a sphere that loses no energy cannot be seen." } else { "" };
     let conclusion = conclusion(explore.effects.iter().flat_map(|effect| &effect.shown));
     let first = explore.effects.iter().flat_map(|effect| &effect.shown).next();
     let still = first.map(still).transpose()?.into_iter().collect();
@@ -38,14 +42,14 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
         origin: explore.origin.with_figures("../manifest.json"),
         lead: format!(
             "{conclusion}Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
-             material. In a white furnace a sphere that loses no energy cannot be seen."
+             material.{furnace}"
         ),
         sections: vec![spheres],
     })
 }
 
-/// What the cheapest emitted function of each quantity is off by, in one sentence; empty where none is
-/// emitted.
+/// What the cheapest emitted function of each quantity is off by, in one sentence; empty where no function
+/// is emitted.
 fn conclusion<'a>(shown: impl Iterator<Item = &'a Explored>) -> String {
     let mut all: Vec<&ExploredApproximation> = Vec::new();
     for explored in shown {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 
 use super::{called_for, words};
-use crate::emit::call::Call;
+use crate::emit::call::{self, Call, Callers};
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
 use crate::report::{Block, Names, ReportError, Section, TextTable, check, figures_of, numbers, place_of};
 
@@ -20,6 +20,9 @@ const COLUMNS: [(&str, bool); 9] = [
     ("fetches", true),
     ("bytes", true),
 ];
+
+/// Most names of who calls a function.
+const NAMED: usize = 3;
 
 /// The column of names.
 const NAME: usize = 1;
@@ -45,8 +48,9 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
     let call = Section {
         id: "call".into(),
         title: "Who calls what".into(),
-        lead: "Each emitted function once, with the materials and probes that call it.".into(),
-        blocks: vec![calls(manifest)?],
+        lead: "What each material and probe calls, then each emitted function once, with those that call it."
+            .into(),
+        blocks: vec![callers(manifest), calls(manifest)?],
     };
     let made = Section {
         id: "made".into(),
@@ -122,6 +126,15 @@ fn states_error(scene: &Value) -> bool {
     }
 }
 
+/// A row for all that call the same.
+fn callers(manifest: &Manifest) -> Block {
+    let columns = [("materials and probes", false), ("call", false)];
+    let row = |Callers { names, calls }: Callers| vec![names.join(", "), calls.join(", ")];
+    let rows = call::callers(&manifest.entries.calls).into_iter().map(row).collect();
+    let caption = "Where functions stand for one another, the recommended one.";
+    Block::Table(words::table(&columns, rows, caption))
+}
+
 /// A row for each function, with who calls it.
 fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
@@ -131,6 +144,9 @@ fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
             None => found.push((call, vec![&call.of])),
         }
     }
+    let all = &manifest.entries.calls;
+    let is_preferred =
+        |call: &Call| all.iter().any(|one| one.function == call.function && one.is_preferred(all));
     let row = |(call, names): (&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
@@ -138,9 +154,9 @@ fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
             || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
         let words = [
             manifest.signature(call).ok_or_else(problem)?,
-            recommended(call, &manifest.entries.calls).into(),
+            if is_preferred(call) { "yes" } else { "" }.into(),
             call.effect.clone(),
-            numbers::shortened(&names.join(", ")),
+            numbers::shortened(&some(&names)),
             words::max(call.max_error),
             call.metric.clone(),
         ];
@@ -154,6 +170,14 @@ fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
     Ok(Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) }))
 }
 
+/// The first names, and how many more there are: all stand in [`callers`].
+fn some(names: &[&str]) -> String {
+    match names.len().saturating_sub(NAMED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names[..NAMED].join(", ")),
+    }
+}
+
 /// Where the page of an effect has the approximation of a name; none of what is neither a table nor a
 /// fit.
 fn place(manifest: &Manifest, effect: &str, name: &str) -> Option<String> {
@@ -161,14 +185,6 @@ fn place(manifest: &Manifest, effect: &str, name: &str) -> Option<String> {
     let is_fit = manifest.entries.fits.iter().any(|fit| fit.effect == effect && fit.name == name);
     let at = if is_table { figures_of(name) } else { place_of(name) };
     (is_table || is_fit).then(|| format!("{effect}.html#{at}"))
-}
-
-/// Whether it is the one to take where a material or probe has a choice.
-fn recommended(call: &Call, calls: &[Call]) -> &'static str {
-    let stands_for = |one: &Call, other: &Call| one.of == other.of && one.purpose == other.purpose;
-    let is_chosen =
-        |one: &Call| one.recommended && calls.iter().filter(|other| stands_for(one, other)).count() > 1;
-    if calls.iter().any(|one| one.function == call.function && is_chosen(one)) { "yes" } else { "" }
 }
 
 /// Tables and fits by effect, in the order of the effects.

@@ -22,7 +22,7 @@ fn what_is_no_culling_is_refused() {
         case(culling("\"seed\":-1"), "culling.seed: -1 is outside [0, 4294967295]"),
         case(culling("\"passes\":[]"), "culling.passes: no pass writes depth"),
         case(culling("\"passes\":[\"median\"]"), "culling.passes: no pass writes depth"),
-        case(culling("\"passes\":[\"voxels\",\"voxels\"]"), "culling.passes: a pass is there twice"),
+        case(culling("\"passes\":[\"voxels\",\"voxels\"]"), "culling.passes[1]: `voxels` is there twice"),
         case(culling("\"passes\":[\"reproject\",\"reproject-half\"]"), "stand for one another"),
         case(top("\"culling\":[]"), "culling: "),
     ]);

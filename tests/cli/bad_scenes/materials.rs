@@ -112,7 +112,7 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         case(anisotropy("null"), "materials[0].anisotropy: invalid type: null"),
         case(top("\"formats\":[]"), "scene.json: formats: the list is empty"),
         case(top("\"formats\":\"dds\""), "formats: invalid type: string \"dds\""),
-        case(top("\"formats\":[\"dds\",\"dds\"]"), "scene.json: formats: `dds` is there twice"),
+        case(top("\"formats\":[\"dds\",\"dds\"]"), "scene.json: formats[1]: `dds` is there twice"),
         case(
             top("\"formats\":[\"tga\"]"),
             "formats[0]: unknown variant `tga`, expected one of `exr`, `dds`, `ktx2`, `npy`, `raw`",

@@ -40,7 +40,7 @@ pub use crate::foreign::Channel;
 pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale};
 pub use column::{Base, Column};
 pub use convention::{Convention, Fixed, LEFT_OUT, Misfit};
-pub use declared::{Declared, Held, declared, declared_findings};
+pub use declared::{Declared, Held, declared, declared_findings, stated_quantity};
 pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;

@@ -9,6 +9,7 @@ mod stated;
 mod words;
 
 use std::ffi::OsString;
+use std::ops::Deref;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -35,6 +36,7 @@ Examples:
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx --isa   and what does it cost, beside our formulas?
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
+  lobefit audit tables/ggx-dfg-correlated-32x32.exr     a table of this tool says itself what it stands for
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, ...;
@@ -63,9 +65,9 @@ quantity's own are over it unless options say that they are meant.";
 struct Options {
     /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL, HLSL)
     pub file: PathBuf,
-    /// Quantity that it is measured as, and the column that is asked for
+    /// Quantity that it is measured as, and the column that is asked for; a table of this tool says its own
     #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
-    pub wanted: (&'static dyn Quantity, Option<Column>),
+    pub stands_for: Option<Wanted>,
     /// What runs along x, y, z: `mu,roughness`
     #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
     pub axes: Vec<(Scale, bool)>,
@@ -134,6 +136,23 @@ struct Options {
     pub quiet: bool,
 }
 
+/// A quantity, and the column that is asked for.
+type Wanted = (&'static dyn Quantity, Option<Column>);
+
+/// The options, with what the file is measured as.
+struct Asked {
+    options: Options,
+    wanted: Wanted,
+}
+
+impl Deref for Asked {
+    type Target = Options;
+
+    fn deref(&self) -> &Options {
+        &self.options
+    }
+}
+
 /// What was read of the file.
 struct Read {
     audited: AuditedTable,
@@ -157,14 +176,33 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         return furnace::run(arguments);
     }
     match Options::try_parse_from(arguments) {
-        Ok(options) => output::finish(verb(&options)),
+        Ok(options) => output::finish(verb(options)),
         Err(usage) => output::usage(&usage),
     }
 }
 
-fn verb(options: &Options) -> Result<Outcome, CliError> {
-    other_kind(options)?;
-    let bytes = read(options)?;
+/// What the options say, or else what the file says of itself.
+fn asked(options: Options, bytes: &[u8]) -> Result<Asked, CliError> {
+    let own = match options.stands_for {
+        Some(wanted) => return Ok(Asked { options, wanted }),
+        None if is_shader(&options) => None,
+        None => {
+            tables(&options, bytes)?.into_iter().find_map(|(table, _)| audit::stated_quantity(&table.note))
+        }
+    };
+    match own {
+        Some(quantity) => Ok(Asked { options, wanted: (quantity, None) }),
+        None => Err(CliError::Usage(format!(
+            "{}: does not say which quantity it stands for; say it: `--as ggx-reflection`, or another that --help names",
+            options.file.display()
+        ))),
+    }
+}
+
+fn verb(options: Options) -> Result<Outcome, CliError> {
+    other_kind(&options)?;
+    let bytes = read(&options)?;
+    let options = &asked(options, &bytes)?;
     let Read { mut audited, inverse, function, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
     // A folder that cannot be written is an error before the work.
@@ -312,7 +350,7 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
 const NAMED: usize = 4;
 
 /// The function that is meant as a table, and what the file is.
-fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
+fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
     let functions = foreign::read_functions(bytes, &file, options.function.as_deref(), &around(options))?;
     if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
@@ -322,7 +360,7 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
         let names = names.join(", ");
         say(&format!("{file}: left out, since they read textures or cannot be read: {names}{others}"));
     }
-    let inputs = inputs(options);
+    let inputs = audit::inputs_of(options.wanted.0);
     let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
     let mut found = Vec::new();
     let mut refused = None;
@@ -355,20 +393,33 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     }
 }
 
-/// The table that is meant, and what the file is.
-fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
+/// A table as the sidecar of its file has it, and what it is called in messages.
+type Named = (foreign::ForeignTable, String);
+
+/// The tables of a file.
+fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
     let beside = sidecar::beside(options, bytes.len());
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
-    let mut table = chosen(options, &tables)?.clone();
-    grouped(options, &table);
-    let mut what = named(options, &table.name);
-    if let Some(beside) = &beside {
-        match beside.named(&table) {
-            Ok(said) => (table, what) = (said, format!("{what} with its sidecar {}", beside.name())),
-            Err(reason) => sidecar::refused(options, beside.name(), &reason),
+    let with = |table: foreign::ForeignTable| {
+        let what = named(options, &table.name);
+        match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
+            None => (table, what),
+            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}")),
+            Some((name, Err(reason))) => {
+                sidecar::refused(options, name, &reason);
+                (table, what)
+            }
         }
-    }
+    };
+    Ok(tables.into_iter().map(with).collect())
+}
+
+/// The table that is meant, and what the file is.
+fn table(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
+    let tables = tables(options, bytes)?;
+    let (table, what) = chosen(options, &tables)?.clone();
+    grouped(options, &table);
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
     Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
 }
@@ -386,25 +437,17 @@ fn grouped(options: &Options, table: &foreign::ForeignTable) {
     }
 }
 
-/// Inputs of the quantity.
-fn inputs(options: &Options) -> usize {
-    audit::inputs_of(options.wanted.0)
-}
-
 /// The table that is meant, of a file that may hold several.
-fn chosen<'a>(
-    options: &Options,
-    tables: &'a [foreign::ForeignTable],
-) -> Result<&'a foreign::ForeignTable, CliError> {
-    let inputs = inputs(options);
-    let axes = |t: &&foreign::ForeignTable| t.size.iter().filter(|n| **n > 1).count() == inputs;
-    let fitting: Vec<&foreign::ForeignTable> = tables.iter().filter(axes).collect();
+fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliError> {
+    let inputs = audit::inputs_of(options.wanted.0);
+    let axes = |(t, _): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
+    let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {
         ([one], _) => Ok(one),
         ([], [one, ..]) => Ok(one),
         ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
         (several, _) => {
-            let names: Vec<&str> = several.iter().map(|t| t.name.as_str()).collect();
+            let names: Vec<&str> = several.iter().map(|(t, _)| t.name.as_str()).collect();
             let names = names.join("`, `");
             Err(CliError::Usage(format!(
                 "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",
@@ -424,7 +467,7 @@ fn hints(options: &Options) -> Hints {
     }
 }
 
-fn fixed(options: &Options) -> Result<Fixed, CliError> {
+fn fixed(options: &Asked) -> Result<Fixed, CliError> {
     let meaning = |word: &String| match word.as_str() {
         LEFT_OUT => Ok(None),
         word => column(options.wanted.0, word).map(Some),

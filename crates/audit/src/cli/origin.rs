@@ -1,10 +1,10 @@
 //! The command that makes a report again.
 
-use super::Options;
+use super::Asked;
 use lobefit::report::Origin;
 
 /// What made the report; the command names every option that bears on it, in the order of the help.
-pub(super) fn origin(options: &Options, bytes: &[u8]) -> Origin {
+pub(super) fn origin(options: &Asked, bytes: &[u8]) -> Origin {
     Origin {
         scene: String::new(),
         recipe: blake3::hash(bytes).to_hex().to_string(),
@@ -14,7 +14,7 @@ pub(super) fn origin(options: &Options, bytes: &[u8]) -> Origin {
     }
 }
 
-fn command(options: &Options) -> String {
+fn command(options: &Asked) -> String {
     let (quantity, column) = options.wanted;
     let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
     let list = |words: Vec<String>| Some(words.join(",")).filter(|w| !w.is_empty());

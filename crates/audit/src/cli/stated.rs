@@ -1,6 +1,6 @@
 //! What a file says of itself, where no option says how it is to be read.
 
-use super::Options;
+use super::Asked;
 use crate::audit::{self, AuditError, AuditedTable, Declared};
 use lobefit::cli::CliError;
 use lobefit::cli::output::say;
@@ -9,7 +9,7 @@ use lobefit::cli::progress::Spinner;
 /// The table as its own statement has it; none if it makes none, or options say how it is read, or
 /// what it says cannot be understood (which is said).
 pub(super) fn stated(
-    options: &Options,
+    options: &Asked,
     audited: &AuditedTable,
     note: &str,
     progress: &Spinner,

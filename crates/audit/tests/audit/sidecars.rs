@@ -34,7 +34,8 @@ fn baked() -> &'static Files {
 }
 
 fn audit(folder: &Path, file: &str, quantity: &str, more: &[&str]) -> (Option<i32>, String, String) {
-    let output = lobefit(folder, &[&["audit", file, "--as", quantity], more].concat(), b"");
+    let named: &[&str] = if quantity.is_empty() { &[] } else { &["--as", quantity] };
+    let output = lobefit(folder, &[&["audit", file], named, more].concat(), b"");
     (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
 }
 
@@ -48,12 +49,19 @@ fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
     for (name, quantity) in TABLES {
         for extension in ["dds", "ktx2", "npy", "raw"] {
             let file = format!("{name}.{extension}");
-            let (code, out, err) = audit(folder.path(), &file, quantity, &[]);
+            // What it stands for is said by an option, or by the file.
+            let given = if ["ktx2", "raw"].contains(&extension) { "" } else { quantity };
+            let (code, out, err) = audit(folder.path(), &file, given, &[]);
             assert!(code == Some(0) && err.is_empty(), "{file}: {out}{err}");
             let own = format!("{file} with its sidecar {file}.json is what it says");
             assert!(out.starts_with(&format!("PASS {quantity} ")) && out.contains(&own), "{out}");
         }
     }
+    // A file that says nothing of itself.
+    let alone = [TABLES[0].0, ".dds"].concat();
+    write("alone.dds", &files[&format!("tables/{alone}")]);
+    let (code, _, err) = audit(folder.path(), "alone.dds", "", &[]);
+    assert!(code == Some(2) && err.contains("alone.dds: does not say which quantity it stands for"), "{err}");
     // Another certificate, and another name of a channel.
     let (name, quantity) = TABLES[0];
     let file = format!("{name}.ktx2.json");

@@ -189,6 +189,7 @@ impl Lookup {
             recommended: false,
             function: name.clone(),
             name: self.fit.clone(),
+            then: None,
             file: None,
             max_error: self.max_error,
             metric: PARALLAX.metric.into(),

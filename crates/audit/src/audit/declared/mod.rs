@@ -23,6 +23,11 @@ use formula::Formula;
 use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
+/// The quantity that a table says it is of, if it says one.
+pub fn stated_quantity(note: &str) -> Option<&'static dyn Quantity> {
+    lobefit_truth::quantity::find(&Statement::parse(note).ok()?.quantity)
+}
+
 /// How much larger than claimed an error may be: it is looked for at other places than the file's
 /// maker did.
 const SLACK: f64 = 1.2;
