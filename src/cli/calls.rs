@@ -1,8 +1,10 @@
 //! What materials and probes call, as a table.
 
+use std::collections::BTreeMap;
+
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::Vendor;
-use crate::emit::call::{Call, Callers, callers};
+use crate::emit::call::{Call, Callers, NAMED, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
@@ -10,9 +12,6 @@ use crate::scene::{Kind, Scene};
 
 /// Stands before the recommended function where a material or probe has a choice.
 pub(super) const MARK: &str = "*";
-
-/// Most names that stand in a row; more are counted there, and named below with all that they call.
-const NAMED: usize = 3;
 
 /// What is called, a row for each function, with who calls it, and what it costs: operations, or by
 /// the model of a vendor's GPUs. What is recommended to a material or probe that has a choice is
@@ -33,6 +32,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     if rows.is_empty() {
         return Vec::new();
     }
+    let kinds = scene.materials.iter().map(|material| (material.name.as_str(), material.kind)).collect();
     let row = |(call, names): &(&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let cost = call.price.filter(|_| vendor.is_some());
@@ -43,7 +43,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
             [] => String::new(),
             _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
         };
-        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), who(names, scene)]
+        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), who(names, &kinds)]
     };
     let header = [
         ("call", Left),
@@ -74,11 +74,10 @@ pub(super) fn cosines(calls: &[Call], scene: &Scene) -> Option<String> {
 }
 
 /// `steel, gold`, or of many `10 metals, 26 dielectrics`.
-fn who(names: &[&str], scene: &Scene) -> String {
+fn who(names: &[&str], of_materials: &BTreeMap<&str, Kind>) -> String {
     if names.len() <= NAMED {
         return names.join(", ");
     }
-    let kind = |name: &&&str| scene.materials.iter().find(|m| m.name == ***name).map(|m| m.kind);
     let kinds = [
         (Some(Kind::Metal), "metal", "metals"),
         (Some(Kind::Dielectric), "dielectric", "dielectrics"),
@@ -86,7 +85,7 @@ fn who(names: &[&str], scene: &Scene) -> String {
         (None, "probe", "probes"),
     ];
     let counted = |(own, one, many): (Option<Kind>, &str, &str)| {
-        let n = names.iter().filter(|name| kind(name) == own).count();
+        let n = names.iter().filter(|name| of_materials.get(*name).copied() == own).count();
         (n > 0).then(|| words::count(n, one, many))
     };
     kinds.into_iter().filter_map(counted).collect::<Vec<_>>().join(", ")

@@ -59,7 +59,7 @@ pub struct ValueFits<'a> {
 pub struct Around {
     /// Their text in a language.
     pub print: fn(Language, &Fit) -> Result<String, BakeError>,
-    /// The one that takes the value of the fit, where none calls the fit.
+    /// The function that takes the value of the fit, where no function calls the fit itself.
     pub then: Option<&'static str>,
     /// What the card of the fit says of them; empty where there are none.
     pub said: fn(&Fit) -> Result<String, BakeError>,

@@ -1,5 +1,7 @@
 //! What materials and probes call of a bake.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
@@ -93,46 +95,67 @@ pub struct MaskLookup {
     pub cost: CostEntry,
 }
 
+/// Most callers that the row of a function names: more stand with all that they call.
+pub const NAMED: usize = 3;
+
 /// Materials or probes that call the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Callers<'a> {
     /// Their names.
     pub names: Vec<&'a str>,
-    /// What they call: `sheen_albedo then sheen_base_scale`.
+    /// What they call for each purpose, and what may stand for it:
+    /// `ggx_energy_compensation (or ggx_albedo then ggx_compensate_reflection)`.
     pub calls: Vec<String>,
 }
 
 impl Call {
-    /// Those of its material or probe for its purpose, it among them.
-    fn choice<'a>(&'a self, calls: &'a [Call]) -> impl Iterator<Item = &'a Call> {
-        calls.iter().filter(|other| (&other.of, &other.purpose) == (&self.of, &self.purpose))
-    }
-
     /// Whether it is the one to take of several of its material or probe for its purpose.
     pub fn is_preferred(&self, calls: &[Call]) -> bool {
-        self.recommended && self.choice(calls).count() > 1
+        let stands_beside = |other: &&Call| (&other.of, &other.purpose) == (&self.of, &self.purpose);
+        self.recommended && calls.iter().filter(stands_beside).count() > 1
     }
 }
 
-/// Who calls what: of calls that stand for one another the one to take.
+/// Who calls what, in the order of the calls.
 pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
-    let mut each: Vec<Callers> = Vec::new();
-    for call in calls.iter().filter(|call| call.recommended || call.choice(calls).count() == 1) {
-        let text = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
-        let text = call.function.clone() + &text;
-        match each.iter_mut().find(|one| one.names[0] == call.of) {
-            Some(one) => one.calls.push(text),
-            None => each.push(Callers { names: vec![&call.of], calls: vec![text] }),
+    let mut each: Vec<(&str, Vec<Vec<&Call>>)> = Vec::new();
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
+    for call in calls {
+        let place = *places.entry(&call.of).or_insert(each.len());
+        if place == each.len() {
+            each.push((&call.of, Vec::new()));
+        }
+        let same = |choice: &&mut Vec<&Call>| !call.purpose.is_empty() && choice[0].purpose == call.purpose;
+        match each[place].1.iter_mut().find(same) {
+            Some(choice) => choice.push(call),
+            None => each[place].1.push(vec![call]),
         }
     }
     let mut sets: Vec<Callers> = Vec::new();
-    for one in each {
-        match sets.iter_mut().find(|set| set.calls == one.calls) {
-            Some(set) => set.names.extend(one.names),
-            None => sets.push(one),
+    let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
+    for (name, choices) in each {
+        let calls: Vec<String> = choices.iter().map(|choice| worded(choice)).collect();
+        let place = *places.entry(calls.clone()).or_insert(sets.len());
+        match sets.get_mut(place) {
+            Some(set) => set.names.push(name),
+            None => sets.push(Callers { names: vec![name], calls }),
         }
     }
     sets
+}
+
+/// Calls that stand for one another, the recommended one first.
+fn worded(choice: &[&Call]) -> String {
+    let text = |call: &&Call| {
+        let then = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
+        call.function.clone() + &then
+    };
+    let (mut all, others): (Vec<&Call>, Vec<&Call>) = choice.iter().partition(|call| call.recommended);
+    all.extend(others);
+    let mut words = all.iter().map(text);
+    let first = words.next().unwrap_or_default();
+    let rest: Vec<String> = words.collect();
+    if rest.is_empty() { first } else { format!("{first} (or {})", rest.join(", ")) }
 }
 
 impl Manifest {

@@ -119,6 +119,9 @@ pub enum CameraPath {
     Walk,
 }
 
+/// The field, and who calls its functions.
+pub const CULLING: &str = "culling";
+
 /// A pass of the reconstruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]

@@ -6,7 +6,7 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 
 use super::SceneError;
-use super::culling::Culling;
+use super::culling::{CULLING, Culling};
 use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;
@@ -256,12 +256,16 @@ impl Scene {
     fn check_names(&self) -> Result<(), (String, String)> {
         let materials: Vec<&str> = self.materials.iter().map(|m| m.name.as_str()).collect();
         let probes: Vec<&str> = self.probes.iter().map(|p| p.name.as_str()).collect();
+        // Calls are listed by these names, of all lists together.
+        let mut seen: BTreeMap<&str, String> = BTreeMap::new();
+        seen.extend(self.culling.as_ref().map(|_| (CULLING, "the scene's `culling`".to_string())));
         for (list, names) in [("materials", materials), ("probes", probes)] {
-            let mut seen = BTreeMap::new();
             for (i, name) in names.into_iter().enumerate() {
-                if let Some(first) = seen.insert(name, i) {
-                    let message = format!("`{name}` is already the name of {list}[{first}]");
-                    return Err((format!("{list}[{i}].name"), message));
+                if let Some(first) = seen.insert(name, format!("{list}[{i}]")) {
+                    return Err((
+                        format!("{list}[{i}].name"),
+                        format!("`{name}` is already the name of {first}"),
+                    ));
                 }
             }
         }

@@ -62,9 +62,8 @@ pub const THREADS: usize = 256;
 pub const SMOOTH_ALPHA: f64 = 1e-4;
 /// Largest index of refraction that the path tracer's tables reach.
 pub const PATH_TRACER_IOR: f64 = 2.0;
-/// Largest index of refraction of glass, and of fits with the exact Fresnel term: the truth is quick up to
-/// there.
-pub const EXACT_IOR: f64 = 3.0;
+/// Largest index of refraction of fits with the exact Fresnel term: the truth is quick up to there.
+pub const EXACT_IOR: f64 = GLASS_IOR;
 /// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.
 pub const MU_MIN: f64 = 1e-4;
 

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::goals::Goals;
 use super::layers::{Base, Sheen};
-use super::limits::{EXACT_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
+use super::limits::{EXACT_IOR, GLASS_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::value::{Maybe, Text, Word, about, from_file};
@@ -159,7 +159,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             "required": ["ior"],
             "properties": {
                 "kind": { "const": "glass" },
-                "ior": { "maximum": EXACT_IOR, "items": { "maximum": EXACT_IOR } },
+                "ior": { "maximum": GLASS_IOR, "items": { "maximum": GLASS_IOR } },
                 "anisotropy": false,
                 "base": false,
                 "wants": { "properties": { "fit": false, "exact_fresnel": false } },

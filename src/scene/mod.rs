@@ -19,7 +19,7 @@ mod probe;
 mod table;
 mod wants;
 
-pub use culling::{CameraPath, Culling, Generator, Pass, World};
+pub use culling::{CULLING, CameraPath, Culling, Generator, Pass, World};
 pub use file::{Scene, UNNAMED, schema};
 pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};

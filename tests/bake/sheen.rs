@@ -64,7 +64,10 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
     let [metals, satins] = &found[..] else { panic!("{found:?}") };
     let several = baked.calls.iter().filter(|call| call.of == "steel").count();
     assert!(several > 1 && metals.calls.len() == 1, "{several} {metals:?}");
-    assert!(metals.calls[0].starts_with("ggx_energy_compensation_"), "{metals:?}");
+    let [first, others] = [metals.calls[0].split(" (or ").next(), metals.calls[0].split(" (or ").nth(1)];
+    let preferred = baked.calls.iter().find(|call| call.of == "steel" && call.recommended);
+    assert_eq!(first, preferred.map(|call| call.function.as_str()), "{metals:?}");
+    assert_eq!(others.map(|list| list.split(", ").count()), Some(several - 1), "{metals:?}");
     assert!(satins.calls.len() == 1 && satins.calls[0].ends_with(" then sheen_base_scale"), "{satins:?}");
 }
 

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::grid::Lod;
-use crate::measure::{Measured, Span, Tally, Trial, measured};
+use crate::measure::{Measured, Tally, Trial, measured};
 use crate::passes::{Passes, Work};
 use crate::site::Site;
-use crate::study::{MEASURED, Set, usual};
+use crate::study::{Set, usual};
 use lobefit::scene::{CameraPath, Culling};
 
 /// Largest part of the visible boxes that parameters may cull on any of the shots that they are chosen
@@ -18,16 +18,10 @@ pub const ALLOWED: [f64; 2] = [0.005, 0.2];
 /// Every path.
 pub(crate) const PATHS: [CameraPath; 3] = [CameraPath::Turn, CameraPath::Strafe, CameraPath::Walk];
 
-/// Places that shots start from, on each path, and frames of a shot that are measured. As on a chessboard:
-/// chosen on the corners and the middle, reported on what lies between.
-type Shots = (&'static [usize], &'static [usize]);
-const CHOSEN_ON: Shots = (&[0, 2, 4, 6, 8], &MEASURED);
-const REPORTED_ON: Shots = (&[1, 3, 5, 7], &MEASURED);
-/// What all combinations are tried on first.
-const FIRST: Shots = (CHOSEN_ON.0, MEASURED.split_at(6).1);
-/// How many of the best are then measured on all frames.
-pub const FINALISTS: usize = 24;
-
+/// Places that shots start from, on each path. As on a chessboard: chosen on the corners and the middle,
+/// reported on what lies between.
+const CHOSEN_ON: [usize; 5] = [0, 2, 4, 6, 8];
+const REPORTED_ON: [usize; 4] = [1, 3, 5, 7];
 /// What a texel or voxel of each pass costs, so that counts of several passes can be added: nanoseconds of
 /// a thread, medians over the rows of `lobefit report --study occlusion --times` on an AMD EPYC (times.json
 /// beside the page; those of splats are spread from 0.5 to 13). Constants: no machine decides a choice.
@@ -61,7 +55,7 @@ pub struct OnShots {
 pub struct Choices {
     /// The scene's own, with the usual values of what it does not say.
     pub usual: Choice,
-    /// Of the [`FINALISTS`] those of least work, weighed by pass, that keep [`ALLOWED`]; where none do,
+    /// Of all that were tried those of least work, weighed by pass, that keep [`ALLOWED`]; where none do,
     /// those that keep least of what is hidden.
     pub best: Choice,
     /// Combinations of radii and levels of detail that were tried, each with the least margin that
@@ -106,14 +100,13 @@ fn rank((_, found): &(Trial, OnShots)) -> (u64, u64, u64) {
 }
 
 /// What passes do on shots.
-fn on(set: &Set, (starts, frames): Shots, passes: &[Passes]) -> Vec<OfPasses> {
+fn on(set: &Set, starts: &[usize], passes: &[Passes]) -> Vec<OfPasses> {
     let shots: Vec<_> =
         PATHS.into_iter().flat_map(|path| starts.iter().map(move |start| (path, *start))).collect();
     let one = |(path, start): &(CameraPath, usize)| {
         // The scene says how fine its depth is, whatever else is tried.
-        let film = set.film(set.shot(*path, *start, 1.0), &[passes[0].fineness()]);
-        let span = Span { frames, ..set.span(set.culling.latency as usize) };
-        measured(&film, &span, passes)
+        let film = set.film(set.shot(*path, *start, 1.0), &[usual(set.culling).passes.fineness()]);
+        measured(&film, &set.span(set.culling.latency as usize), passes)
     };
     let all: Vec<Vec<Measured>> = shots.par_iter().map(one).collect();
     let mut found: Vec<OfPasses> =
@@ -140,21 +133,16 @@ fn combinations(own: &Passes) -> Vec<Passes> {
     all
 }
 
-/// Tries everything on a few frames and so many of the best, [`FINALISTS`] of a study, on all; reports the
-/// scene's own parameters and the best.
-pub fn choices(culling: &Culling, site: &Site, finalists: usize) -> Choices {
+/// Tries everything; reports the scene's own parameters and the best.
+pub fn choices(culling: &Culling, site: &Site) -> Choices {
     let (set, own) = (&Set::new(culling, site), usual(culling));
     let all = combinations(&own.passes);
-    let mut first: Vec<_> = on(set, FIRST, &all).iter().map(OfPasses::best).collect();
-    first.sort_by_key(rank);
-    // The scene's own passes come first, and are no finalists.
-    let finalists = first.iter().take(finalists).map(|(trial, _)| trial.passes);
-    let passes: Vec<Passes> = std::iter::once(own.passes).chain(finalists).collect();
-    let found = on(set, CHOSEN_ON, &passes);
+    let passes: Vec<Passes> = std::iter::once(own.passes).chain(all.iter().copied()).collect();
+    let found = on(set, &CHOSEN_ON, &passes);
     let usual = found[0].at(own.bias);
     let best = found[1..].iter().map(OfPasses::best).min_by_key(rank);
     let (trial, chosen) = best.unwrap_or((own, usual));
-    let others = on(set, REPORTED_ON, &[own.passes, trial.passes]);
+    let others = on(set, &REPORTED_ON, &[own.passes, trial.passes]);
     Choices {
         usual: Choice { trial: own, chosen: usual, reported: others[0].at(own.bias) },
         best: Choice { trial, chosen, reported: others[1].at(trial.bias) },

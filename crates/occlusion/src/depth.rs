@@ -102,8 +102,8 @@ impl Depth {
     }
 }
 
-/// Replaces texels by what is farther, or empty. Bits of depths, which are positive, have their order,
-/// and those of [`EMPTY`], which is not, come last.
+/// Replaces texels by what is farther, or empty. Depths are positive, so that their bits have their order;
+/// the bits of [`EMPTY`], which is negative, are larger.
 fn worsen(texels: &mut [f32], others: &[f32]) {
     for (texel, other) in texels.iter_mut().zip(others) {
         *texel = f32::from_bits(texel.to_bits().max(other.to_bits()));

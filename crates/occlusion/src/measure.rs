@@ -251,8 +251,9 @@ pub fn measured(film: &Film, span: &Span, passes: &[Passes]) -> Vec<Measured> {
             let (buffer, mut work, _) = first.run(late, camera, film.size);
             work.accumulate = if first.voxels.is_some() { arrived } else { 0 };
             for (passes, sum) in shared {
-                let (buffer, touched) = passes.finished(&buffer);
-                sum.add((&buffer, Work { dilation: touched, ..work }), (truth, camera), &tested);
+                let mut buffer = buffer.clone();
+                let dilation = passes.finish(&mut buffer);
+                sum.add((&buffer, Work { dilation, ..work }), (truth, camera), &tested);
             }
         };
         let mut groups: Vec<Vec<(&Passes, &mut Measured)>> = Vec::new();

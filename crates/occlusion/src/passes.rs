@@ -128,23 +128,21 @@ impl Passes {
                 timed(&mut work.median, &mut seconds.median, &mut || out.median(self.median));
             }
         }
-        timed(&mut work.dilation, &mut seconds.dilation, &mut || {
-            let touched;
-            (out, touched) = self.finished(&out);
-            touched
-        });
+        timed(&mut work.dilation, &mut seconds.dilation, &mut || self.finish(&mut out));
         (out, work, seconds)
     }
 
-    /// The dilation and the erosion of a buffer that the other passes made, with the texels touched.
-    pub fn finished(&self, buffer: &Depth) -> (Depth, u64) {
-        let mut out = buffer.clone();
-        let mut touched = if self.dilation > 0 { out.dilation(self.dilation) } else { 0 };
-        if self.erosion > 0 {
-            out = out.eroded(self.erosion);
+    /// The dilation and the erosion of a buffer that the other passes made. Texels touched.
+    pub fn finish(&self, out: &mut Depth) -> u64 {
+        let mut touched = 0;
+        if self.dilation > 0 && !self.conservative {
+            touched += out.dilation(self.dilation);
+        }
+        if self.erosion > 0 && !self.conservative {
+            *out = out.eroded(self.erosion);
             // By rows, then by columns.
             touched += (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64;
         }
-        (out, touched)
+        touched
     }
 }

@@ -102,11 +102,11 @@ fn span(polygon: &Polygon, row: usize, width: usize) -> (usize, usize) {
             (low, high) = (low.min(x), high.max(x));
         }
     }
-    (first(low, width), first(high, width))
+    (from(low, width), from(high, width))
 }
 
-/// The first pixel along an axis whose centre is no less; the nearest end where none is inside.
-fn first(x: f32, count: usize) -> usize {
+/// The first pixel along an axis whose centre is not below x; the nearest end where all or no pixels are.
+fn from(x: f32, count: usize) -> usize {
     let x = (x - 0.5).max(0.0).min(count as f32);
     let below = x as usize;
     below + usize::from((below as f32) < x)
@@ -122,7 +122,7 @@ fn scan(
 ) {
     let all = &polygon.points[..polygon.count];
     let rows = all.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), p| (l.min(p[1]), h.max(p[1])));
-    for y in first(rows.0, size[1])..first(rows.1, size[1]) {
+    for y in from(rows.0, size[1])..from(rows.1, size[1]) {
         let (left, right) = span(polygon, y, size[0]);
         if left < right {
             let start = inverse[0] + inverse[2] * (y as f32 + 0.5) + inverse[1] * (left as f32 + 0.5);

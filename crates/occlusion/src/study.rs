@@ -194,13 +194,13 @@ pub fn ways(culling: &Culling, chosen: &Trial) -> Vec<Ways> {
             sources(culling, chosen).into_iter().filter(|way| i == 0 || way.trial.passes.voxels.is_some());
         WithGrid { voxels, ways: own.collect() }
     };
-    let grids = distinct([1, 2, 4].map(|part| culling.grid.map(|n| (n / part).max(2))));
+    let grids = without_repeats([1, 2, 4].map(|part| culling.grid.map(|n| (n / part).max(2))));
     let ways = |buffer| Ways { buffer, grids: grids.iter().copied().enumerate().map(grid).collect() };
-    distinct([1.0, 0.5, 1.5].map(sized)).into_iter().map(ways).collect()
+    without_repeats([1.0, 0.5, 1.5].map(sized)).into_iter().map(ways).collect()
 }
 
 /// The sizes without those that are there before: the smallest are bounded.
-fn distinct<T: PartialEq>(sizes: [T; 3]) -> Vec<T> {
+fn without_repeats<T: PartialEq>(sizes: [T; 3]) -> Vec<T> {
     sizes.into_iter().fold(Vec::new(), |mut all, size| {
         if !all.contains(&size) {
             all.push(size);

@@ -13,7 +13,7 @@ use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, SeqAccess, Visitor
 const ABOUT: char = '\u{1f}';
 
 /// A message about a field inside of the object that is refused, `lookups[1]`; one about a field
-/// inside of that field goes on from there.
+/// inside of that field goes on from there, one about a place in that list without a dot.
 pub fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
     let message = message.to_string();
     let (inner, text) = told(&message);

@@ -10,14 +10,11 @@ use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::emit::call::{Call, MaskLookup};
 use crate::emit::manifest::CostEntry;
 use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
-use crate::scene::{Goals, Pass, Scene};
+use crate::scene::{CULLING, Goals, Pass, Scene};
 use lobefit_shade::code::{MASK_FUNCTIONS, MaskCost, MaskFunction, subvoxels};
 
 /// The effect.
 pub struct Occlusion;
-
-/// Who calls for it, and the field.
-const CULLING: &str = "culling";
 
 /// What their error is, in words.
 const METRIC: &str = "none: exact";

@@ -204,15 +204,22 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         let Some((call, _)) = calls.first().cloned() else { continue };
         let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
         let then = then.and_then(|name| crate::emit::include::call(&text, name));
-        code.extend(
-            then.map(|then| comment(language.comment(), &[format!("then, e = value: {}", then.call)])),
-        );
+        code.extend(then.map(|then| comment(language.comment(), &[with_value(&then.call)])));
         found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);
     let first = found.first().and_then(|(_, (call, _))| call.split_once(" = "));
     let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
     (shown, found.into_iter().map(|(language, (_, code))| (language.title().to_string(), code)).collect())
+}
+
+/// What takes the value: an albedo of the view alone, or of the light as well.
+fn with_value(call: &str) -> String {
+    let call = call.split_once(" = ").map_or(call, |(_, call)| call).trim_end_matches(';');
+    match call.contains("e_l") {
+        true => format!("then {call}: e_v is this value, e_l the same with n_dot_l"),
+        false => format!("then {call}: e is this value"),
+    }
 }
 
 /// A call, and the call below its comment.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 
 use super::{called_for, words};
-use crate::emit::call::{self, Call, Callers};
+use crate::emit::call::{Call, Callers, NAMED, callers};
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
 use crate::report::{Block, Names, ReportError, Section, TextTable, check, figures_of, numbers, place_of};
 
@@ -20,9 +20,6 @@ const COLUMNS: [(&str, bool); 9] = [
     ("fetches", true),
     ("bytes", true),
 ];
-
-/// Most names of who calls a function.
-const NAMED: usize = 3;
 
 /// The column of names.
 const NAME: usize = 1;
@@ -48,9 +45,8 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
     let call = Section {
         id: "call".into(),
         title: "Who calls what".into(),
-        lead: "What each material and probe calls, then each emitted function once, with those that call it."
-            .into(),
-        blocks: vec![callers(manifest), calls(manifest)?],
+        lead: "What each material and probe calls, then each emitted function once.".into(),
+        blocks: vec![of_callers(manifest), calls(manifest)?],
     };
     let made = Section {
         id: "made".into(),
@@ -127,11 +123,11 @@ fn states_error(scene: &Value) -> bool {
 }
 
 /// A row for all that call the same.
-fn callers(manifest: &Manifest) -> Block {
+fn of_callers(manifest: &Manifest) -> Block {
     let columns = [("materials and probes", false), ("call", false)];
     let row = |Callers { names, calls }: Callers| vec![names.join(", "), calls.join(", ")];
-    let rows = call::callers(&manifest.entries.calls).into_iter().map(row).collect();
-    let caption = "Where functions stand for one another, the recommended one.";
+    let rows = callers(&manifest.entries.calls).into_iter().map(row).collect();
+    let caption = "Of functions that stand for one another the recommended one comes first.";
     Block::Table(words::table(&columns, rows, caption))
 }
 
@@ -170,7 +166,7 @@ fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
     Ok(Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) }))
 }
 
-/// The first names, and how many more there are: all stand in [`callers`].
+/// The first names, and how many more there are: [`of_callers`] has all.
 fn some(names: &[&str]) -> String {
     match names.len().saturating_sub(NAMED) {
         0 => names.join(", "),

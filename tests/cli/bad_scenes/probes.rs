@@ -12,6 +12,10 @@ fn not_a_probe() -> Vec<Case> {
             "probes[1].name: `p` is already the name of probes[0]",
         ),
         case(
+            top("\"culling\":{},\"probes\":[{\"name\":\"p\"},{\"name\":\"culling\"}]"),
+            "probes[1].name: `culling` is already the name of the scene's `culling`",
+        ),
+        case(
             top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ggx\"}]"),
             "probes[0].kernel: `ggx` is none of ndf, half and half-cosine",
         ),

@@ -6,6 +6,7 @@ mod origin;
 mod refusal;
 mod sidecar;
 mod stated;
+mod tables;
 mod words;
 
 use std::ffi::OsString;
@@ -17,7 +18,7 @@ use clap::Parser;
 
 use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
 use crate::cost;
-use crate::foreign::{self, Hints, RawFormat};
+use crate::foreign::{self, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
 use lobefit::cli::options::{ThreadsOption, not_negative};
@@ -181,30 +182,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// What the options say, or else what the file says of itself.
-fn asked(options: Options, bytes: &[u8]) -> Result<Asked, CliError> {
-    let own = match options.stands_for {
-        Some(wanted) => return Ok(Asked { options, wanted }),
-        None if is_shader(&options) => None,
-        None => {
-            tables(&options, bytes)?.into_iter().find_map(|(table, _)| audit::stated_quantity(&table.note))
-        }
-    };
-    match own {
-        Some(quantity) => Ok(Asked { options, wanted: (quantity, None) }),
-        None => Err(CliError::Usage(format!(
-            "{}: does not say which quantity it stands for; say it: `--as ggx-reflection`, or another that --help names",
-            options.file.display()
-        ))),
-    }
-}
-
 fn verb(options: Options) -> Result<Outcome, CliError> {
     other_kind(&options)?;
     let bytes = read(&options)?;
-    let options = &asked(options, &bytes)?;
+    let wanted = tables::wanted(&options, &bytes)?;
+    let options = &Asked { options, wanted };
     let Read { mut audited, inverse, function, holds, note } =
-        if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
+        if is_shader(options) { shader(options, &bytes)? } else { tables::table(options, &bytes)? };
     // A folder that cannot be written is an error before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
@@ -390,80 +374,6 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
         ))),
-    }
-}
-
-/// A table as the sidecar of its file has it, and what it is called in messages.
-type Named = (foreign::ForeignTable, String);
-
-/// The tables of a file.
-fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
-    let beside = sidecar::beside(options, bytes.len());
-    let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
-    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
-    let with = |table: foreign::ForeignTable| {
-        let what = named(options, &table.name);
-        match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
-            None => (table, what),
-            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}")),
-            Some((name, Err(reason))) => {
-                sidecar::refused(options, name, &reason);
-                (table, what)
-            }
-        }
-    };
-    Ok(tables.into_iter().map(with).collect())
-}
-
-/// The table that is meant, and what the file is.
-fn table(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
-    let tables = tables(options, bytes)?;
-    let (table, what) = chosen(options, &tables)?.clone();
-    grouped(options, &table);
-    let audited = AuditedTable { what, ..AuditedTable::from(&table) };
-    Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
-}
-
-/// Says how many channels a stated size makes of a list that states none.
-fn grouped(options: &Options, table: &foreign::ForeignTable) {
-    let listed = ["array", "raw"].iter().any(|kind| table.what.starts_with(kind));
-    let count = table.channels.len();
-    if listed && count > 1 && options.size.is_some() && options.channels.is_none() && !options.quiet {
-        let (file, values) = (file_name(options), count * table.texels());
-        say(&format!(
-            "{file}: its {values} values are {} texels of {count} channels in the size that is given; --channels states another number",
-            table.texels()
-        ));
-    }
-}
-
-/// The table that is meant, of a file that may hold several.
-fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliError> {
-    let inputs = audit::inputs_of(options.wanted.0);
-    let axes = |(t, _): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
-    let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
-    match (fitting.as_slice(), tables) {
-        ([one], _) => Ok(one),
-        ([], [one, ..]) => Ok(one),
-        ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
-        (several, _) => {
-            let names: Vec<&str> = several.iter().map(|(t, _)| t.name.as_str()).collect();
-            let names = names.join("`, `");
-            Err(CliError::Usage(format!(
-                "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",
-                options.file.display()
-            )))
-        }
-    }
-}
-
-fn hints(options: &Options) -> Hints {
-    Hints {
-        size: options.size.clone().map(|s| s.0),
-        channels: options.channels,
-        format: options.raw_format,
-        symbol: options.symbol.clone(),
-        layer: options.layer.clone(),
     }
 }
 

@@ -76,6 +76,11 @@ impl Beside {
         &self.name
     }
 
+    /// The quantity of the file.
+    pub fn quantity(&self) -> &str {
+        &self.said.quantity
+    }
+
     /// What a file without a header is read by; an option has the last word.
     pub fn hints(&self, given: Hints) -> Hints {
         if self.said.container != Container::Raw {

@@ -12,7 +12,7 @@ use lobefit::scene::Scene;
 use lobefit::store::Files;
 
 /// Tables of two and three axes, of one, two and four channels, in f16 and f32.
-const SCENE: &str = r#"{"schema_version":1,"formats":["dds","ktx2","npy","raw"],"materials":[
+const SCENE: &str = r#"{"schema_version":1,"formats":["exr","dds","ktx2","npy","raw"],"materials":[
 {"name":"metal","kind":"metal","f0":1,"roughness":[0.3,1],"wants":{"tables":[{"size":[16,12],"serves":"split-sum"}]}},
 {"name":"frosted","kind":"glass","ior":[1.4,1.6],"roughness":[0.5,0.6],"wants":{"tables":[{"size":[8,6,4],"format":"f32"}]}},
 {"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[
@@ -47,13 +47,15 @@ fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
         write(&path["tables/".len()..], bytes);
     }
     for (name, quantity) in TABLES {
-        for extension in ["dds", "ktx2", "npy", "raw"] {
+        for extension in ["exr", "dds", "ktx2", "npy", "raw"] {
             let file = format!("{name}.{extension}");
             // What it stands for is said by an option, or by the file.
-            let given = if ["ktx2", "raw"].contains(&extension) { "" } else { quantity };
+            let given = if ["exr", "ktx2", "raw"].contains(&extension) { "" } else { quantity };
             let (code, out, err) = audit(folder.path(), &file, given, &[]);
             assert!(code == Some(0) && err.is_empty(), "{file}: {out}{err}");
-            let own = format!("{file} with its sidecar {file}.json is what it says");
+            let sidecar =
+                if extension == "exr" { String::new() } else { format!(" with its sidecar {file}.json") };
+            let own = format!("{file}{sidecar} is what it says");
             assert!(out.starts_with(&format!("PASS {quantity} ")) && out.contains(&own), "{out}");
         }
     }

@@ -1,7 +1,7 @@
 //! What latency, speed and free parameters do, and why texels are never written.
 
 use super::{MS, RATES, Rate, by, curves, milliseconds, path, percent, rates, worded};
-use crate::choice::{ALLOWED, COST, Choice, Choices, FINALISTS, OnShots};
+use crate::choice::{ALLOWED, COST, Choice, Choices, OnShots};
 use crate::measure::{Tally, part};
 use crate::passes::Work;
 use crate::study::{Causes, MEASURED, Point, Results, SAFE};
@@ -178,7 +178,7 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
          about every texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. \
          The fitting engine is not used: it moves continuous constants along slopes, and only the margin is continuous. Each box has a margin from which on \
          it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} combinations of the rest are tried \
-         on two frames of a turn, a strafe and a walk from five places each, and the best {FINALISTS} on all {} frames of these shots. Chosen is the \
+         on a turn, a strafe and a walk from five places each, {} frames of every shot. Chosen is the \
          combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden.{none} A count of each pass is weighed with the time \
          that it takes on a CPU, from {cheapest}\u{a0}ns of the dilation to {dearest}\u{a0}ns of the accumulation, the same in every study. The choice is reported on \
          shots from the four other places.",

@@ -95,6 +95,28 @@ fn medians_fill_cracks_and_dilation_takes_the_farthest() {
     assert_eq!(far.eroded(1).texels, [f32::INFINITY, EMPTY, EMPTY]);
 }
 
+/// Held against a search through each square, of depths with holes and sky.
+#[test]
+fn an_erosion_is_the_farthest_of_each_square() {
+    let size = [5, 4];
+    let one = |i: usize| match i * 7 % 20 {
+        3 => EMPTY,
+        5 => f32::INFINITY,
+        k => 1.0 + k as f32,
+    };
+    let depth = Depth { size, texels: (0..20).map(one).collect() };
+    for radius in [0, 1, 3, 9] {
+        let square = |x: usize, y: usize| {
+            let around =
+                (0..20_usize).filter(|k| (k % 5).abs_diff(x) <= radius && (k / 5).abs_diff(y) <= radius);
+            let all: Vec<f32> = around.map(|k| depth.texels[k]).collect();
+            if all.contains(&EMPTY) { EMPTY } else { all.into_iter().fold(0.0, f32::max) }
+        };
+        let expected: Vec<f32> = (0..20).map(|i| square(i % 5, i / 5)).collect();
+        assert_eq!(depth.eroded(radius).texels, expected, "radius {radius}");
+    }
+}
+
 /// Sub-voxels are splatted one by one up close, as the cell's centroid farther away and as the
 /// super-voxel's beyond: all within the cell, and none where something is written already.
 #[test]

@@ -14,7 +14,7 @@ use lobefit::report::{Origin, Page, document};
 use lobefit::scene::{Culling, Scene, World};
 use lobefit_import::limits::MESH_BYTES;
 use lobefit_import::mesh;
-use lobefit_occlusion::choice::{Choices, FINALISTS, choices};
+use lobefit_occlusion::choice::{Choices, choices};
 use lobefit_occlusion::site::Site;
 use lobefit_occlusion::study::{self, Results};
 use lobefit_occlusion::times::Times;
@@ -128,7 +128,7 @@ impl Study for Occlusion {
     fn timed(&self, size: Size, command: String) -> Result<Option<Timed>, StudyError> {
         let culling = self.culling(size)?;
         let site = self.site(&culling)?;
-        let choices = choices(&culling, &site, FINALISTS);
+        let choices = choices(&culling, &site);
         let times = Times::measured((&culling, &site), &choices.best.trial, [command, device(1)]);
         let record = document("times.json", &times)?;
         // What the page shows is what the record holds: numbers of fewer digits.
@@ -151,7 +151,7 @@ impl Study for Occlusion {
         progress.stage("occlusion buffers");
         let culling = self.culling(size)?;
         let site = self.site(&culling)?;
-        let choices = self.choices.clone().unwrap_or_else(|| choices(&culling, &site, FINALISTS));
+        let choices = self.choices.clone().unwrap_or_else(|| choices(&culling, &site));
         let results = study::results(&culling, &site, choices);
         let mut page = page::page(&results, self.times.as_ref(), origin.clone())?;
         if size == Size::Reduced {

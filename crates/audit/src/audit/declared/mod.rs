@@ -23,9 +23,11 @@ use formula::Formula;
 use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
-/// The quantity that a table says it is of, if it says one.
-pub fn stated_quantity(note: &str) -> Option<&'static dyn Quantity> {
-    lobefit_truth::quantity::find(&Statement::parse(note).ok()?.quantity)
+/// The quantity that a table says it is of, by its name; none of a file that is not this tool's.
+///
+/// Errors: what cannot be understood of what it says, in words.
+pub fn stated_quantity(note: &str) -> Result<Option<&str>, String> {
+    if note.is_empty() { Ok(None) } else { statement::table(note).map(|(_, quantity)| Some(quantity)) }
 }
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's

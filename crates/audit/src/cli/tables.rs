@@ -1,0 +1,119 @@
+//! Which table of a file is meant, and which quantity the file says that it stands for.
+
+use super::{Asked, Options, Read, Wanted, file_name, is_shader, named, sidecar};
+use crate::audit::{self, AuditedTable};
+use crate::foreign::{self, Hints};
+use lobefit::cli::CliError;
+use lobefit::cli::options::quantity;
+use lobefit::cli::output::say;
+use lobefit_truth::quantity::QUANTITIES;
+
+/// What the file is measured as: what the options say, or else what the file says of itself.
+pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError> {
+    let file = options.file.display();
+    match (options.stands_for, is_shader(options)) {
+        (Some(wanted), _) => Ok(wanted),
+        (None, false) if let Some(name) = stated(options, bytes)? => {
+            let found = quantity(&name).map(|quantity| (quantity, None));
+            found.map_err(|why| CliError::Usage(format!("{file}: says that it is of `{name}`: {why}")))
+        }
+        _ => Err(CliError::Usage(format!(
+            "{file}: does not say which quantity it stands for; say it by --as: {}",
+            QUANTITIES.map(|quantity| quantity.name()).join(", ")
+        ))),
+    }
+}
+
+/// The quantity that the file's sidecar or its header names; none of another's file.
+fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
+    if let Some(beside) = sidecar::beside(options, bytes.len()) {
+        return Ok(Some(beside.quantity().to_string()));
+    }
+    let file = options.file.display().to_string();
+    let whole = Hints { layer: None, ..hints(options) };
+    let tables = foreign::read_table(bytes, &file, &whole)?;
+    let names = tables.iter().map(|table| audit::stated_quantity(&table.note));
+    let names = names.collect::<Result<Vec<Option<&str>>, String>>();
+    let names = names.map_err(|why| CliError::Usage(format!("{file}: its attribute `lobefit`: {why}")))?;
+    let mut names: Vec<&str> = names.into_iter().flatten().collect();
+    names.dedup();
+    match names[..] {
+        [] => Ok(None),
+        [one] => Ok(Some(one.to_string())),
+        _ => Err(CliError::Usage(format!("{file}: has tables of {}; choose one by --as", names.join(", ")))),
+    }
+}
+
+/// A table as the sidecar of its file has it, and what it is called in messages.
+type Named = (foreign::ForeignTable, String);
+
+/// The tables of a file.
+fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
+    let beside = sidecar::beside(options, bytes.len());
+    let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
+    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
+    let with = |table: foreign::ForeignTable| {
+        let what = named(options, &table.name);
+        match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
+            None => (table, what),
+            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}")),
+            Some((name, Err(reason))) => {
+                sidecar::refused(options, name, &reason);
+                (table, what)
+            }
+        }
+    };
+    Ok(tables.into_iter().map(with).collect())
+}
+
+/// The table that is meant, and what the file is.
+pub(super) fn table(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
+    let tables = tables(options, bytes)?;
+    let (table, what) = chosen(options, &tables)?.clone();
+    grouped(options, &table);
+    let audited = AuditedTable { what, ..AuditedTable::from(&table) };
+    Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
+}
+
+/// Says how many channels a stated size makes of a list that states none.
+fn grouped(options: &Options, table: &foreign::ForeignTable) {
+    let listed = ["array", "raw"].iter().any(|kind| table.what.starts_with(kind));
+    let count = table.channels.len();
+    if listed && count > 1 && options.size.is_some() && options.channels.is_none() && !options.quiet {
+        let (file, values) = (file_name(options), count * table.texels());
+        say(&format!(
+            "{file}: its {values} values are {} texels of {count} channels in the size that is given; --channels states another number",
+            table.texels()
+        ));
+    }
+}
+
+/// The table that is meant, of a file that may hold several.
+fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliError> {
+    let inputs = audit::inputs_of(options.wanted.0);
+    let axes = |(t, _): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
+    let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
+    match (fitting.as_slice(), tables) {
+        ([one], _) => Ok(one),
+        ([], [one, ..]) => Ok(one),
+        ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
+        (several, _) => {
+            let names: Vec<&str> = several.iter().map(|(t, _)| t.name.as_str()).collect();
+            let names = names.join("`, `");
+            Err(CliError::Usage(format!(
+                "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",
+                options.file.display()
+            )))
+        }
+    }
+}
+
+fn hints(options: &Options) -> Hints {
+    Hints {
+        size: options.size.clone().map(|s| s.0),
+        channels: options.channels,
+        format: options.raw_format,
+        symbol: options.symbol.clone(),
+        layer: options.layer.clone(),
+    }
+}
