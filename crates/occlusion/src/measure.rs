@@ -93,6 +93,18 @@ pub fn error(found: f32, truth: f32) -> Option<f32> {
     }
 }
 
+/// Whether a texel's [`error`] is below -[`TOLERANCE`], without a branch. Of infinities the quotient is no
+/// number, and compares as false.
+pub fn is_near(found: f32, truth: f32) -> bool {
+    let finite = (found < f32::INFINITY) & (truth == f32::INFINITY);
+    (found != EMPTY) & (((found - truth) / truth < -TOLERANCE) | finite)
+}
+
+/// Whether it is above, or nothing was written.
+pub fn is_far(found: f32, truth: f32) -> bool {
+    (found == EMPTY) | ((found - truth) / truth > TOLERANCE)
+}
+
 /// Texels that no old point reached, by cause.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Holes {
@@ -212,11 +224,9 @@ impl Measured {
             ..Tally::default()
         };
         frame.seen = boxes.len() as u64 - frame.hidden;
-        for (found, truth) in buffer.texels.iter().zip(&truth.texels) {
-            let error = error(*found, *truth).unwrap_or(1.0);
-            frame.near += u64::from(error < -TOLERANCE);
-            frame.far += u64::from(error > TOLERANCE);
-        }
+        let pairs = || buffer.texels.iter().zip(&truth.texels);
+        frame.near = pairs().map(|(found, truth)| u32::from(is_near(*found, *truth))).sum::<u32>().into();
+        frame.far = pairs().map(|(found, truth)| u32::from(is_far(*found, *truth))).sum::<u32>().into();
         self.fixed = self.fixed.plus(frame);
         for Tested { cuboid, footprint, hidden } in boxes {
             let margin = footprint.margin(buffer);

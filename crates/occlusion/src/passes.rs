@@ -128,7 +128,9 @@ impl Passes {
                 timed(&mut work.median, &mut seconds.median, &mut || out.median(self.median));
             }
         }
-        timed(&mut work.dilation, &mut seconds.dilation, &mut || self.finish(&mut out));
+        if self.dilation > 0 || self.erosion > 0 {
+            timed(&mut work.dilation, &mut seconds.dilation, &mut || self.finish(&mut out));
+        }
         (out, work, seconds)
     }
 

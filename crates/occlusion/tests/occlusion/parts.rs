@@ -3,7 +3,7 @@
 use lobefit_occlusion::camera::Camera;
 use lobefit_occlusion::depth::{Depth, EMPTY};
 use lobefit_occlusion::grid::{Grid, Lod};
-use lobefit_occlusion::measure::{Holes, error};
+use lobefit_occlusion::measure::{Holes, TOLERANCE, error, is_far, is_near};
 use lobefit_occlusion::raster::{Cuboid, Solids, rendered};
 use lobefit_occlusion::reproject::reproject;
 use lobefit_occlusion::world::BOUNDS;
@@ -147,4 +147,11 @@ fn errors_have_signs() {
         [error(far, far), error(far, 1.0), error(1.0, far), error(EMPTY, 1.0)],
         [Some(0.0), Some(1.0), Some(-1.0), None]
     );
+    for truth in [1.0, 7.0, far] {
+        for found in [EMPTY, 0.5, 0.979, 0.981, 1.0, 1.019, 1.021, 6.0, 6.99, 8.0, far] {
+            let known = error(found, truth);
+            assert_eq!(is_near(found, truth), known.is_some_and(|e| e < -TOLERANCE), "{found} {truth}");
+            assert_eq!(is_far(found, truth), known.is_none_or(|e| e > TOLERANCE), "{found} {truth}");
+        }
+    }
 }
