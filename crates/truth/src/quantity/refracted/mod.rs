@@ -255,9 +255,8 @@ impl Quantity for RefractedWidth {
         QUICK
     }
 
-    /// 300 to 1000.
     fn microseconds(&self, _: &[&str]) -> f64 {
-        1e3
+        1e2
     }
 
     /// Visible normals, and vectors refracted at each; half of the energy by a histogram of the
