@@ -49,7 +49,7 @@ const FITS: ValueFits = ValueFits {
     caption: "The roughness of the prefiltered lobe that holds half of its energy within the cone that holds half of the refracted one.",
     curves: &[0.1, 0.2, 0.4, 0.7, 1.0],
     shown_at: &[("ior", 1.5)],
-    seconds: [2.0, 0.2],
+    seconds: [3.5, 0.4],
     table: None,
     around: None,
 };

@@ -106,7 +106,7 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         ),
         case(
             material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"refracted_width":{}}"#),
-            "materials[0]: wants.refracted_width: it is of glass, which refracts",
+            "materials[0].wants.refracted_width: it is of glass, which refracts",
         ),
         case(anisotropy("1.5"), "materials[0].anisotropy: 1.5 is outside [0, 1]"),
         case(anisotropy("-0"), "materials[0].anisotropy: -0 is negative zero"),
