@@ -30,6 +30,7 @@ pub mod sheen;
 pub mod table;
 pub mod value;
 mod who;
+pub mod width;
 
 pub use albedo::Albedo;
 pub(crate) use answer::{preferred, rule};
@@ -48,6 +49,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &anisotropy::Anisotropy,
         &glass::Glass,
         &dielectric::Dielectric,
+        &width::Width,
         &coupling::DiffuseCoupling,
         &eon::Eon,
         &sheen::Sheen,

@@ -104,7 +104,8 @@ impl Material {
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
-        let fit = fit.chain(self.wants.exact_fresnel.iter_mut().map(|exact| &mut exact.goals));
+        let values = self.wants.exact_fresnel.iter_mut().chain(&mut self.wants.refracted_width);
+        let fit = fit.chain(values.map(|value| &mut value.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
     }
@@ -141,19 +142,22 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
         { "required": ["f0"], "properties": {
-            "kind": { "const": "metal" }, "base": false, "wants": { "properties": { "exact_fresnel": false } },
+            "kind": { "const": "metal" }, "base": false,
+            "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "required": ["f0"], "properties": {
-            "kind": { "const": "dielectric" }, "wants": { "properties": { "exact_fresnel": false } },
+            "kind": { "const": "dielectric" },
+            "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "properties": {
             "kind": { "const": "dielectric" },
             "ior": { "type": "number", "exclusiveMinimum": 1.0 },
-            "wants": { "properties": { "exact_fresnel": false } },
+            "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "required": ["ior"], "properties": {
             "kind": { "const": "dielectric" },
             "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": EXACT_IOR },
+            "wants": { "properties": { "refracted_width": false } },
         } },
         {
             "required": ["ior"],

@@ -29,7 +29,7 @@ pub use material::{Kind, Lobe, Material, smallest_rough};
 pub use output::Output;
 pub use probe::Probe;
 pub use table::{Layout, Serves, TableWant};
-pub use wants::{ExactWant, FitWant, Norm, Wants};
+pub use wants::{FitWant, Norm, ValueWant, Wants};
 
 use lobefit_strict::value;
 pub use lobefit_strict::{Position, SceneError, escape, place};

@@ -28,10 +28,10 @@ pub struct FitWant {
     pub hypotheses: Vec<String>,
 }
 
-/// Wanted fits of R with the exact Fresnel term of a dielectric.
+/// Wanted fits of one value of a lobe.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ExactWant {
-    /// What they must keep; the limit is of the error of R.
+pub struct ValueWant {
+    /// What they must keep; the limit is of the error of the value.
     #[serde(flatten)]
     pub goals: Goals,
 }
@@ -46,21 +46,29 @@ pub struct Wants {
     /// Fits of R with the exact Fresnel term, of a dielectric with an index of refraction.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub exact_fresnel: Option<ExactWant>,
+    pub exact_fresnel: Option<ValueWant>,
+    /// Fits of the roughness to fetch what glass refracts with.
+    // Absent where not wanted, for the same reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refracted_width: Option<ValueWant>,
 }
 
 /// Wants as the file has them; what the lobe decides is open.
 pub(super) struct OpenWants {
     tables: Vec<OpenTable>,
     fit: Option<FitWant>,
-    exact_fresnel: Option<ExactWant>,
+    exact_fresnel: Option<ValueWant>,
+    refracted_width: Option<ValueWant>,
 }
 
 /// What the material wants of its specular lobe: at least one of the fields. Without `wants`: a table
 /// and fits, with their defaults; of anisotropic materials and of glass, a table with a third axis.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
-#[serde(deny_unknown_fields, expecting = "an object with `tables`, `fit` or `exact_fresnel`")]
+#[serde(
+    deny_unknown_fields,
+    expecting = "an object with `tables`, `fit`, `exact_fresnel` or `refracted_width`"
+)]
 struct WantsFile {
     /// Tables of the albedo for the shader to look up.
     #[serde(default)]
@@ -72,7 +80,11 @@ struct WantsFile {
     /// Formulas of the lobe's albedo with the exact Fresnel term in place of Schlick's: of a dielectric
     /// with an `ior` of at most 3 and without anisotropy.
     #[serde(default)]
-    exact_fresnel: Maybe<ExactWant>,
+    exact_fresnel: Maybe<ValueWant>,
+    /// Formulas of the roughness with which a prefiltered environment map or a blurred picture stands for
+    /// what glass refracts, seen from outside: of glass, with alpha = roughness^2.
+    #[serde(default)]
+    refracted_width: Maybe<ValueWant>,
     /// Refused: a table is an entry of the list `tables`.
     #[serde(default)]
     #[schemars(skip)]
@@ -89,15 +101,15 @@ impl<'de> Deserialize<'de> for Renamed {
     }
 }
 
-/// Fits of the albedo R(roughness, mu, ior) of a dielectric's lobe with the exact Fresnel term.
+/// Fits of one value over roughness, mu and ior.
 #[derive(Deserialize, JsonSchema)]
-#[schemars(rename = "ExactFresnel")]
+#[schemars(rename = "Value")]
 #[serde(deny_unknown_fields, expecting = "an object that describes fits")]
-struct ExactFile {
+struct ValueFile {
     /// Most operations that an emitted fit may take; default: any number.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
-    /// Error of R that at least one emitted fit within `max_ops` must meet, else the bake fails;
+    /// Error of the value that at least one emitted fit within `max_ops` must meet, else the bake fails;
     /// default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
@@ -107,11 +119,11 @@ struct ExactFile {
     norms: Norms,
 }
 
-impl TryFrom<ExactFile> for ExactWant {
+impl TryFrom<ValueFile> for ValueWant {
     type Error = String;
 
-    fn try_from(file: ExactFile) -> Result<Self, String> {
-        Ok(ExactWant { goals: Goals::read(file.max_ops, file.max_error, file.norms)? })
+    fn try_from(file: ValueFile) -> Result<Self, String> {
+        Ok(ValueWant { goals: Goals::read(file.max_ops, file.max_error, file.norms)? })
     }
 }
 
@@ -156,18 +168,19 @@ impl TryFrom<WantsFile> for OpenWants {
     fn try_from(file: WantsFile) -> Result<Self, String> {
         // A scene with the field is refused where it stands.
         let Maybe::<Renamed>(_) = file.table;
-        let (tables, fit, exact_fresnel) = (file.tables.0.map(|l| l.0), file.fit.0, file.exact_fresnel.0);
-        if fit.is_none() && tables.is_none() && exact_fresnel.is_none() {
+        let (tables, fit) = (file.tables.0.map(|l| l.0), file.fit.0);
+        let (exact_fresnel, refracted_width) = (file.exact_fresnel.0, file.refracted_width.0);
+        if fit.is_none() && tables.is_none() && exact_fresnel.is_none() && refracted_width.is_none() {
             return Err(
-                "wants neither `tables` nor `fit` nor `exact_fresnel`; give one of them, or leave `wants` out for the \
-                 default"
+                "wants neither `tables` nor `fit` nor `exact_fresnel` nor `refracted_width`; give one of them, or leave \
+                 `wants` out for the default"
                     .into(),
             );
         }
         if tables.as_ref().is_some_and(Vec::is_empty) {
             return Err(about("tables", "the list is empty; leave the field out"));
         }
-        Ok(OpenWants { tables: tables.unwrap_or_default(), fit, exact_fresnel })
+        Ok(OpenWants { tables: tables.unwrap_or_default(), fit, exact_fresnel, refracted_width })
     }
 }
 
@@ -176,7 +189,7 @@ impl OpenWants {
     /// isotropic fits.
     pub(super) fn default(lobe: Lobe) -> Result<Self, String> {
         let fit = if lobe == Lobe::Isotropic { Some(FitWant::try_from(FitFile::default())?) } else { None };
-        Ok(OpenWants { tables: vec![OpenTable::default()?], fit, exact_fresnel: None })
+        Ok(OpenWants { tables: vec![OpenTable::default()?], fit, exact_fresnel: None, refracted_width: None })
     }
 
     /// The wants of a material with this lobe.
@@ -185,11 +198,14 @@ impl OpenWants {
             let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
             return Err(about("wants.fit", message));
         }
-        let OpenWants { tables, fit, exact_fresnel } = self;
-        Ok(Wants { tables: different(tables, lobe, "wants.tables")?, fit, exact_fresnel })
+        let OpenWants { tables, fit, exact_fresnel, refracted_width } = self;
+        if refracted_width.is_some() && lobe != Lobe::Glass {
+            return Err(about("wants.refracted_width", "it is of glass, which refracts"));
+        }
+        Ok(Wants { tables: different(tables, lobe, "wants.tables")?, fit, exact_fresnel, refracted_width })
     }
 }
 
 from_file!(FitWant, FitFile);
-from_file!(ExactWant, ExactFile);
+from_file!(ValueWant, ValueFile);
 from_file!(OpenWants, WantsFile);

@@ -22,7 +22,7 @@ const SCENE: &str = r#"{"schema_version":1,"name":"all in little","pick":"all","
 {"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
  {"size":[16,16,8]},{"layout":"azimuth","size":[12,8,6]},{"layout":"path-tracer"}]}},
 {"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[
- {"size":[16,16,8]},{"layout":"path-tracer"}]}}],"probes":[
+ {"size":[16,16,8]},{"layout":"path-tracer"}],"refracted_width":{"max_ops":4}}}],"probes":[
 {"name":"hall","roughness":[0.3,0.6],"rho":[0.5,2],"mips":{"map":"linear","count":5},"max_ops":9,
  "lookups":[{"taps":3,"lobe":"fitted"},{"planes":8}]}]}"#;
 

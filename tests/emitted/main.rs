@@ -29,3 +29,4 @@ mod parallax;
 mod sliced;
 mod subvoxels;
 mod tools;
+mod width;

@@ -186,6 +186,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9,"tables":[{"layout":"plain"}]},"wants":{"fit":{"blend":true}}}]}"#;
     let based = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"base":{"albedo":[0.5,1,0],"specular":"single","max_ops":9,"norms":["max"]}}]}"#;
     let exact = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1,"wants":{"exact_fresnel":{"max_ops":47}}}]}"#;
+    let refracted = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":1.5,"roughness":1,"wants":{"refracted_width":{"max_ops":4}}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -219,6 +220,14 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{}"),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"tables\":[{\"layout\":\"plain\"}]"),
                 ("[{\"format\":\"f32\"}]", "[]"),
+            ],
+        ),
+        (
+            refracted,
+            &[
+                ("\"glass\"", "\"dielectric\""),
+                ("\"glass\",\"ior\":1.5", "\"metal\",\"f0\":1"),
+                ("\"max_ops\":4", "\"blend\":true"),
             ],
         ),
         (
@@ -376,6 +385,7 @@ fn it_names_and_describes_every_field() {
             "planes",
             "precision",
             "probes",
+            "refracted_width",
             "reports",
             "rho",
             "roughness",

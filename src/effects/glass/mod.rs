@@ -114,11 +114,13 @@ impl Sliced for Glass {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let glass: Vec<&Material> = scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass).collect();
-        if glass.is_empty() {
-            return "no material transmits light".into();
+        let glass = || scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
+        let wanting: Vec<&Material> = glass().filter(|m| !m.wants.tables.is_empty()).collect();
+        match (glass().next(), wanting.is_empty()) {
+            (None, _) => "no material transmits light".into(),
+            (_, true) => "no glass wants tables".into(),
+            _ => format!("no glass is rough: {}", stay_smooth(&wanting)),
         }
-        format!("no glass is rough: {}", stay_smooth(&glass))
     }
 
     fn function_prefixes(&self) -> &'static [&'static str] {

@@ -104,6 +104,10 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
             material(&format!(r#"{GLASS},"anisotropy":0"#)),
             "materials[0]: `anisotropy` is for metals and dielectrics; leave it out of glass",
         ),
+        case(
+            material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"refracted_width":{}}"#),
+            "materials[0].wants.refracted_width: it is of glass, which refracts",
+        ),
         case(anisotropy("1.5"), "materials[0].anisotropy: 1.5 is outside [0, 1]"),
         case(anisotropy("-0"), "materials[0].anisotropy: -0 is negative zero"),
         case(anisotropy("-0.5"), "materials[0].anisotropy: -0.5 is outside [0, 1]"),

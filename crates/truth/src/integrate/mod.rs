@@ -12,5 +12,6 @@ pub mod reflection;
 pub mod walk;
 
 pub use error::IntegrateError;
+pub(crate) use estimate::Integrand;
 pub use estimate::{Estimate, PanelRule};
 pub use path::Path;

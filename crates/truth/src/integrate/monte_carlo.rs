@@ -9,6 +9,7 @@
 mod lobes;
 
 pub use lobes::{aniso, glass, sobol};
+pub(crate) use lobes::{check_positive, refract, shadowing};
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -135,35 +136,55 @@ pub(crate) fn check_samples(run: Run) -> Result<(), IntegrateError> {
     Ok(())
 }
 
-/// Means of the replicas, in order, whatever thread computes which.
-pub(crate) fn replicas(run: Run, f: impl Fn([f64; DIMENSIONS]) -> Weights + Sync) -> Vec<Weights> {
+/// The draws of one replica.
+pub(crate) struct Draws {
+    points: Points,
+    sobol: Sobol,
+    random: Pcg64,
+    index: u32,
+}
+
+impl Draws {
+    fn new(points: Points, seed: [u32; DIMENSIONS]) -> Draws {
+        let random = Pcg64::seed_from_u64(u64::from(seed[0]) << 32 | u64::from(seed[1]));
+        Draws { points, sobol: Sobol::new(seed), random, index: 0 }
+    }
+
+    /// The next point.
+    pub(crate) fn next(&mut self) -> [f64; DIMENSIONS] {
+        let index = self.index;
+        self.index = index.wrapping_add(1);
+        match self.points {
+            Points::Random => self.random.random(),
+            Points::Sobol => [0, 1, 2].map(|d| self.sobol.coordinate(index, d)),
+        }
+    }
+}
+
+/// What a function makes of the samples of each replica, of which it gets the number, in order,
+/// whatever thread computes which.
+pub(crate) fn of_replicas<T: Send>(run: Run, f: impl Fn(u64, Draws) -> T + Sync) -> Vec<T> {
     let each = run.samples.div_ceil(REPLICAS as u64);
     let mut seeds = Pcg64::seed_from_u64(run.seed);
     let seeds: Vec<[u32; DIMENSIONS]> = (0..REPLICAS).map(|_| seeds.random()).collect();
-    seeds.par_iter().map(|seed| mean(each, run.points, *seed, &f)).collect()
+    seeds.par_iter().map(|seed| f(each, Draws::new(run.points, *seed))).collect()
+}
+
+/// Means of the replicas.
+pub(crate) fn replicas(run: Run, f: impl Fn([f64; DIMENSIONS]) -> Weights + Sync) -> Vec<Weights> {
+    of_replicas(run, |each, draws| mean(each, draws, &f))
 }
 
 /// Mean of one replica: blocks of 4096 samples, their means summed pairwise.
-fn mean(
-    samples: u64,
-    points: Points,
-    seed: [u32; DIMENSIONS],
-    f: &impl Fn([f64; DIMENSIONS]) -> Weights,
-) -> Weights {
+fn mean(samples: u64, mut draws: Draws, f: &impl Fn([f64; DIMENSIONS]) -> Weights) -> Weights {
     const BLOCK: u64 = 4096;
-    let sobol = Sobol::new(seed);
-    let mut random = Pcg64::seed_from_u64(u64::from(seed[0]) << 32 | u64::from(seed[1]));
     let mut blocks: [Vec<f64>; 3] = Default::default();
     let mut from = 0;
     while from < samples {
         let to = (from + BLOCK).min(samples);
         let mut total = [0.0; 3];
-        for index in from..to {
-            let x = match points {
-                Points::Random => random.random(),
-                Points::Sobol => [0, 1, 2].map(|d| sobol.coordinate(index as u32, d)),
-            };
-            for (sum, w) in total.iter_mut().zip(f(x)) {
+        for _ in from..to {
+            for (sum, w) in total.iter_mut().zip(f(draws.next())) {
                 *sum += w;
             }
         }

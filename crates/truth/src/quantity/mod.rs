@@ -12,6 +12,7 @@ mod glass;
 mod over_f0;
 mod parallax;
 mod reflection;
+mod refracted;
 pub mod sheen;
 mod used;
 mod variant;
@@ -24,6 +25,7 @@ pub use glass::GgxGlass;
 pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
 pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
+pub use refracted::RefractedWidth;
 pub use sheen::SheenCharlie;
 pub use used::{Residual, Use};
 pub use variant::{Choice, Variant};
@@ -133,18 +135,7 @@ pub trait Quantity: Sync {
     /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the
     /// largest rule does not reach.
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
-        for (input, value) in self.inputs().iter().zip(x) {
-            let [low, high] = input.domain;
-            if !((low..=high).contains(value) || (input.optional && value.is_nan())) {
-                let domain = "is outside the quantity's domain";
-                return Err(IntegrateError::Domain {
-                    quantity: self.name(),
-                    input: input.name,
-                    value: *value,
-                    domain,
-                });
-            }
-        }
+        check_domain(self, x)?;
         let mu = self.inputs().iter().position(|input| input.name == MU.name);
         let mu = mu.ok_or(IntegrateError::NoInput { quantity: self.name(), input: MU.name })?;
         let e = brdf::albedo(self.name(), &self.brdf(variant, x)?, x[mu], tolerance)?;
@@ -343,6 +334,18 @@ impl<'a> Asked<'a> {
     }
 }
 
+/// Refuses inputs outside of their domains.
+fn check_domain<Q: Quantity + ?Sized>(quantity: &Q, x: &[f64]) -> Result<(), IntegrateError> {
+    for (input, &value) in quantity.inputs().iter().zip(x) {
+        let [low, high] = input.domain;
+        if !((low..=high).contains(&value) || (input.optional && value.is_nan())) {
+            let (quantity, domain) = (quantity.name(), "is outside the quantity's domain");
+            return Err(IntegrateError::Domain { quantity, input: input.name, value, domain });
+        }
+    }
+    Ok(())
+}
+
 /// Refuses values that are neither 0 nor in [smallest, 1], but for what a rounding to f32 does to
 /// the ends.
 fn check_unit<Q: Quantity + ?Sized>(
@@ -377,7 +380,7 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 9] = [
+pub static QUANTITIES: [&dyn Quantity; 10] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
@@ -387,6 +390,7 @@ pub static QUANTITIES: [&dyn Quantity; 9] = [
     &ParallaxAlpha,
     &BECKMANN_REFLECTION,
     &EonSingle,
+    &RefractedWidth,
 ];
 
 /// The quantity of a name.

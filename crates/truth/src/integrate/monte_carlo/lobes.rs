@@ -60,18 +60,8 @@ pub fn glass(
 /// Reflected, transmitted and lost energy of one visible normal.
 fn one_of_glass(smith: Smith, alpha: f64, eta: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
     let normal = ggx::visible_normal([alpha; 2], view, x[0], x[1]);
-    let (mirrored, cosine) = ggx::mirror(view, normal);
-    let square = 1.0 - eta * eta * (1.0 - cosine * cosine);
-    let (reflectance, refracted) = if square <= 0.0 {
-        (1.0, None)
-    } else {
-        let cosine_t = square.sqrt();
-        let s = (eta * cosine - cosine_t) / (eta * cosine + cosine_t);
-        let p = (cosine - eta * cosine_t) / (cosine + eta * cosine_t);
-        let along = eta * cosine - cosine_t;
-        let light = [0, 1, 2].map(|i| along * normal[i] - eta * view[i]);
-        (0.5 * (s * s + p * p), Some(light))
-    };
+    let mirrored = ggx::mirror(view, normal).0;
+    let (reflectance, refracted) = refract(eta, view, normal);
     let (mut kept_r, mut kept_t, mut lost) = (0.0, 0.0, 0.0);
     if mirrored[2] > 0.0 {
         let (kept, shadowed) = shadowing(smith, [alpha; 2], view, mirrored);
@@ -91,8 +81,23 @@ fn one_of_glass(smith: Smith, alpha: f64, eta: f64, view: Vec3, x: [f64; DIMENSI
     [kept_r, kept_t, lost]
 }
 
+/// Reflectance of a facet, and where it refracts the view, of n_view/n_far; `None` at total reflection.
+pub(crate) fn refract(eta: f64, view: Vec3, normal: Vec3) -> (f64, Option<Vec3>) {
+    let cosine = ggx::mirror(view, normal).1;
+    let square = 1.0 - eta * eta * (1.0 - cosine * cosine);
+    if square <= 0.0 {
+        return (1.0, None);
+    }
+    let cosine_t = square.sqrt();
+    let s = (eta * cosine - cosine_t) / (eta * cosine + cosine_t);
+    let p = (cosine - eta * cosine_t) / (cosine + eta * cosine_t);
+    let along = eta * cosine - cosine_t;
+    let light = [0, 1, 2].map(|i| along * normal[i] - eta * view[i]);
+    (0.5 * (s * s + p * p), Some(light))
+}
+
 /// G2/G1(v) and its complement for a direction on either side of the surface.
-fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f64) {
+pub(crate) fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f64) {
     let (of_view, of_light) = (ggx::lambda_towards(alpha, view), ggx::lambda_towards(alpha, light));
     match smith {
         Smith::Correlated => {
@@ -103,7 +108,10 @@ fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f6
     }
 }
 
-fn check_positive(quantity: &'static str, inputs: &[(&'static str, f64)]) -> Result<(), IntegrateError> {
+pub(crate) fn check_positive(
+    quantity: &'static str,
+    inputs: &[(&'static str, f64)],
+) -> Result<(), IntegrateError> {
     let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
     match inputs.iter().find(|(_, value)| *value == 0.0) {
         None => Ok(()),

@@ -1,0 +1,159 @@
+//! The effect width: the emitted roughness in WGSL against facets of a textbook that are sorted by how
+//! far they refract from the mean, the files of four languages before their compilers, and the formulas
+//! beside the rule that engines ship.
+#![allow(clippy::disallowed_methods)]
+
+use crate::emit_support;
+use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
+
+use std::sync::LazyLock;
+
+use emit_support::example::{baked, compiled, text};
+use lobefit::bake::Baked;
+use lobefit::data::Smith;
+use lobefit::effects::width::{HYPOTHESES, PUBLISHED};
+use lobefit_shade::Source;
+use lobefit_shade::code::Language;
+use lobefit_truth::quantity::{Quantity, RefractedWidth};
+
+const SCENE: &str = include_str!("../../examples/panes.json");
+
+/// Every formula over the indices of refraction of the example.
+static PANES: LazyLock<Baked> =
+    LazyLock::new(|| baked(&SCENE.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1)));
+
+/// Facets of a lattice.
+const FACETS: usize = 1 << 12;
+
+fn refracted(view: Vector, normal: Vector, ior: f64) -> Vector {
+    let cosine = dot(view, normal);
+    let inside = (1.0 - (1.0 - cosine * cosine) / (ior * ior)).sqrt();
+    std::array::from_fn(|i| (cosine / ior - inside) * normal[i] - view[i] / ior)
+}
+
+/// Directions about one at which half of the energy is inside: the middle of sorted cosines.
+fn middle(mut lights: Vec<(f64, f64)>) -> f64 {
+    lights.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut left = 0.5 * lights.iter().map(|(_, energy)| energy).sum::<f64>();
+    let found = lights.iter().find(|(_, energy)| {
+        left -= energy;
+        left <= 0.0
+    });
+    found.expect("a middle").0
+}
+
+/// The cosine of the cone about the refraction at the mean normal with half of the transmitted energy, by facets
+/// of D cos (Walter et al. 2007), with height-correlated shadowing.
+fn refracts([alpha, mu, ior]: [f64; 3]) -> f64 {
+    let view = [(1.0 - mu * mu).sqrt(), 0.0, mu];
+    let axis = refracted(view, [0.0, 0.0, 1.0], ior);
+    let lambda = |z: f64| 0.5 * ((1.0 + alpha * alpha * (1.0 - z * z) / (z * z)).sqrt() - 1.0);
+    let light = |i: usize| {
+        let u = (i as f64 + 0.5) / FACETS as f64;
+        let turn = std::f64::consts::TAU * 0.618_033_988_749_894_9 * i as f64;
+        let slope = alpha * (u / (1.0 - u)).sqrt();
+        let facet: Vector = normalised([slope * turn.cos(), slope * turn.sin(), 1.0]);
+        let cosine = dot(view, facet);
+        let light = refracted(view, facet, ior);
+        let energy = (1.0 - fresnel(cosine.max(0.0), ior)) * cosine
+            / (facet[2] * (1.0 + lambda(mu) + lambda(light[2])));
+        (cosine > 0.0 && light[2] < 0.0).then_some((dot(light, axis), energy))
+    };
+    middle((0..FACETS).filter_map(light).collect())
+}
+
+/// The same of the prefiltered lobe of a width.
+fn prefilters(alpha: f64) -> f64 {
+    let light = |i: usize| {
+        let u = (i as f64 + 0.5) / FACETS as f64;
+        let square = alpha * alpha * u / (1.0 - u);
+        let cosine = (1.0 - square) / (1.0 + square);
+        (cosine > 0.0).then_some((cosine, cosine))
+    };
+    middle((0..FACETS).filter_map(light).collect())
+}
+
+/// The roughness by halving.
+fn roughness(cosine: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..14 {
+        let middle: f64 = 0.5 * (low + high);
+        if prefilters(middle * middle) > cosine { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
+#[test]
+fn the_emitted_roughness_is_that_of_the_textbook_within_its_promise() {
+    let source = Source::parse("lobefit.wgsl", &text(&PANES, Language::Wgsl)).expect("it parses");
+    let mut places = Vec::new();
+    for roughness in [0.1, 0.25, 0.4, 0.65, 0.9, 1.0] {
+        for mu in [0.015, 0.1, 0.3, 0.7, 1.0] {
+            places.extend([1.1, 1.25, 1.5, 1.98].map(|ior| [roughness, mu, ior]));
+        }
+    }
+    let truth = |[rough, mu, ior]: &[f64; 3]| roughness(refracts([rough * rough, *mu, *ior]));
+    let truths: Vec<f64> = places.iter().map(truth).collect();
+    let emitted: Vec<_> = PANES.fits.iter().filter(|fit| fit.emitted).collect();
+    assert_eq!(emitted.len(), HYPOTHESES.len(), "a formula has no fit");
+    for fit in emitted {
+        let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
+        let tape = source.tape(name, 0).expect("a function");
+        let value = |place: &[f64; 3]| {
+            let of = |input: &String| match input.as_str() {
+                "roughness" => place[0] as f32,
+                "ior" => place[2] as f32,
+                _ => place[1] as f32,
+            };
+            f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+        };
+        let errors = places.iter().zip(&truths).map(|(place, truth)| (value(place) - truth, place));
+        let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
+        println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
+        assert!(error.abs() <= stated + 4e-3, "{name}: {error} at {place:?}; stated {stated}");
+        assert!(error.abs() > 0.5 * stated, "{name}: {stated} is stated, {error} found");
+    }
+}
+
+#[test]
+fn compilers_take_the_files() {
+    compiled(&PANES);
+}
+
+/// The table of docs/scene.md.
+#[test]
+fn ours_beat_the_rule_that_engines_ship() {
+    let page = include_str!("../../docs/scene.md");
+    let (mut ours, mut theirs) = (f64::INFINITY, f64::INFINITY);
+    for fit in &PANES.fits {
+        let a = &fit.approximation;
+        let (ops, error) = (a.cost.ops, a.certificate.max_abs);
+        let row = format!(
+            "| `{}` | {ops} | {} | {} |",
+            a.name,
+            lobefit_shade::round_up(error, 4),
+            lobefit_shade::round_up(a.certificate.rms, 4)
+        );
+        assert!(page.contains(&row), "docs/scene.md has no row {row}");
+        let least = if fit.emitted { &mut ours } else { &mut theirs };
+        *least = least.min(error);
+    }
+    assert_eq!(PANES.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
+    assert!(ours < 0.1 * theirs, "{ours} {theirs}");
+}
+
+/// The truth on the page.
+#[test]
+fn the_page_states_the_truth() {
+    let page = include_str!("../../docs/scene.md");
+    for rough in [0.2, 0.4, 0.7, 1.0_f64] {
+        let truth = |mu: f64| {
+            let smith = Smith::Correlated.into();
+            RefractedWidth.at(&smith, &[rough * rough, mu, 1.5], 1e-6).expect("in the domain")[0]
+        };
+        let [face_on, slanted, grazing] = [1.0, 0.3, 0.1].map(truth);
+        let ratio = face_on / rough;
+        let row = format!("| {rough} | {face_on:.3} | {ratio:.3} | {slanted:.3} | {grazing:.3} | {rough} |");
+        assert!(page.contains(&row), "docs/scene.md has no row {row}");
+    }
+}
