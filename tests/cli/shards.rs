@@ -8,8 +8,8 @@ use crate::common::{bytes, lobefit, names, stderr};
 /// Three effects, one of them with a table.
 const SCENE: &str = r#"{"schema_version": 1, "languages": ["wgsl"], "materials": [
     {"name": "velvet", "kind": "dielectric", "f0": 0.04, "roughness": [0.4, 1],
-     "sheen": {"roughness": [0.3, 1], "max_ops": 8}, "wants": {"tables": [{"size": [8, 8]}]}}
-  ], "probes": [{"name": "room", "roughness": [0.2, 1]}]}"#;
+     "base": {"roughness": [0.2, 0.5], "max_ops": 6}, "wants": {"tables": [{"size": [8, 8]}]}}
+  ], "probes": [{"name": "room", "roughness": [0.2, 1], "norms": ["max"], "max_ops": 9}]}"#;
 
 /// Runs the program; what it says on standard error, if it ends with this code.
 fn run(folder: &Path, arguments: &[&str], code: i32) -> String {
@@ -37,7 +37,7 @@ fn pieces_merged_are_the_bytes_of_one_run() {
     fs::write(at.join("scene.json"), SCENE).unwrap();
     run(at, &["bake", "scene.json", "--out", "whole", "--quiet"], 0);
     let whole = bytes(&at.join("whole"));
-    assert!(whole.iter().any(|(name, _)| name == "reports/sheen.html") && whole.len() > 8, "{whole:?}");
+    assert!(whole.iter().any(|(name, _)| name == "reports/eon.html") && whole.len() > 8, "{whole:?}");
     for of in [1, 2, 7] {
         let out = in_pieces(at, of);
         assert!(bytes(&at.join(out)) == whole, "{of} pieces");

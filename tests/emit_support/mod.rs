@@ -1,5 +1,5 @@
-//! What the tests of emitted files share: one bake of the built-in scene, points of its domain, and
-//! the tables that it emits reading functions for.
+//! What the tests of emitted files share: one bake of the built-in scene in little, points of its
+//! domain, and the tables that it emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 pub mod accuracy;
@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 
 use lobefit::approximate::{Counter, Fit, Region, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Pick, Serves, Smith, Table, TexelFormat, Values};
+use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::build;
@@ -27,13 +27,27 @@ use lobefit::scene::Scene;
 use lobefit_truth::points;
 use lobefit_truth::quantity::TRUTH_ERROR;
 
-/// The built-in scene's bake with every approximation, once per test binary, with the fit that it
-/// called for.
+/// The built-in scene with every approximation: no pages, and small tables of three axes, whose
+/// functions are those of the large.
+fn in_little() -> Scene {
+    let file = include_bytes!("../../src/scene/default.json");
+    let mut scene: serde_json::Value = serde_json::from_slice(file).expect("JSON");
+    scene["pick"] = "all".into();
+    scene["reports"] = false.into();
+    let materials = scene["materials"].as_array_mut().expect("materials[]").iter_mut();
+    let tables = materials.flat_map(|m| m["wants"]["tables"].as_array_mut().expect("tables[]"));
+    for table in tables.filter(|table| table["size"][2].is_number()) {
+        table["size"] = serde_json::json!([16, 16, 8]);
+        table.as_object_mut().expect("a table").remove("max_error");
+    }
+    Scene::from_json(scene.to_string().as_bytes(), "the built-in scene in little").expect("a scene")
+}
+
+/// Its bake, once per test binary, with the fit that it called for.
 pub fn baked() -> &'static (Baked, Job) {
     static BAKED: OnceLock<(Baked, Job)> = OnceLock::new();
     BAKED.get_or_init(|| {
-        let mut scene = Scene::built_in().expect("the built-in scene");
-        scene.output.pick = Pick::All;
+        let scene = in_little();
         let plan = plan(&scene);
         let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.

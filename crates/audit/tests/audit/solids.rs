@@ -155,7 +155,7 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
     let size = [20, 12, 8];
     let e = of_the_path_tracer(size);
     let form = Form::find("separable");
-    for order in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
+    for order in [[1, 2, 0], [2, 1, 0]] {
         let sides = order.map(|k| size[k]);
         let value = |i: usize| {
             let along = [i % sides[0], i / sides[0] % sides[1], i / (sides[0] * sides[1])];
