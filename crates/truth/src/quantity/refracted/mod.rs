@@ -268,7 +268,7 @@ impl Quantity for RefractedWidth {
         let [alpha, mu, ior] = [x[0], x[1], x[2]];
         check_positive(self.name(), &[("alpha", alpha), ("mu", mu), ("ior", ior - 1.0)])?;
         let found = of_replicas(run, |samples, draws| sampled(smith, [alpha, mu, ior], samples, draws));
-        let means: Vec<[f64; 3]> = found.into_iter().map(|t| outputs(t)).map(|[a, b]| [a, b, 0.0]).collect();
+        let means: Vec<[f64; 3]> = found.into_iter().map(outputs).map(|[a, b]| [a, b, 0.0]).collect();
         Ok((0..2).map(|k| column(&means, run.samples, |w| w[k])).collect())
     }
 }
