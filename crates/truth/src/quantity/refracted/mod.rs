@@ -145,8 +145,15 @@ fn prefiltered(t: f64) -> f64 {
 
 /// The outputs by one rule.
 fn by(lobe: &Lobe, rule: &Rule) -> Result<[f64; 2], IntegrateError> {
-    let not_finite = || IntegrateError::NotFinite { quantity: RefractedWidth.name(), place: lobe.place() };
-    middle(lobe, rule).filter(|t| t.is_finite()).map(outputs).ok_or_else(not_finite)
+    let quantity = RefractedWidth.name();
+    let lost = || IntegrateError::Search {
+        quantity,
+        start: vec![rule.finest],
+        reason: format!("no cone holds half of the energy at {}", lobe.place()),
+    };
+    let t = middle(lobe, rule).ok_or_else(lost)?;
+    let not_finite = || IntegrateError::NotFinite { quantity, place: lobe.place() };
+    Some(t).filter(|t| t.is_finite()).map(outputs).ok_or_else(not_finite)
 }
 
 /// Roughness and radius of tan(theta/2).
