@@ -4,6 +4,7 @@
 
 use lobefit_truth::integrate::monte_carlo::sobol;
 use lobefit_truth::optics::Smith;
+use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Quantity, RefractedWidth};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -147,6 +148,28 @@ fn the_error_holds() {
         let above = (0..150_u64).into_par_iter().filter(off).count();
         assert!(above <= 1, "{smith:?}: {above} of 150");
     }
+}
+
+/// The figure of the rule for many points.
+#[test]
+fn many_points_are_nearer_than_they_say() {
+    const POINTS: u32 = 1000;
+    let lattice = |step: f64| (0..POINTS).map(move |i| (0.5 + step * f64::from(i)).fract());
+    let points = Points::new([
+        ("alpha", lattice(0.618).map(|x| (x * x).max(1e-4)).collect::<Vec<f64>>()),
+        ("mu", lattice(0.7548).map(|x| 0.01 + 0.99 * x * x).collect()),
+        ("ior", lattice(0.5698).map(|x| 1.05 + 0.95 * x).collect()),
+    ]);
+    let smith = Smith::Correlated.into();
+    let of = |tolerance: f64| {
+        let outputs = ["roughness_refracted"];
+        let [column] = RefractedWidth.truth(&smith, &points, &outputs, tolerance).expect("values").arrays();
+        column
+    };
+    let (quick, exact) = (of(1e-5), of(1e-7));
+    let worst = quick.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    println!("{worst:e}");
+    assert!(worst < 2e-6, "{worst:e}");
 }
 
 #[test]

@@ -24,7 +24,7 @@ use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::{ops, panels};
 
 /// Longest panel in u.
-const LONGEST: f64 = 2.0;
+const LONGEST: f64 = 3.0;
 
 /// The lobe of a view.
 #[derive(Clone, Copy, Debug)]

@@ -50,20 +50,34 @@ const TOLERANCE: f64 = 1e-8;
 /// Rules of rising order: a value is that of the first that differs from the one before by no more than
 /// the tolerance. A ring is narrow where the lobe is long: it has twice the nodes of a panel of rings.
 static RULES: LazyLock<[Rule; 5]> = LazyLock::new(|| {
-    [8, 16, 32, 64, 128].map(|n| Rule { rings: PanelRule::new(n), ring: PanelRule::new(2 * n) })
+    [8, 16, 32, 64, 128].map(|n| Rule {
+        finest: 1e-3,
+        settled: 1e-14,
+        rings: PanelRule::new(n),
+        ring: PanelRule::new(2 * n),
+    })
 });
 
-/// Rings, and lights of a ring.
+/// The rule for many points: within 2e-6 at 4000 points of mu from 0.01 and ior from 1.05.
+static MANY: LazyLock<Rule> = LazyLock::new(|| Rule {
+    finest: 0.01,
+    settled: 1e-7,
+    rings: PanelRule::new(8),
+    ring: PanelRule::new(16),
+});
+
+/// Rings of lights.
 #[derive(Clone, Debug)]
 struct Rule {
+    /// The smallest panel.
+    finest: f64,
+    /// The last step to the middle.
+    settled: f64,
     rings: PanelRule,
     ring: PanelRule,
 }
 
-/// Smallest panels, and those of the quick way: within 3e-6 at 400 points of mu from 0.01 and ior from
-/// 1.05 (crates/truth/tests/many.rs), by the first rule alone.
-const FINEST: f64 = 1e-3;
-const QUICK_FINEST: f64 = 0.03;
+/// Error of many points, and the least mu and ior of their rule.
 const QUICK: f64 = 1e-5;
 const QUICK_FROM: [f64; 2] = [0.01, 1.05];
 
@@ -78,8 +92,8 @@ const STEPS: usize = 100;
 const WIDEST: f64 = std::f64::consts::SQRT_2 - 1.0;
 
 /// tan(theta/2) of the cone of half of the energy by one rule; `None` if it is not found.
-fn middle(lobe: &Lobe, rule: &Rule, finest: f64) -> Option<f64> {
-    let cuts = lobe.cuts(finest);
+fn middle(lobe: &Lobe, rule: &Rule) -> Option<f64> {
+    let cuts = lobe.cuts(rule.finest);
     let between = |from: f64, to: f64| {
         let mut sum = 0.0;
         rule.rings.each(from, to, |u, weight| sum += weight * lobe.ring(u, &rule.ring));
@@ -103,7 +117,7 @@ fn middle(lobe: &Lobe, rule: &Rule, finest: f64) -> Option<f64> {
         }
         let next = u - off / lobe.ring(u, &rule.ring);
         let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-        if (next - u).abs() <= 1e-14 * (1.0 + u) {
+        if (next - u).abs() <= rule.settled * (1.0 + u) {
             return Some(lobe.width() * ops::sinh(next));
         }
         u = next;
@@ -130,9 +144,16 @@ fn prefiltered(t: f64) -> f64 {
 }
 
 /// The outputs by one rule.
-fn by(lobe: &Lobe, rule: &Rule, finest: f64) -> Result<[f64; 2], IntegrateError> {
-    let not_finite = || IntegrateError::NotFinite { quantity: RefractedWidth.name(), place: lobe.place() };
-    middle(lobe, rule, finest).filter(|t| t.is_finite()).map(outputs).ok_or_else(not_finite)
+fn by(lobe: &Lobe, rule: &Rule) -> Result<[f64; 2], IntegrateError> {
+    let quantity = RefractedWidth.name();
+    let lost = || IntegrateError::Search {
+        quantity,
+        start: vec![rule.finest],
+        reason: format!("no cone holds half of the energy at {}", lobe.place()),
+    };
+    let t = middle(lobe, rule).ok_or_else(lost)?;
+    let not_finite = || IntegrateError::NotFinite { quantity, place: lobe.place() };
+    Some(t).filter(|t| t.is_finite()).map(outputs).ok_or_else(not_finite)
 }
 
 /// Roughness and radius of tan(theta/2).
@@ -218,9 +239,9 @@ impl Quantity for RefractedWidth {
             return Ok(vec![0.0; 3]);
         }
         let lobe = Lobe::new(smith, alpha, mu, ior);
-        let (mut coarse, mut reached) = (by(&lobe, &RULES[0], FINEST)?, f64::INFINITY);
+        let (mut coarse, mut reached) = (by(&lobe, &RULES[0])?, f64::INFINITY);
         for rule in &RULES[1..] {
-            let fine = by(&lobe, rule, FINEST)?;
+            let fine = by(&lobe, rule)?;
             // The difference itself, whatever less the error of the finer rule is.
             let off = |k: usize| (fine[k] - coarse[k]).abs() + ROUNDING * fine[k];
             reached = off(0).max(off(1));
@@ -244,7 +265,7 @@ impl Quantity for RefractedWidth {
                 return self.at(asked.variant, &x, QUICK);
             }
             check_inputs(&x)?;
-            Ok(by(&Lobe::new(smith, x[0], x[1], x[2]), &RULES[0], QUICK_FINEST)?.to_vec())
+            Ok(by(&Lobe::new(smith, x[0], x[1], x[2]), &MANY)?.to_vec())
         };
         let rows: Vec<Vec<f64>> = (0..alpha.len()).into_par_iter().map(one).collect::<Result<_, _>>()?;
         let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
@@ -268,7 +289,7 @@ impl Quantity for RefractedWidth {
         let [alpha, mu, ior] = [x[0], x[1], x[2]];
         check_positive(self.name(), &[("alpha", alpha), ("mu", mu), ("ior", ior - 1.0)])?;
         let found = of_replicas(run, |samples, draws| sampled(smith, [alpha, mu, ior], samples, draws));
-        let means: Vec<[f64; 3]> = found.into_iter().map(|t| outputs(t)).map(|[a, b]| [a, b, 0.0]).collect();
+        let means: Vec<[f64; 3]> = found.into_iter().map(outputs).map(|[a, b]| [a, b, 0.0]).collect();
         Ok((0..2).map(|k| column(&means, run.samples, |w| w[k])).collect())
     }
 }
