@@ -2,11 +2,13 @@
 # Runs `lobefit check` and shows what it finds where GitHub shows results: an annotation for each file, or one for a scene that
 # changed, and a summary with the errors that the manifest states. Its exit code is that of `lobefit check`.
 #
-# Usage: check.sh PROGRAM, with SCENE, AGAINST, ONLY and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
+# Usage: check.sh PROGRAM, with SCENE, AGAINST, OPTIONS, ONLY and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
 set -uo pipefail
 program=$1
 against=${AGAINST:-.}
-options=(--against "$against" --json)
+# Words of the bake's command, which the command to bake again has too.
+read -ra baked <<<"${OPTIONS:-}"
+options=(--against "$against" --json ${baked[@]+"${baked[@]}"})
 if [ -n "${VALUES:-}" ]; then options+=(--values "$VALUES"); fi
 if [ -n "${ONLY:-}" ]; then options+=(--only "$ONLY"); fi
 if [ -n "${SCENE:-}" ]; then options+=(-- "$SCENE"); fi
@@ -34,6 +36,7 @@ facts='def changed: .scene_changes // [];
   def for_shaders: if (.changed_for_shaders // []) == [] then "no number and no code that a shader reads changed"
     else "numbers or code that a shader reads changed in " + (.changed_for_shaders | join(", ")) end;'
 bake="lobefit bake${SCENE:+ $(printf %q "$SCENE")}"
+if [ "${#baked[@]}" -gt 0 ]; then bake+=" ${baked[*]}"; fi
 if [ "$against" != . ]; then bake+=" --out $(printf %q "$against")"; fi
 
 folder=${against%/}/

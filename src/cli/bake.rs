@@ -1,5 +1,6 @@
 //! `lobefit bake`: the main job.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -182,10 +183,13 @@ fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<Str
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }
-    for d in &baked.dropped {
-        // A hypothesis that is too dear is so in any norm.
-        let norm = if d.norm == "any" { String::new() } else { format!(" ({})", d.norm) };
-        lines.push(format!("{}{norm} left out: {}", d.hypothesis, d.reason));
+    // A hypothesis that costs too much is so in any norm, and is the user's: of ours those are passed over.
+    let (dear, ours): (Vec<_>, Vec<_>) = baked.dropped.iter().partition(|dropped| dropped.norm == "any");
+    lines.extend(dear.iter().map(|dropped| format!("{} left out: {}", dropped.hypothesis, dropped.reason)));
+    if !ours.is_empty() {
+        let names: BTreeSet<&str> = ours.iter().map(|dropped| dropped.hypothesis.as_str()).collect();
+        let names = names.into_iter().collect::<Vec<_>>().join(", ");
+        lines.push(format!("without a reliable fit over this scene's ranges, and left out: {names} (why: manifest.json, fits_left_out)"));
     }
     if plan.is_empty() {
         lines.push("the scene calls for no effect:".into());

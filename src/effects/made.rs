@@ -10,9 +10,8 @@ use super::explore::Exploring;
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
-use crate::data::{Approximation, Form, Use};
+use crate::data::{Approximation, Use};
 use crate::emit::call::Call;
-use crate::emit::compensation::Compensation;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose};
@@ -178,9 +177,6 @@ impl Made {
         file: Option<&str>,
     ) {
         let (effect, cost) = (self.part.by.name(), CostEntry::new(a));
-        let of_albedo = matches!(a.form, Form::Table(_)) && a.used_as == Use::VALUE;
-        let compensation = of_albedo.then(|| Compensation::of_quantity(&a.quantity)).flatten();
-        let then = compensation.map(Compensation::of_colours);
         self.part.entries.calls.extend(names.into_iter().map(|of| Call {
             effect: effect.into(),
             of,
@@ -188,7 +184,7 @@ impl Made {
             recommended: false,
             function: function.into(),
             name: a.name.clone(),
-            then: then.map(String::from),
+            then: None,
             file: file.map(String::from),
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),

@@ -25,7 +25,7 @@ pub struct Call {
     pub function: String,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
-    /// The function that takes its value.
+    /// The function that takes its value, or `f/E` where the lobe f is divided by it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// The texture that it fetches from.

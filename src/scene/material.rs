@@ -12,6 +12,7 @@ use super::value::{Maybe, Text, Word, about, from_file};
 use super::wants::{OpenWants, Wants};
 use crate::data::{AlphaMap, Layout};
 use lobefit_truth::optics::fresnel::f0_of_ior;
+use lobefit_truth::quantity::Specular;
 
 /// What a material is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -101,6 +102,14 @@ fn one_or_range<S: Serializer>(range: &Option<[f64; 2]>, serializer: S) -> Resul
 }
 
 impl Material {
+    /// What its specular lobe is multiplied with: a metal's has a colour, a dielectric's is what its base is made for.
+    pub fn specular(&self) -> Specular {
+        match self.kind {
+            Kind::Metal => Specular::Compensated,
+            _ => self.base.as_ref().map_or(Specular::Normalised, |base| base.specular),
+        }
+    }
+
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
@@ -292,7 +301,10 @@ fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Resul
         (Kind::Metal | Kind::Dielectric, Some(f0), None) => Ok(Some(f0)),
         (Kind::Dielectric, None, Some([n, hi])) => {
             if n != hi {
-                return Err(about("ior", "a dielectric has one index of refraction; a range is for glass"));
+                return Err(about(
+                    "ior",
+                    "a dielectric has one index of refraction; a range is for glass. For fits over a range give two materials, of its least and its largest",
+                ));
             }
             inside::<DielectricIor>(n, n)
                 .map_err(|e| about("ior", format!("{e}, where a dielectric's lies")))?;

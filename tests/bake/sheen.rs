@@ -71,6 +71,33 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
     assert!(satins.calls.len() == 1 && satins.calls[0].ends_with(" then sheen_base_scale"), "{satins:?}");
 }
 
+/// What the lobe of a dielectric is multiplied with follows its base; of an albedo in a table as of a fit.
+#[test]
+fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
+    let wants = r#""roughness": 0.5, "wants": {"fit": {"max_ops": 8}, "tables": [{"size": [8, 8]}]}"#;
+    let dielectric = |specular: &str| {
+        let base = format!(r#""base": {{"albedo": 0.5, "specular": "{specular}"}}"#);
+        format!(r#"{{"name": "{specular}", "kind": "dielectric", "f0": 0.04, {base}, {wants}}}"#)
+    };
+    let metal = format!(r#"{{"name": "metal", "kind": "metal", "f0": 0.9, {wants}}}"#);
+    let others = ["normalised", "compensated", "single"].map(dielectric).join(",");
+    let json = format!(
+        r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [{metal}, {others}]}}"#
+    );
+    let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
+    let selection = Selection { only: vec!["reflection".into()], ..Selection::default() };
+    let baked = bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake");
+    let found = callers(&baked.calls);
+    let coloured = "ggx_energy_compensation_rgb (or ggx_albedo then ggx_compensate_reflection)";
+    let expected: [(&[&str], &str); 3] = [
+        (&["metal", "compensated"], coloured),
+        (&["normalised"], "ggx_energy_compensation (or ggx_albedo then f/E)"),
+        (&["single"], "ggx_albedo"),
+    ];
+    let found: Vec<(&[&str], &str)> = found.iter().map(|row| (&row.names[..], &row.calls[0][..])).collect();
+    assert_eq!(found, expected);
+}
+
 /// A smooth specular lobe, so that the sheen is all there is.
 const SATIN: &str =
     r#""kind": "dielectric", "ior": 1.5, "roughness": 0, "sheen": {"roughness": [0.3, 1], "norms": ["max"]}"#;

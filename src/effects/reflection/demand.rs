@@ -10,8 +10,9 @@ use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
 use crate::emit::compensation;
-use crate::scene::{Kind, Lobe, Material, Scene, Serves};
+use crate::scene::{Lobe, Material, Scene, Serves};
 use lobefit_shade::ShadeError;
+use lobefit_truth::quantity::Specular;
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -75,7 +76,7 @@ pub struct FitJob {
     pub average: bool,
     /// Also fit f0 A + B.
     pub blend: bool,
-    /// Whether a material is a metal, whose compensation has a colour.
+    /// Whether a material's compensation has a colour, as a metal's.
     pub coloured: bool,
     /// The user's hypothesis files, relative to the scene file, each once.
     pub hypotheses: Vec<String>,
@@ -162,15 +163,15 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
     }
 }
 
-fn is_metal(scene: &Scene, demand: &Demand) -> bool {
-    scene.materials.get(demand.of).is_some_and(|material| material.kind == Kind::Metal)
+fn is_coloured(scene: &Scene, demand: &Demand) -> bool {
+    scene.materials.get(demand.of).is_some_and(|material| material.specular() == Specular::Compensated)
 }
 
 impl FitJob {
     /// What the materials of a job of fits want.
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
-        let coloured = job.demands.iter().any(|demand| is_metal(scene, demand));
+        let coloured = job.demands.iter().any(|demand| is_coloured(scene, demand));
         let mut fits = FitJob { coloured, ..FitJob::default() };
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
@@ -192,7 +193,7 @@ impl FitJob {
         let coloured = compensation::coloured_ops()?;
         let beside = |budget: Option<u32>| {
             let of_budget = job.demands.iter().filter(|demand| demand.goals.max_ops == budget);
-            if of_budget.into_iter().any(|demand| is_metal(scene, demand)) { coloured } else { 0 }
+            if of_budget.into_iter().any(|demand| is_coloured(scene, demand)) { coloured } else { 0 }
         };
         let budgets = job.demands.iter().map(|demand| demand.goals.max_ops);
         let left = |budget: &Option<u32>| budget.map_or(u32::MAX, |ops| ops.saturating_sub(beside(*budget)));

@@ -1,15 +1,20 @@
 //! The files, entries and functions of baked tables.
 
+use std::collections::BTreeMap;
+
 use super::{BakedTable, LookupError};
 use crate::approximate::FitStageError;
-use crate::data::{Table, lookup_features};
+use crate::data::{Table, Use, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
+use crate::emit::compensation::Compensation;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
 use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
+use crate::scene::Material;
 use lobefit_shade::code::Language;
+use lobefit_truth::quantity::Specular;
 
 impl Made {
     /// Enters tables: the files in every container of the scene, the entries of the manifest, and
@@ -18,6 +23,8 @@ impl Made {
     /// # Errors
     /// A container that cannot hold a table; a table whose name a language has taken.
     pub fn tables(&mut self, context: &Context, tables: Vec<BakedTable>) -> Result<(), BakeError> {
+        let materials: BTreeMap<&str, &Material> =
+            context.scene.materials.iter().map(|material| (material.name.as_str(), material)).collect();
         for baked in &tables {
             let Some(table) = baked.table() else { continue };
             let part = &mut self.part;
@@ -37,11 +44,29 @@ impl Made {
                 }
                 None => None,
             };
+            let known = self.part.entries.calls.len();
             self.called_by(by, function, (&baked.approximation, price), Some(&file));
+            if baked.approximation.used_as == Use::VALUE {
+                for call in &mut self.part.entries.calls[known..] {
+                    let material = materials.get(call.of.as_str());
+                    call.then =
+                        material.and_then(|material| then(material, &table.quantity)).map(String::from);
+                }
+            }
         }
         self.code(context, |language| code(language, &tables, context))?;
         self.tables.extend(tables);
         Ok(())
+    }
+}
+
+/// What a material makes of an albedo: a function that takes it, or the lobe f over it.
+fn then(material: &Material, quantity: &str) -> Option<&'static str> {
+    let compensation = Compensation::of_quantity(quantity)?;
+    match (compensation, material.specular()) {
+        (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
+        (_, Specular::Normalised) => Some("f/E"),
+        (_, Specular::Single) => None,
     }
 }
 

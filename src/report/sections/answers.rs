@@ -177,15 +177,13 @@ fn forms<'a>(offer: &Offer, function: &'a str, manifest: &'a Manifest) -> Vec<&'
 /// lines of all forms: where they are declared, with which parameters, and of a table what to load.
 fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
     let mut found: Vec<(Language, Lines)> = Vec::new();
-    let calls = &drawn.manifest.entries.calls;
-    let then = calls
-        .iter()
-        .filter(|call| forms.contains(&call.function.as_str()))
-        .find_map(|call| call.then.as_ref());
+    let all = &drawn.manifest.entries.calls;
+    let own = || all.iter().filter(|call| forms.contains(&call.function.as_str()));
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
         let text = String::from_utf8_lossy(text);
+        let then = own().filter_map(|one| one.then.as_ref()).find_map(|name| call(&text, name));
         let mut calls: Vec<Lines> = Vec::new();
         for function in forms {
             let Some(Called { call, parameters }) = call(&text, function) else { continue };
@@ -203,7 +201,6 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
         let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
-        let then = then.and_then(|name| crate::emit::include::call(&text, name));
         code.extend(then.map(|then| comment(language.comment(), &[with_value(&then.call)])));
         found.push((language, (call, code.join("\n"))));
     }
@@ -283,7 +280,8 @@ fn strip(furnace: &Furnace, width: f64) -> Result<String, ReportError> {
     let side = |n: usize| (width - BESIDE) / n as f64;
     let shown = if side(all) < CELLS[0] { all.min(FEW) } else { all };
     let columns: Vec<usize> = (1..=shown).map(|i| (i * all).div_ceil(shown) - 1).collect();
-    let roughness: Vec<f64> = columns.iter().map(|&j| furnace.roughness[j]).collect();
+    let hundredths = |x: f64| (100.0 * x).round() / 100.0;
+    let roughness: Vec<f64> = columns.iter().map(|&j| hundredths(furnace.roughness[j])).collect();
     let of = |row: &FurnaceRow| -> Vec<Vec<f64>> {
         columns.iter().filter_map(|&j| row.factors.get(j).cloned()).collect()
     };

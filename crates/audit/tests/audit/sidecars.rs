@@ -53,9 +53,11 @@ fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
             let given = if ["exr", "ktx2", "raw"].contains(&extension) { "" } else { quantity };
             let (code, out, err) = audit(folder.path(), &file, given, &[]);
             assert!(code == Some(0) && err.is_empty(), "{file}: {out}{err}");
-            let sidecar =
-                if extension == "exr" { String::new() } else { format!(" with its sidecar {file}.json") };
-            let own = format!("{file}{sidecar} is what it says");
+            let itself = match extension {
+                "exr" => format!("({name})"),
+                _ => format!("with its sidecar {file}.json"),
+            };
+            let own = format!("{file} {itself} is what it says");
             assert!(out.starts_with(&format!("PASS {quantity} ")) && out.contains(&own), "{out}");
         }
     }

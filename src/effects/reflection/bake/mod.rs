@@ -15,8 +15,8 @@ use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
-use crate::scene::Kind;
 use lobefit_shade::code::CodeError;
+use lobefit_truth::quantity::Specular;
 
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
@@ -63,7 +63,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     Ok(made)
 }
 
-/// Notes which of the emitted fits the materials call: a metal the form for three channels.
+/// Notes which of the emitted fits the materials call: a metal, and a dielectric whose base is made for such a lobe, the form
+/// for three channels.
 fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> Result<(), BakeError> {
     for fit in fits.iter().filter(|fit| fit.emitted) {
         for demand in &job.demands {
@@ -78,7 +79,8 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
             let vendor = context.scene.output.cost;
             let mut price = vendor.map(|_| fit.price);
             let function = match a.used_as {
-                Use::NORMALISATION if material.kind == Kind::Metal => {
+                Use::NORMALISATION if material.specular() == Specular::Single => continue,
+                Use::NORMALISATION if material.specular() == Specular::Compensated => {
                     a.cost.ops += compensation::coloured_ops().map_err(CodeError::from)?;
                     price = vendor.map(|v| Ok::<_, BakeError>(fit.price + coloured_price(v)?)).transpose()?;
                     format!("{name}_rgb")
