@@ -209,7 +209,7 @@ impl ValueFits<'_> {
         let all = fits.iter().map(|fit| &fit.approximation);
         let chosen = selected(fits, self.column, Use::VALUE, context);
         let drawn =
-            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at(shown)) };
+            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at_text(shown)) };
         Ok(Findings {
             effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),
@@ -222,33 +222,37 @@ impl ValueFits<'_> {
         })
     }
 
-    /// What the live page draws: the column as the light that comes back.
+    /// What the live page draws: the column as the light that comes back, where pages show it, then at the
+    /// ends of the range of an input that they show at one value.
     fn explored(
         &self,
         made: &mut Made,
         (fits, region, shown): (&[Fit], &Region, &[(&'static str, f64)]),
         context: &Context,
     ) -> Result<(), BakeError> {
-        let exploring = Exploring {
-            name: self.of.into(),
-            title: format!("{}: {}", self.of, self.column),
-            lead: format!(
-                "Brightness is {} of {}{}, the light that its lobe sends back.",
-                self.column,
-                self.of,
-                at(shown)
-            ),
+        let ranges = &made.part.finding.ranges;
+        let mut places = vec![shown.to_vec()];
+        if let [(input, usual)] = *shown {
+            let ends = ranges.get(input).into_iter().flatten().filter(|end| **end != usual);
+            places.extend(ends.map(|end| vec![(input, *end)]));
+        }
+        let outputs = [self.column];
+        let exploring = |(i, at): (usize, Vec<(&'static str, f64)>)| Exploring {
+            name: if i == 0 { self.of.into() } else { format!("{}-{i}", self.of) },
+            title: format!("{}: {}{}", self.of, self.column, at_text(&at)),
+            lead: format!("Brightness is {} of {}{}.", self.column, self.of, at_text(&at)),
             drawn: Drawn::Value,
             quantity: self.quantity,
-            outputs: &[self.column],
+            outputs: &outputs,
             variant: self.variant(context.scene),
             region: *region,
-            at: shown.to_vec(),
+            at,
             f0: 1.0,
             fits: fits.iter().collect(),
             tables: Vec::new(),
         };
-        made.explored(context, &[exploring])
+        let all: Vec<Exploring> = places.into_iter().enumerate().map(exploring).collect();
+        made.explored(context, &all)
     }
 
     fn truths(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>, BakeError> {
@@ -262,7 +266,7 @@ impl ValueFits<'_> {
 }
 
 /// Where the other inputs stand in a picture: ` at ior 1.5`.
-fn at(shown: &[(&str, f64)]) -> String {
+fn at_text(shown: &[(&str, f64)]) -> String {
     let at: Vec<String> = shown.iter().map(|(input, value)| format!("{input} {value}")).collect();
     if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) }
 }

@@ -144,18 +144,19 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
     sets
 }
 
-/// Calls that stand for one another, the recommended one first.
+/// Calls that stand for one another, the recommended one first; what takes the value of each is said once.
 fn worded(choice: &[&Call]) -> String {
-    let text = |call: &&Call| {
-        let then = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
-        call.function.clone() + &then
-    };
+    let then = |call: &Call| call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
+    let shared = choice.first().map(|call| then(call)).unwrap_or_default();
+    let is_shared = choice.iter().all(|call| then(call) == shared);
     let (mut all, others): (Vec<&Call>, Vec<&Call>) = choice.iter().partition(|call| call.recommended);
     all.extend(others);
-    let mut words = all.iter().map(text);
+    let own = |call: &Call| if is_shared { String::new() } else { then(call) };
+    let mut words = all.iter().map(|call| call.function.clone() + &own(call));
     let first = words.next().unwrap_or_default();
     let rest: Vec<String> = words.collect();
-    if rest.is_empty() { first } else { format!("{first} (or {})", rest.join(", ")) }
+    let or = if rest.is_empty() { String::new() } else { format!(" (or {})", rest.join(", ")) };
+    first + &or + if is_shared { &shared } else { "" }
 }
 
 impl Manifest {

@@ -17,7 +17,7 @@ use super::table::TableWant;
 use super::value::{List, Maybe, Text, Word, about, distinct, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_shade::code::{Float, Language};
-use lobefit_strict::read_object;
+use lobefit_strict::{place, read_object};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
@@ -133,6 +133,15 @@ fn formats(given: Option<List<Word<Container>, { Container::ALL.len() }>>) -> Re
     distinct(words.into_iter().map(|Word(format)| format), Container::name)
 }
 
+/// What is wrong with a field, with its place where the file has it.
+fn placed(bytes: &[u8], file: &str, path: &str, message: String) -> SceneError {
+    let (file, path) = (file.to_string(), path.to_string());
+    match place(bytes, &path) {
+        Some(at) => SceneError::Field { file, at, path, message },
+        None => SceneError::Whole { file, path, message },
+    }
+}
+
 impl Scene {
     /// Reads a scene that names no file of a kernel; `file` is its name in messages.
     ///
@@ -161,7 +170,7 @@ impl Scene {
                 probe.kernel = kernel(path, format!("probes[{i}].kernel"))?;
             }
         }
-        scene.check().map_err(|(path, message)| SceneError::Whole { file: file.into(), path, message })?;
+        scene.check().map_err(|(path, message)| placed(bytes, file, &path, message))?;
         Ok(scene)
     }
 
@@ -171,7 +180,7 @@ impl Scene {
         let whole = |field: &str, message: String| {
             let message = about(field, message);
             let (path, message) = told(&message);
-            SceneError::Whole { file: file.into(), path: path.into(), message: message.into() }
+            placed(bytes, file, path, message.into())
         };
         let formats = formats(parsed.formats.0).map_err(|message| whole("formats", message))?;
         let languages = output::languages(parsed.languages.0);

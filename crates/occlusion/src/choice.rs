@@ -23,8 +23,8 @@ pub(crate) const PATHS: [CameraPath; 3] = [CameraPath::Turn, CameraPath::Strafe,
 const CHOSEN_ON: [usize; 5] = [0, 2, 4, 6, 8];
 const REPORTED_ON: [usize; 4] = [1, 3, 5, 7];
 /// What a texel or voxel of each pass costs, so that counts of several passes can be added: nanoseconds of
-/// a thread, medians over the rows of `lobefit report --study occlusion --times` on an AMD EPYC (times.json
-/// beside the page; those of splats are spread from 0.5 to 13). Constants: no machine decides a choice.
+/// a thread, medians over the rows of one record of `lobefit report --study occlusion --times` on an AMD
+/// EPYC, those of splats spread from 0.5 to 13. Constants: no machine decides a choice.
 pub(crate) const COST: Work<f64> =
     Work { reproject: 6.0, median: 1.5, accumulate: 17.0, voxels: 2.3, dilation: 1.2 };
 

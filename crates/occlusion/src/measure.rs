@@ -1,5 +1,7 @@
 //! How far a reconstructed buffer is from the depth of its frame, and what that does to culling.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -260,10 +262,19 @@ pub fn measured(film: &Film, span: &Span, passes: &[Passes]) -> Vec<Measured> {
             let late = Late { camera: &film.cameras[late], depth: &depth, grid: &grid };
             let (buffer, mut work, _) = first.run(late, camera, film.size);
             work.accumulate = if first.voxels.is_some() { arrived } else { 0 };
+            // Those that follow one another with the same dilation share that too.
+            let (mut dilated, mut touched, mut radius) = (buffer.clone(), 0, 0);
             for (passes, sum) in shared {
-                let mut buffer = buffer.clone();
-                let dilation = passes.finish(&mut buffer);
-                sum.add((&buffer, Work { dilation, ..work }), (truth, camera), &tested);
+                if passes.dilation != radius {
+                    dilated.clone_from(&buffer);
+                    (touched, radius) = (passes.dilate(&mut dilated), passes.dilation);
+                }
+                let mut eroded = Cow::Borrowed(&dilated);
+                let mut dilation = touched;
+                if passes.erosion > 0 {
+                    dilation += passes.erode(eroded.to_mut());
+                }
+                sum.add((&eroded, Work { dilation, ..work }), (truth, camera), &tested);
             }
         };
         let mut groups: Vec<Vec<(&Passes, &mut Measured)>> = Vec::new();

@@ -136,15 +136,21 @@ impl Passes {
 
     /// The dilation and the erosion of a buffer that the other passes made. Texels touched.
     pub fn finish(&self, out: &mut Depth) -> u64 {
-        let mut touched = 0;
-        if self.dilation > 0 && !self.conservative {
-            touched += out.dilation(self.dilation);
+        self.dilate(out) + self.erode(out)
+    }
+
+    /// The dilation alone.
+    pub fn dilate(&self, out: &mut Depth) -> u64 {
+        if self.dilation > 0 && !self.conservative { out.dilation(self.dilation) } else { 0 }
+    }
+
+    /// The erosion after it.
+    pub fn erode(&self, out: &mut Depth) -> u64 {
+        if self.erosion == 0 || self.conservative {
+            return 0;
         }
-        if self.erosion > 0 && !self.conservative {
-            *out = out.eroded(self.erosion);
-            // By rows, then by columns.
-            touched += (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64;
-        }
-        touched
+        *out = out.eroded(self.erosion);
+        // By rows, then by columns.
+        (out.texels.len() * 2 * (2 * self.erosion + 1)) as u64
     }
 }

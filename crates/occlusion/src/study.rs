@@ -1,7 +1,5 @@
 //! Everything that is measured of a scene's culling.
 
-use std::collections::BTreeSet;
-
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -19,8 +17,8 @@ use lobefit::scene::{CameraPath, Culling, Pass};
 /// Frames of a shot, of which the last ones are measured: before, voxels are accumulated.
 pub const FRAMES: usize = 60;
 pub(crate) const MEASURED: [usize; 8] = [20, 26, 31, 37, 42, 48, 53, 59];
-/// Latencies of the sweep beside the scene's own: over all that a scene may ask for.
-const LATENCIES: [usize; 4] = [1, 3, 5, 8];
+/// Latencies of the sweep: all that a scene may ask for.
+const LATENCIES: [usize; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 /// What a scene does not say: radius of the median and of the dilation, levels of detail.
 const MEDIAN: usize = 1;
 const DILATION: usize = 2;
@@ -281,8 +279,7 @@ impl<'a> Set<'a> {
     fn sweep(&self, chosen: &Trial) -> Vec<Point> {
         let latency = self.culling.latency as usize;
         let speeds = [0.25, 0.5, 2.0, 4.0].map(|speed| (speed, vec![latency]));
-        let latencies: BTreeSet<usize> = LATENCIES.into_iter().chain([latency]).collect();
-        let cases = [(1.0, latencies.into_iter().collect())].into_iter().chain(speeds);
+        let cases = [(1.0, LATENCIES.to_vec())].into_iter().chain(speeds);
         let cases: Vec<_> = cases
             .flat_map(|case| [CameraPath::Turn, CameraPath::Strafe].map(|path| (path, case.clone())))
             .collect();

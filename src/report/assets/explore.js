@@ -249,8 +249,9 @@
     [a, b].forEach((one, i) => (below[i].textContent = `error \u00d7${state.times}, ${figure(here(one))} at most`));
     below[2].textContent = "error of the middle over roughness (right) and mu (up)";
     const ends = root.querySelectorAll(".key span");
-    ends[0].textContent = `\u2212${1 / state.times}: light is lost`;
-    ends[2].textContent = `+${1 / state.times}: light is gained`;
+    const [less, more] = drawn === "value" ? ["too low", "too high"] : ["light is lost", "light is gained"];
+    ends[0].textContent = `\u2212${1 / state.times}: ${less}`;
+    ends[2].textContent = `+${1 / state.times}: ${more}`;
     const body = document.querySelector("#costs tbody");
     body.replaceChildren();
     row(body, "left", a);

@@ -73,7 +73,7 @@ fn not_a_material() -> Vec<Case> {
         case(roughness("{\"lo\":0,\"hi\":1}"), "materials[0].roughness: invalid type: map"),
         case(
             roughness("1").replace("}]", "},\n{\"name\":\"m\",\"kind\":\"metal\",\"f0\":1,\"roughness\":1}]"),
-            "scene.json: materials[1].name: `m` is already the name of materials[0]",
+            "scene.json:4:11: materials[1].name: `m` is already the name of materials[0]",
         ),
     ]
 }
@@ -114,9 +114,9 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         case(anisotropy("[0.6, 0.5]"), "materials[0].anisotropy: the range [0.6, 0.5] is upside down"),
         case(anisotropy("[0, 0.5, 1]"), "materials[0].anisotropy: more than 2 numbers"),
         case(anisotropy("null"), "materials[0].anisotropy: invalid type: null"),
-        case(top("\"formats\":[]"), "scene.json: formats: the list is empty"),
+        case(top("\"formats\":[]"), ": formats: the list is empty"),
         case(top("\"formats\":\"dds\""), "formats: invalid type: string \"dds\""),
-        case(top("\"formats\":[\"dds\",\"dds\"]"), "scene.json: formats[1]: `dds` is there twice"),
+        case(top("\"formats\":[\"dds\",\"dds\"]"), ": formats[1]: `dds` is there twice"),
         case(
             top("\"formats\":[\"tga\"]"),
             "formats[0]: unknown variant `tga`, expected one of `exr`, `dds`, `ktx2`, `npy`, `raw`",

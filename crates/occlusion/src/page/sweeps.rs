@@ -176,7 +176,7 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
     let lead = format!(
         "Free are the radius of median, dilation and erosion, levels of detail and the margin of depth in tests. The erosion takes the farthest of a square \
          about every texel, so that what stands in front shrinks. Allowed is to cull {culled} of what is seen on any shot and to keep {kept} of what is hidden. \
-         The fitting engine is not used: it moves continuous constants along slopes, and only the margin is continuous. Each box has a margin from which on \
+         The fitting engine is not used: it moves constants along slopes, and rates of boxes are steps in all of these. Each box has a margin from which on \
          it is kept: sorted, they give the least margin that culls no more than is allowed, exactly. With it all {tried} combinations of the rest are tried \
          on a turn, a strafe and a walk from five places each, {} frames of every shot. Chosen is the \
          combination of least work that keeps what is allowed, or else the one that keeps least of what is hidden.{none} A count of each pass is weighed with the time \

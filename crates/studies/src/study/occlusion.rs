@@ -99,7 +99,7 @@ impl Study for Occlusion {
                 let (file, bytes) = given.beside(path, FIELD, MESH_BYTES)?;
                 let site = Site::of_mesh(&mesh(&bytes, &file).map_err(|e| given.refused(FIELD, e))?);
                 if !study::has_boxes(&culling, &site) {
-                    let why = "none of its boxes is in any frame that is measured: it is read in metres, and the camera stands 1.7 m above its ground";
+                    let why = "none of its boxes lies in front of the camera, all of it, in any frame that is measured: it is read in metres, and the camera stands 1.7 m above its ground";
                     return Err(given.refused(FIELD, format!("{file}: {why}")));
                 }
                 (site, Some(blake3::hash(&bytes).to_hex().to_string()))

@@ -281,7 +281,10 @@ fn a_mesh_beside_a_scene_is_studied_timed_or_refused() {
         ("gone.glb", "error: s.json:2:19: culling.world: gone.glb: cannot read: "),
         ("broken.glb", "error: s.json:2:21: culling.world: broken.glb: the file ends in its header"),
         ("other.glb", "error: s.json:2:20: culling.world: other.glb: not a binary glTF"),
-        ("small.gltf", "error: s.json:2:21: culling.world: small.gltf: none of its boxes is in any frame"),
+        (
+            "small.gltf",
+            "error: s.json:2:21: culling.world: small.gltf: none of its boxes lies in front of the camera",
+        ),
     ] {
         scene(world);
         let (code, text) = run(&[]);
