@@ -66,7 +66,7 @@ fn texels_hold_at_the_limit_only() {
     let error = read(&materials(one_more)).unwrap_err();
     assert_eq!(
         error,
-        "s: materials[20].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
+        "s:1:3079: materials[20].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
     );
 }
 
@@ -118,7 +118,7 @@ fn texels_of_tables_with_slices_hold_at_the_limit_only() {
     let error = read(&glasses(full.into_iter().chain([sliced("[4,4,4]", "")]))).unwrap_err();
     assert_eq!(
         error,
-        "s: materials[2].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
+        "s:1:320: materials[2].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
     );
     let five = [4, 5, 6, 7, 8].map(|n| sliced(&format!("[4,4,{n}]"), "")).join(",");
     let error = read(&glasses(std::iter::once(five))).unwrap_err();
@@ -134,7 +134,7 @@ fn hypotheses_hold_at_the_limit_only() {
     let scene = |counts: &[usize]| materials(counts.iter().enumerate().map(|(i, &n)| fit(1000 * i, n)));
     assert_eq!(read(&scene(&[200, 56])).unwrap().hypotheses().len(), limits::HYPOTHESES);
     let error = read(&scene(&[200, 57])).unwrap_err();
-    assert_eq!(error, "s: materials[1].wants.fit.hypotheses[56]: more than 256 hypotheses in the scene");
+    assert_eq!(error, "s:1:3225: materials[1].wants.fit.hypotheses[56]: more than 256 hypotheses in the scene");
     assert!(read(&scene(&[257])).unwrap_err().contains("more than 256 entries"));
 }
 

@@ -196,7 +196,7 @@ fn the_reason_tells_where_rows_begin() {
         ("[0,1]", "(roughness 0.01 to 1, in rows from 0.02 on, to which a lookup below clamps; "),
         (
             "[0.012,0.015]",
-            "(roughness 0.012 to 0.015, all below the rows, which begin at 0.02: every lookup clamps and is not judged; ",
+            "(roughness 0.012 to 0.015, all below the rows, which begin at 0.02: every lookup clamps, and is not judged; ",
         ),
     ] {
         let because = because(roughness, "{}");
