@@ -134,7 +134,10 @@ fn hypotheses_hold_at_the_limit_only() {
     let scene = |counts: &[usize]| materials(counts.iter().enumerate().map(|(i, &n)| fit(1000 * i, n)));
     assert_eq!(read(&scene(&[200, 56])).unwrap().hypotheses().len(), limits::HYPOTHESES);
     let error = read(&scene(&[200, 57])).unwrap_err();
-    assert_eq!(error, "s:1:3225: materials[1].wants.fit.hypotheses[56]: more than 256 hypotheses in the scene");
+    assert_eq!(
+        error,
+        "s:1:3225: materials[1].wants.fit.hypotheses[56]: more than 256 hypotheses in the scene"
+    );
     assert!(read(&scene(&[257])).unwrap_err().contains("more than 256 entries"));
 }
 
