@@ -20,6 +20,9 @@ use lobefit_shade::code::Language;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{Choice, Quantity, Variant};
 
+/// Narrowest range of the index of refraction of a job: over less, constants are hardly told apart.
+pub(super) const IOR_WIDTH_MIN: f64 = 0.4;
+
 /// What is fitted and how its page shows it.
 pub struct ValueFits<'a> {
     /// A quantity whose inputs are alpha, mu and those of `shown_at`.

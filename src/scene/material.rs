@@ -102,7 +102,8 @@ fn one_or_range<S: Serializer>(range: &Option<[f64; 2]>, serializer: S) -> Resul
 }
 
 impl Material {
-    /// What its specular lobe is multiplied with: a metal's has a colour, a dielectric's is what its base is made for.
+    /// What its specular lobe is multiplied with: a metal's has a colour, a dielectric's is what its base is
+    /// made for.
     pub fn specular(&self) -> Specular {
         match self.kind {
             Kind::Metal => Specular::Compensated,

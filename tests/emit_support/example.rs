@@ -3,6 +3,7 @@
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_shade::Source;
 use lobefit_shade::code::Language;
 
 use super::compilers::includes_in_cpp;
@@ -18,6 +19,38 @@ pub fn baked(json: &str) -> Baked {
 pub fn text(baked: &Baked, language: Language) -> String {
     let file = format!("fits/lobefit.{}", language.extension());
     String::from_utf8(baked.files[&file].clone()).expect("UTF-8")
+}
+
+/// Every formula has a fit, and each emitted one is within its certificate at places of roughness, mu and
+/// ior, but for what the truths there are off by; no certificate is idle, for so large a part of it is met.
+pub fn certified(
+    baked: &Baked,
+    formulas: usize,
+    (places, truths): (&[[f64; 3]], &[f64]),
+    off: f64,
+    part: f64,
+) {
+    let source = Source::parse("lobefit.wgsl", &text(baked, Language::Wgsl)).expect("it parses");
+    let emitted: Vec<_> = baked.fits.iter().filter(|fit| fit.emitted).collect();
+    assert_eq!(emitted.len(), formulas, "a formula has no fit");
+    for fit in emitted {
+        let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
+        let tape = source.tape(name, 0).expect("a function");
+        let value = |place: &[f64; 3]| {
+            let of = |input: &String| match input.as_str() {
+                "roughness" => place[0] as f32,
+                "alpha" => (place[0] as f32) * (place[0] as f32),
+                "ior" => place[2] as f32,
+                _ => place[1] as f32,
+            };
+            f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+        };
+        let errors = places.iter().zip(truths).map(|(place, truth)| (value(place) - truth, place));
+        let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
+        println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
+        assert!(error.abs() <= stated + off, "{name}: {error} at {place:?}; stated {stated}");
+        assert!(error.abs() > part * stated, "{name}: {stated} is stated, {error} found");
+    }
 }
 
 /// The compilers of four languages take the files.

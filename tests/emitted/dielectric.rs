@@ -7,7 +7,7 @@ use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
 use std::sync::LazyLock;
 
-use emit_support::example::{baked, compiled, text};
+use emit_support::example::{baked, certified, compiled, text};
 use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::effects::dielectric::{HYPOTHESES, PUBLISHED};
@@ -68,30 +68,10 @@ fn places(iors: &[f64]) -> Vec<[f64; 3]> {
 
 /// Every formula has a fit, and each emitted one is within its certificate, which is no idle one.
 fn agrees(baked: &Baked, smith: Smith, iors: &[f64]) {
-    let source = Source::parse("lobefit.wgsl", &text(baked, Language::Wgsl)).expect("it parses");
     let places = places(iors);
     let truths: Vec<f64> =
         places.iter().map(|[rough, mu, ior]| reflected(smith, [rough * rough, *mu, *ior], 1 << 12)).collect();
-    let emitted: Vec<_> = baked.fits.iter().filter(|fit| fit.emitted).collect();
-    assert_eq!(emitted.len(), HYPOTHESES.len(), "a formula has no fit");
-    for fit in emitted {
-        let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
-        let tape = source.tape(name, 0).expect("a function");
-        let value = |place: &[f64; 3]| {
-            let of = |input: &String| match input.as_str() {
-                "roughness" => place[0] as f32,
-                "alpha" => (place[0] as f32) * (place[0] as f32),
-                "ior" => place[2] as f32,
-                _ => place[1] as f32,
-            };
-            f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
-        };
-        let errors = places.iter().zip(&truths).map(|(place, truth)| (value(place) - truth, place));
-        let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
-        println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
-        assert!(error.abs() <= stated + 5e-4, "{name}: {error} at {place:?}; stated {stated}");
-        assert!(error.abs() > 0.4 * stated, "{name}: {stated} is stated, {error} found");
-    }
+    certified(baked, HYPOTHESES.len(), (&places, &truths), 5e-4, 0.4);
 }
 
 #[test]

@@ -8,12 +8,10 @@ use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
 use std::sync::LazyLock;
 
-use emit_support::example::{baked, compiled, text};
+use emit_support::example::{baked, certified, compiled};
 use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::effects::width::{HYPOTHESES, PUBLISHED};
-use lobefit_shade::Source;
-use lobefit_shade::code::Language;
 use lobefit_truth::quantity::{Quantity, RefractedWidth};
 
 const SCENE: &str = include_str!("../../examples/panes.json");
@@ -42,8 +40,8 @@ fn middle(mut lights: Vec<(f64, f64)>) -> f64 {
     found.expect("a middle").0
 }
 
-/// The cosine of the cone about the refraction at the mean normal with half of the transmitted energy, by facets
-/// of D cos (Walter et al. 2007), with height-correlated shadowing.
+/// The cosine of the cone about the refraction at the mean normal with half of the transmitted energy, by
+/// facets of D cos (Walter et al. 2007), with height-correlated shadowing.
 fn refracts([alpha, mu, ior]: [f64; 3]) -> f64 {
     let view = [(1.0 - mu * mu).sqrt(), 0.0, mu];
     let axis = refracted(view, [0.0, 0.0, 1.0], ior);
@@ -85,7 +83,6 @@ fn roughness(cosine: f64) -> f64 {
 
 #[test]
 fn the_emitted_roughness_is_that_of_the_textbook_within_its_promise() {
-    let source = Source::parse("lobefit.wgsl", &text(&PANES, Language::Wgsl)).expect("it parses");
     let mut places = Vec::new();
     for roughness in [0.1, 0.25, 0.4, 0.65, 0.9, 1.0] {
         for mu in [0.015, 0.1, 0.3, 0.7, 1.0] {
@@ -94,25 +91,7 @@ fn the_emitted_roughness_is_that_of_the_textbook_within_its_promise() {
     }
     let truth = |[rough, mu, ior]: &[f64; 3]| roughness(refracts([rough * rough, *mu, *ior]));
     let truths: Vec<f64> = places.iter().map(truth).collect();
-    let emitted: Vec<_> = PANES.fits.iter().filter(|fit| fit.emitted).collect();
-    assert_eq!(emitted.len(), HYPOTHESES.len(), "a formula has no fit");
-    for fit in emitted {
-        let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
-        let tape = source.tape(name, 0).expect("a function");
-        let value = |place: &[f64; 3]| {
-            let of = |input: &String| match input.as_str() {
-                "roughness" => place[0] as f32,
-                "ior" => place[2] as f32,
-                _ => place[1] as f32,
-            };
-            f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
-        };
-        let errors = places.iter().zip(&truths).map(|(place, truth)| (value(place) - truth, place));
-        let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
-        println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
-        assert!(error.abs() <= stated + 4e-3, "{name}: {error} at {place:?}; stated {stated}");
-        assert!(error.abs() > 0.5 * stated, "{name}: {stated} is stated, {error} found");
-    }
+    certified(&PANES, HYPOTHESES.len(), (&places, &truths), 4e-3, 0.5);
 }
 
 #[test]

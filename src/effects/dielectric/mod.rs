@@ -4,7 +4,7 @@
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
-use super::value::ValueFits;
+use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, reasons, rough, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
@@ -29,9 +29,6 @@ pub const PUBLISHED: [Entry; 4] = published![
     "ggx_dielectric_karis" by "B. Karis, Physically Based Shading on Mobile, 2014",
     "ggx_dielectric_materialx" by "MaterialX, mx_ggx_dir_albedo_analytic",
 ];
-
-/// Narrowest range of the index of refraction of a job: over less, constants are hardly told apart.
-const IOR_WIDTH_MIN: f64 = 0.4;
 
 /// Least alpha of a job. For narrower lobes, which are near Fresnel's own term, every value of the truth
 /// is an integral of its own.

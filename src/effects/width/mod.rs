@@ -4,7 +4,7 @@
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
-use super::value::ValueFits;
+use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, reasons, rough, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
@@ -32,8 +32,7 @@ pub const PUBLISHED: [Entry; 2] = published![
     "refracted_width_khronos" by "Khronos glTF Sample Renderer, applyIorToRoughness; Bevy, three.js",
 ];
 
-/// Narrowest range of the index of refraction of a job, and its least: the truth is quick from there.
-const IOR_WIDTH_MIN: f64 = 0.4;
+/// Least index of refraction of a job: the truth is quick from there.
 const IOR_MIN: f64 = 1.05;
 
 const FITS: ValueFits = ValueFits {

@@ -63,8 +63,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     Ok(made)
 }
 
-/// Notes which of the emitted fits the materials call: a metal, and a dielectric whose base is made for such a lobe, the form
-/// for three channels.
+/// Notes which of the emitted fits the materials call: a metal, and a dielectric whose base is made for
+/// such a lobe, the form for three channels.
 fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> Result<(), BakeError> {
     for fit in fits.iter().filter(|fit| fit.emitted) {
         for demand in &job.demands {

@@ -76,8 +76,8 @@ impl Lobe {
         0.5 * self.alpha * self.lift / self.ior
     }
 
-    /// Cuts of u, from the axis to the last light, with panels down to `finest` where rings turn from whole to
-    /// truncated.
+    /// Cuts of u, from the axis to the last light, with panels down to `finest` where rings turn from whole
+    /// to truncated.
     pub fn cuts(&self, finest: f64) -> Vec<f64> {
         let [refracted, bend] = [self.axis, self.bend].map(|[cosine, sine]| ops::atan2(sine, cosine));
         let horizon = ops::atan2((self.excess + 1.0 - self.mu * self.mu).sqrt(), self.mu);
@@ -118,7 +118,8 @@ impl Lobe {
     /// The azimuths of a ring, in [0, pi], at which facets refract into it.
     fn lit(&self, ring: &Ring) -> [f64; 2] {
         let ([c_t, s_t], [cosine, sine]) = (self.axis, self.bend);
-        // H_z = q - n (c_t fall - s_t sin(theta) cos(phi)), v.H = q mu - n (cos fall + sin sin(theta) cos(phi)).
+        // H_z = q - n (c_t fall - s_t sin(theta) cos(phi)),
+        // v.H = q mu - n (cos fall + sin sin(theta) cos(phi)).
         let least = ratio(c_t * ring.fall - self.lift / self.ior, s_t * ring.sine);
         let most = ratio(self.lift * self.mu / self.ior - cosine * ring.fall, sine * ring.sine);
         [most, least].map(|cosine| ops::acos(cosine.clamp(-1.0, 1.0)))
