@@ -1,6 +1,7 @@
 //! The largest error of a formula where truths are dear: few points are measured, and the largest
 //! error lies between them. Boxes about the worst point of each cell close in on it.
 
+use super::Memo;
 use super::certificate::{certificate, worse};
 use super::target::{Sampled, Target, TargetError};
 use crate::data::{Certificate, HalfRefusal, Place, shortest};
@@ -22,6 +23,17 @@ const FEWEST: usize = 6;
 const WIDTHS: [f64; 5] = [0.06, 0.03, 0.015, 0.007, 0.003];
 const NEAR: usize = 64;
 
+/// Where formulas for a target are measured.
+#[derive(Clone, Copy)]
+pub struct Places<'a> {
+    /// What they are to be.
+    pub target: &'a Target,
+    /// Points to certify at.
+    pub measured: &'a Sampled,
+    /// The truths about the worst of them: formulas that err alike ask for the same.
+    pub memo: &'a Memo<'a>,
+}
+
 /// The certificate at the points measured, its largest errors searched from the worst of these
 /// where truths are dear. RMS and mean are those of the points alone.
 ///
@@ -31,10 +43,10 @@ const NEAR: usize = 64;
 pub fn closer(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
-    target: &Target,
-    measured: &Sampled,
+    places: &Places,
     precision: Precision,
 ) -> Result<Certificate, TargetError> {
+    let Places { target, measured, memo } = *places;
     let at = |sampled: &Sampled| -> Result<Certificate, ShadeError> {
         certificate(hypothesis, coefficients, target, sampled, precision)
     };
@@ -47,7 +59,7 @@ pub fn closer(
     peaks.retain(|peak| peak.max_abs >= FOLLOWED * first.max_abs);
     for width in WIDTHS {
         for peak in &mut peaks {
-            let near = at(&target.near(&peak.at, width, NEAR)?)?;
+            let near = at(&target.near(&peak.at, (width, NEAR), memo)?)?;
             first.points += near.points;
             first.max_rel = first.max_rel.max(near.max_rel);
             *peak = worse(peak.clone(), near);
@@ -70,10 +82,9 @@ pub fn closer(
 pub fn half(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
-    target: &Target,
-    measured: &Sampled,
+    places: &Places,
 ) -> Result<Result<Certificate, HalfRefusal>, TargetError> {
-    let of = |precision| match closer(hypothesis, coefficients, target, measured, precision) {
+    let of = |precision| match closer(hypothesis, coefficients, places, precision) {
         Ok(certificate) => Ok(Ok(certificate)),
         Err(TargetError::Fit(FitError::Shade(error))) => Ok(Err(refused(error)?)),
         Err(error) => Err(error),

@@ -66,12 +66,47 @@ pub enum FitStageError {
         /// What is not finite, and where.
         reason: String,
     },
+    /// A formula of the catalogue without a fit to rely on, as it was found before.
+    #[error("{reason}")]
+    Unreliable {
+        /// Why.
+        reason: String,
+    },
     /// A formula for whose target no samples were made: a defect of the program.
     #[error("{hypothesis}: no samples were made for its target")]
     Unprepared {
         /// File of the hypothesis.
         hypothesis: String,
     },
+}
+
+impl FitStageError {
+    /// Whether a formula of the catalogue has no reliable fit in this domain.
+    pub(super) fn is_unreliable(&self) -> bool {
+        matches!(
+            self,
+            FitStageError::NotConverged { .. }
+                | FitStageError::RunAway { .. }
+                | FitStageError::Unkept { .. }
+                | FitStageError::Fit(
+                    FitError::Shade(ShadeError::Irregular { .. })
+                        | FitError::Undefined { .. }
+                        | FitError::PoleAtStart { .. }
+                        | FitError::Constrained { .. }
+                        | FitError::Unsatisfiable { .. }
+                )
+                | FitStageError::Refused { .. }
+                | FitStageError::Unreliable { .. }
+        )
+    }
+
+    /// Why a formula has no fit.
+    pub(super) fn reason(self) -> String {
+        match self {
+            FitStageError::Refused { reason, .. } => reason,
+            error => error.to_string(),
+        }
+    }
 }
 
 impl From<ShadeError> for FitStageError {

@@ -2,7 +2,6 @@
 
 use super::Safe;
 use crate::data::{Approximation, Form};
-use lobefit_fit::Termination;
 use lobefit_shade::{Hypothesis, ShadeError};
 use lobefit_truth::points::Points;
 
@@ -13,8 +12,6 @@ pub struct Fit {
     pub approximation: Approximation,
     /// The hypothesis that it is an instance of.
     pub hypothesis: Hypothesis,
-    /// How the search ended; none for published constants.
-    pub termination: Option<Termination>,
     /// What it costs where formulas are compared: operations, or by the model of the vendor that the
     /// scene names.
     pub price: f64,

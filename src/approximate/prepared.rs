@@ -1,65 +1,81 @@
 //! A target with its samples, and fits of one formula to it.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::certificate::{approximation, formula, worse};
-use super::closer::{closer, half};
-use super::search::{Searched, searched};
-use super::target::{Sampled, Target};
-use super::{Entry, Fit, FitStageError, Safe, SafeProof, SafeRange};
-use crate::data::{Form, Half, HalfRefusal, Norm, Source};
+use super::closer::{Places, closer, half};
+use super::search::{named_for, searched};
+use super::target::{Sampled, Target, TargetError};
+use super::{Entry, Fit, FitStageError, Memo, Safe, SafeProof, SafeRange};
+use crate::data::{Certificate, Form, Half, HalfRefusal, Norm, Source};
+use crate::store::Key;
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::code::Float;
 use lobefit_shade::{Domain, Hypothesis, Precision};
 
-/// Counts the truths that were integrated: how `bake` shows that nothing is computed which the
-/// scene does not call for.
-#[derive(Debug, Default)]
-pub struct Counter(AtomicU64);
-
-impl Counter {
-    /// Notes `n` integrated points.
-    pub fn add(&self, n: usize) {
-        self.0.fetch_add(n as u64, Ordering::Relaxed);
-    }
-
-    /// Points integrated so far.
-    pub fn total(&self) -> u64 {
-        self.0.load(Ordering::Relaxed)
-    }
-}
-
 /// A target with its samples. Formulas that are affine in f0 and those that are not have different
 /// ones.
-pub(super) struct Prepared {
+pub(super) struct Prepared<'a> {
     pub target: Target,
     even: Sampled,
     edged: Sampled,
     measured: Arc<Sampled>,
+    memo: &'a Memo<'a>,
 }
 
-impl Prepared {
+impl<'a> Prepared<'a> {
     /// Integrates the truths of the samples.
-    pub fn new(target: Target, counter: &Counter) -> Result<Prepared, FitStageError> {
-        let measured = target.measured()?;
-        counter.add(measured.integrals as usize);
-        Prepared::measured_at(target, Arc::new(measured), counter)
+    pub fn new(target: Target, memo: &'a Memo) -> Result<Prepared<'a>, FitStageError> {
+        let measured = target.measured(memo)?;
+        memo.add(measured.integrals as usize);
+        Prepared::measured_at(target, Arc::new(measured), memo)
     }
 
     /// The same where the points to certify at are integrated already.
     pub fn measured_at(
         target: Target,
         measured: Arc<Sampled>,
-        counter: &Counter,
-    ) -> Result<Prepared, FitStageError> {
-        let (even, edged) = (target.even()?, target.edged()?);
-        counter.add((even.integrals + edged.integrals) as usize);
-        Ok(Prepared { target, even, edged, measured })
+        memo: &'a Memo,
+    ) -> Result<Prepared<'a>, FitStageError> {
+        let (even, edged) = (target.even(memo)?, target.edged(memo)?);
+        memo.add((even.integrals + edged.integrals) as usize);
+        Ok(Prepared { target, even, edged, measured, memo })
     }
 
     /// A formula's best coefficients, proven and measured.
+    ///
+    /// # Errors
+    /// A formula of ours without a fit to rely on in this domain: [`FitStageError::Unreliable`]; of the
+    /// user's the reason itself.
     pub fn fit(&self, hypothesis: &Hypothesis, search: &Search) -> Result<Fit, FitStageError> {
+        let key = self.key("fit", hypothesis).with(&format!("{search:?}"));
+        let found = self.memo.kept(key, || match self.search(hypothesis, search) {
+            Err(error) if search.by == By::Us && error.is_unreliable() => Ok(Err(error.reason())),
+            found => found.map(Ok),
+        });
+        let (coefficients, safe) = found?.map_err(|reason| FitStageError::Unreliable { reason })?;
+        let hypothesis = named_for(hypothesis, search.norm.into());
+        let fit = self.measure(hypothesis, &coefficients, search.norm.name(), Source::Fitted)?;
+        Ok(Fit { emitted: true, safe, ..fit })
+    }
+
+    /// Where formulas are measured.
+    fn places(&self) -> Places<'_> {
+        Places { target: &self.target, measured: &self.measured, memo: self.memo }
+    }
+
+    /// What a result for a formula depends on.
+    fn key(&self, kind: &'static str, hypothesis: &Hypothesis) -> Key {
+        let target = format!("{:?} {:?} {:?}", self.target, hypothesis.float(), hypothesis.inputs());
+        Key::of(kind).with(&target).with(hypothesis.file()).with(hypothesis.source())
+    }
+
+    /// Coefficients that are proven, and where they keep what they must.
+    fn search(
+        &self,
+        hypothesis: &Hypothesis,
+        search: &Search,
+    ) -> Result<(Vec<f32>, Option<Safe>), FitStageError> {
         let Search { norm, safe_range, by } = *search;
         let sampled = match norm {
             Norm::Max => &self.edged,
@@ -75,9 +91,7 @@ impl Prepared {
                 (found, Some(safe))
             }
         };
-        let Searched { hypothesis, coefficients, termination } = found;
-        let fit = self.measure(hypothesis, &coefficients, norm.name(), Source::Fitted)?;
-        Ok(Fit { termination: Some(termination), emitted: true, safe, ..fit })
+        Ok((found, safe))
     }
 
     /// A published formula with its constants, measured like ours.
@@ -92,13 +106,7 @@ impl Prepared {
         let mut called = self.measure(hypothesis, &fit.coefficients(), fit.norm(), Source::Fitted)?;
         called.approximation.name.clone_from(&fit.approximation.name);
         called.approximation.cost = fit.approximation.cost;
-        Ok(Fit {
-            termination: fit.termination,
-            price: fit.price,
-            emitted: true,
-            safe: fit.safe.clone(),
-            ..called
-        })
+        Ok(Fit { price: fit.price, emitted: true, safe: fit.safe.clone(), ..called })
     }
 
     /// Measures an emitted fit in half precision, unless it was.
@@ -107,10 +115,19 @@ impl Prepared {
         if let Form::Formula(formula) = &mut fit.approximation.form
             && formula.half.is_none()
         {
-            let found = half(hypothesis, &coefficients, &self.target, &self.measured)?;
-            formula.half = Some(Half::from(&found));
+            formula.half = Some(Half::from(&self.half(hypothesis, &coefficients)?));
         }
         Ok(())
+    }
+
+    /// Measures a formula in half precision.
+    fn half(
+        &self,
+        hypothesis: &Hypothesis,
+        coefficients: &[f32],
+    ) -> Result<Result<Certificate, HalfRefusal>, TargetError> {
+        let key = self.key("half", hypothesis).numbers(&wide(coefficients));
+        self.memo.kept(key, || half(hypothesis, coefficients, &self.places()))
     }
 
     /// Measures a formula in the numbers that it is emitted with.
@@ -125,9 +142,11 @@ impl Prepared {
         source: Source,
     ) -> Result<Fit, FitStageError> {
         let mut form = formula(&hypothesis, coefficients, norm);
-        let mut found = closer(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
+        let in_f32 = || closer(&hypothesis, coefficients, &self.places(), Precision::F32);
+        let key = self.key("certificate", &hypothesis).numbers(&wide(coefficients));
+        let mut found = self.memo.kept(key, in_f32)?;
         if hypothesis.float() == Float::F16 {
-            let half = half(&hypothesis, coefficients, &self.target, &self.measured)?;
+            let half = self.half(&hypothesis, coefficients)?;
             form.half = Some(Half::from(&half));
             // A compiler may keep f32 where f16 is enough.
             let refused = |refusal: HalfRefusal| FitStageError::Refused {
@@ -138,14 +157,18 @@ impl Prepared {
             found = worse(half.map_err(refused)?, found);
         }
         let approximation = approximation(&hypothesis, form, &self.target, source, found);
-        let (termination, emitted, recommended, safe) = (None, false, false, None);
+        let (emitted, recommended, safe) = (false, false, None);
         let price = f64::from(approximation.cost.ops);
-        Ok(Fit { approximation, hypothesis, termination, price, emitted, recommended, safe })
+        Ok(Fit { approximation, hypothesis, price, emitted, recommended, safe })
     }
 }
 
+fn wide(coefficients: &[f32]) -> Vec<f64> {
+    coefficients.iter().map(|c| f64::from(*c)).collect()
+}
+
 /// What a formula's coefficients are to keep, and how long they are searched.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Search<'a> {
     pub norm: Norm,
     /// What they keep beyond the domain.
@@ -173,7 +196,7 @@ fn patiently(
     norm: Norm,
     samples: &Samples,
     domain: &Domain,
-) -> Result<Searched, FitStageError> {
+) -> Result<Vec<f32>, FitStageError> {
     let usual = Options::new(norm);
     let within =
         |options: &Options, near: f64| searched(hypothesis, norm, (samples, &[]), domain, (options, near));
@@ -201,18 +224,18 @@ fn keeping(
     samples: &Samples,
     domain: &Domain,
     safe_range: &SafeRange,
-) -> Result<(Searched, Safe), FitStageError> {
+) -> Result<(Vec<f32>, Safe), FitStageError> {
     let usual = Options::new(norm);
     let alone = Options { starts: 1, iterations: ITERATIONS, ..usual };
     let within = |constraints: &[Constraint], options| {
         searched(hypothesis, norm, (samples, constraints), domain, (options, 0.0))
     };
     let free = within(&[], &alone).or_else(|_| within(&[], &usual))?;
-    if let SafeProof::Proven(safe) = safe_range.prove(hypothesis, &free.coefficients)? {
+    if let SafeProof::Proven(safe) = safe_range.prove(hypothesis, &free)? {
         return Ok((free, safe));
     }
     let bound = within(&safe_range.constraints(hypothesis)?, &alone)?;
-    match safe_range.prove(hypothesis, &bound.coefficients)? {
+    match safe_range.prove(hypothesis, &bound)? {
         SafeProof::Proven(safe) => Ok((bound, safe)),
         SafeProof::Unproven(reason) => {
             let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());

@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use super::prepared::{By, Prepared, Search};
 use super::target::{Sampled, Target, TargetSpec};
-use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
+use super::{Dropped, Emission, Entry, Fit, FitSet, FitStageError, Memo, SafeRange};
 use crate::data::{AlphaMap, Norm, Pick};
-use lobefit_fit::FitError;
 use lobefit_shade::code::Float;
 use lobefit_shade::{Hypothesis, ShadeError};
 use rayon::prelude::*;
@@ -43,7 +42,7 @@ pub struct Wanted<'a> {
 /// # Errors
 /// A domain that the quantity does not have; a truth that cannot be integrated; a formula that
 /// cannot be fitted.
-pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageError> {
+pub fn fit_all(wanted: &Wanted, memo: &Memo) -> Result<FitSet, FitStageError> {
     // Parse first: a hypothesis that is refused must not cost a bake.
     let squared = wanted.spec.alpha_map == AlphaMap::RoughnessSquared;
     let published = wanted.published.iter().copied().filter(|entry| squared || !entry.takes("roughness"));
@@ -55,7 +54,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let known = parse(sources(published.iter().copied()), Float::F32)?;
     let mut dropped = Vec::new();
     let (own, dear) = wanted.affordable(own)?;
-    let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter, &[])?;
+    let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), memo, &[])?;
     let (user, too_dear) = wanted.affordable(user)?;
     for h in &too_dear {
         dropped.extend(wanted.too_dear(h)?);
@@ -70,7 +69,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     stage.recommend(&mut fits);
-    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
+    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, memo)?) } else { None };
     let mut measured = stage.published(&published, &known)?;
     // Some of them are emitted then.
     if wanted.emission.pick == Pick::All {
@@ -90,7 +89,8 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
 pub fn compared(wanted: &Wanted, known: (&Target, &Arc<Sampled>)) -> Result<Vec<Fit>, FitStageError> {
     let own = parse(sources(wanted.own), Float::F32)?;
     let published = parse(sources(wanted.published.iter().copied()), Float::F32)?;
-    let stage = Stage::new(wanted, own.iter().chain(&published), &Counter::default(), &[known])?;
+    let memo = Memo::default();
+    let stage = Stage::new(wanted, own.iter().chain(&published), &memo, &[known])?;
     let (jobs, results) = stage.fits(&own, By::Us);
     let mut fits = kept(&jobs, results, &mut Vec::new())?;
     fits.extend(stage.published(&wanted.published, &published)?);
@@ -142,14 +142,14 @@ impl Wanted<'_> {
 /// The targets of formulas, with their samples.
 struct Stage<'a> {
     wanted: &'a Wanted<'a>,
-    prepared: Vec<Prepared>,
+    prepared: Vec<Prepared<'a>>,
 }
 
 impl<'a> Stage<'a> {
     fn new<'b>(
         wanted: &'a Wanted<'a>,
         formulas: impl Iterator<Item = &'b Hypothesis>,
-        counter: &Counter,
+        memo: &'a Memo,
         known: &[(&Target, &Arc<Sampled>)],
     ) -> Result<Stage<'a>, FitStageError> {
         let mut targets: Vec<Target> = Vec::new();
@@ -161,14 +161,14 @@ impl<'a> Stage<'a> {
         }
         let prepared =
             targets.into_iter().map(|target| match known.iter().find(|(known, _)| **known == target) {
-                Some((_, measured)) => Prepared::measured_at(target, Arc::clone(measured), counter),
-                None => Prepared::new(target, counter),
+                Some((_, measured)) => Prepared::measured_at(target, Arc::clone(measured), memo),
+                None => Prepared::new(target, memo),
             });
         Ok(Stage { wanted, prepared: prepared.collect::<Result<_, _>>()? })
     }
 
     /// The samples for a formula.
-    fn of(&self, formula: &Hypothesis) -> Result<&Prepared, FitStageError> {
+    fn of(&self, formula: &Hypothesis) -> Result<&Prepared<'_>, FitStageError> {
         among(&self.prepared, &Target::new(&self.wanted.spec, formula)?, formula)
     }
 
@@ -228,7 +228,7 @@ impl<'a> Stage<'a> {
     }
 
     /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more.
-    fn nearest(&self, dear: Vec<Hypothesis>, counter: &Counter) -> Result<String, FitStageError> {
+    fn nearest(&self, dear: Vec<Hypothesis>, memo: &Memo) -> Result<String, FitStageError> {
         let Wanted { emission, safe_range, .. } = self.wanted;
         let limit = emission.max_error.unwrap_or(f64::INFINITY);
         let prices = dear.iter().map(|h| emission.price(h)).collect::<Result<Vec<f64>, _>>()?;
@@ -238,14 +238,14 @@ impl<'a> Stage<'a> {
         for (price, h) in &dear {
             let own = match self.of(h) {
                 Ok(_) => None,
-                Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
+                Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, memo)?),
             };
             let prepared = own.as_ref().map_or_else(|| self.of(h), Ok)?;
             let search = Search { norm: Norm::Max, safe_range: safe_range.as_ref(), by: By::Us };
             let fit = match prepared.fit(h, &search) {
                 Ok(fit) => fit,
                 // A formula without a fit in this domain is passed over, as it is within a budget.
-                Err(error) if is_unreliable(&error) => continue,
+                Err(error) if error.is_unreliable() => continue,
                 Err(error) => return Err(error),
             };
             let error = fit.approximation.certificate.max_abs;
@@ -298,10 +298,10 @@ impl<'a> Stage<'a> {
 
 /// The samples of a target, which a formula needs.
 fn among<'a>(
-    prepared: &'a [Prepared],
+    prepared: &'a [Prepared<'a>],
     target: &Target,
     formula: &Hypothesis,
-) -> Result<&'a Prepared, FitStageError> {
+) -> Result<&'a Prepared<'a>, FitStageError> {
     let found = prepared.iter().find(|prepared| prepared.target == *target);
     found.ok_or_else(|| FitStageError::Unprepared { hypothesis: formula.file().to_string() })
 }
@@ -316,24 +316,6 @@ type Results = (Vec<Job>, Vec<Result<Fit, FitStageError>>);
 /// since what is found must not depend on the machine.
 const TOGETHER: usize = 4;
 
-/// Whether a formula of the catalogue has no reliable fit in this domain.
-fn is_unreliable(error: &FitStageError) -> bool {
-    matches!(
-        error,
-        FitStageError::NotConverged { .. }
-            | FitStageError::RunAway { .. }
-            | FitStageError::Unkept { .. }
-            | FitStageError::Fit(
-                FitError::Shade(ShadeError::Irregular { .. })
-                    | FitError::Undefined { .. }
-                    | FitError::PoleAtStart { .. }
-                    | FitError::Constrained { .. }
-                    | FitError::Unsatisfiable { .. }
-            )
-            | FitStageError::Refused { .. }
-    )
-}
-
 /// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other
 /// error handed on.
 fn kept(
@@ -345,13 +327,10 @@ fn kept(
     for ((hypothesis, norm), result) in jobs.iter().zip(results) {
         match result {
             Ok(fit) => fits.push(fit),
-            Err(error) if is_unreliable(&error) => dropped.push(Dropped {
+            Err(error) if error.is_unreliable() => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),
                 norm: norm.name(),
-                reason: match error {
-                    FitStageError::Refused { reason, .. } => reason,
-                    error => error.to_string(),
-                },
+                reason: error.reason(),
             }),
             Err(error) => return Err(error),
         }

@@ -2,16 +2,8 @@
 
 use super::{FitStageError, Runaway};
 use crate::data::Norm;
-use lobefit_fit::{Constraint, FitError, Gap, Goal, Options, Samples, Termination, optimise, round_to_f32};
+use lobefit_fit::{Constraint, FitError, Gap, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
-
-/// What a search found: coefficients rounded to f32 and proven regular, under the name of their
-/// norm.
-pub(crate) struct Searched {
-    pub hypothesis: Hypothesis,
-    pub coefficients: Vec<f32>,
-    pub termination: Termination,
-}
 
 /// Coefficients for a hypothesis within constraints: found, rounded, proven regular. They are a minimum,
 /// or less than the part `near` of the error is left to gain.
@@ -21,7 +13,7 @@ pub(crate) fn searched(
     (samples, constraints): (&Samples, &[Constraint]),
     domain: &Domain,
     (options, near): (&Options, f64),
-) -> Result<Searched, FitStageError> {
+) -> Result<Vec<f32>, FitStageError> {
     let fitted = optimise(hypothesis, samples, constraints, options);
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
@@ -41,11 +33,7 @@ pub(crate) fn searched(
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
     prove_regular(hypothesis.tape(), &exact, domain)?;
-    Ok(Searched {
-        hypothesis: named_for(hypothesis, norm.into()),
-        coefficients,
-        termination: fitted.termination,
-    })
+    Ok(coefficients)
 }
 
 /// Coefficients above this (or a million times a starting value) are on their way to infinity:

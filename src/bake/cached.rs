@@ -10,11 +10,8 @@ use crate::effects::{BakeError, Called, Effect, Made, Part};
 use crate::emit::manifest::Entries;
 use crate::report::explore::Explored;
 use crate::report::{Answer, EffectFinding};
-use crate::store::{Cache, Files};
+use crate::store::{Files, Key};
 use lobefit_shade::code::Language;
-
-/// Hash of the source files but for formulas, which are hashed by effect (`build/main.rs`).
-const CODE: &str = env!("LOBEFIT_CODE");
 
 /// A part but for the contents of its files, which follow in their order.
 #[derive(Serialize, Deserialize)]
@@ -29,11 +26,11 @@ struct Head {
     files: Vec<(String, usize)>,
 }
 
-/// The work of an effect, from the cache if it is there; what was computed is put there. Promises
+/// The work of an effect, `whole` from the cache if it is there; what was computed is put there. Promises
 /// that are not kept are computed each time.
-pub(super) fn made(called: &Called, context: &Context, cache: Option<&Cache>) -> Result<Made, BakeError> {
+pub(super) fn made(called: &Called, whole: bool, context: &Context) -> Result<Made, BakeError> {
     let compute = || called.by.bake(called, context)?.finished();
-    let Some(cache) = cache else { return compute() };
+    let Some(cache) = context.memo.cache().filter(|_| whole) else { return compute() };
     let key = key(called, context)?;
     if let Some(made) = cache.get(&key).and_then(|bytes| decoded(bytes, called.by, &context.recipe.hash)) {
         return Ok(made);
@@ -47,18 +44,15 @@ pub(super) fn made(called: &Called, context: &Context, cache: Option<&Cache>) ->
 
 /// The hash of all that a part depends on.
 fn key(called: &Called, context: &Context) -> Result<String, serde_json::Error> {
-    let mut hasher = blake3::Hasher::new();
-    let mut add = |text: &str| {
-        hasher.update(&(text.len() as u64).to_le_bytes());
-        hasher.update(text.as_bytes());
-    };
     let scene = serde_json::to_string(context.scene)?;
-    [CODE, called.effect, &scene, &context.recipe.command].into_iter().for_each(&mut add);
-    called.work.iter().for_each(|job| add(&job.name));
-    called.by.sources().into_iter().for_each(&mut add);
-    context.hypotheses.iter().flat_map(|own| [own.file.as_str(), &own.source]).for_each(&mut add);
-    context.pages.iter().flat_map(|(name, file)| [name.as_str(), file]).for_each(&mut add);
-    Ok(hasher.finalize().to_hex().to_string())
+    let mut key = Key::of("part").with(called.effect).with(&scene).with(&context.recipe.command);
+    let jobs = called.work.iter().map(|job| job.name.as_str());
+    let own = context.hypotheses.iter().flat_map(|own| [own.file.as_str(), &own.source]);
+    let pages = context.pages.iter().flat_map(|(name, file)| [name.as_str(), file]);
+    for text in jobs.chain(called.by.sources()).chain(own).chain(pages) {
+        key = key.with(text);
+    }
+    Ok(key.end())
 }
 
 /// A line of JSON, then the contents of the files.

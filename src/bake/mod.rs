@@ -14,7 +14,7 @@ mod shard;
 
 use rayon::prelude::*;
 
-use crate::approximate::{Counter, Fit};
+use crate::approximate::{Fit, Memo};
 pub use crate::effects::BakeError;
 pub use crate::effects::context::{Context, Progress, Silent, UserHypothesis};
 pub use crate::effects::table::BakedTable;
@@ -69,9 +69,12 @@ pub struct Selection<'a> {
     pub only: Vec<String>,
     /// Parts of the others that are there already.
     pub kept: Vec<Part>,
-    /// Where parts that were made once are found, and new ones are put. The effects must be this
-    /// package's: of others the code is not known.
+    /// Where results that were made once are found, and new ones are put: fits, certificates, truths and
+    /// texels. The effects must be this package's: of others the code is not known.
     pub cache: Option<&'a Cache>,
+    /// Whether effects whose every input is as before are taken whole from the cache: their tables and
+    /// fits are among the files then, and not in [`Baked::tables`] and [`Baked::fits`].
+    pub whole: bool,
 }
 
 /// Bakes a plan. Nothing is integrated, fitted, emitted or reported that it does not call for.
@@ -85,10 +88,10 @@ pub fn bake(
     selection: Selection,
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
-    let context = context(scene, plan, hypotheses, progress)?;
-    let Selection { only, kept, cache } = selection;
+    let Selection { only, kept, cache, whole } = selection;
+    let context = context((scene, plan), hypotheses, cache, progress)?;
     let wanted = |called: &&Called| only.is_empty() || only.iter().any(|o| o == called.effect);
-    let made = made(&plan.effects.iter().filter(wanted).collect::<Vec<_>>(), cache, &context)?;
+    let made = made(&plan.effects.iter().filter(wanted).collect::<Vec<_>>(), whole, &context)?;
     finished(plan, kept, made, &context)
 }
 
@@ -97,9 +100,9 @@ pub fn bake(
 /// # Errors
 /// A name of a hypothesis that emitted code has already.
 pub fn context<'a>(
-    scene: &'a Scene,
-    plan: &Plan,
+    (scene, plan): (&'a Scene, &Plan),
     hypotheses: &'a [UserHypothesis],
+    cache: Option<&'a Cache>,
     progress: &'a dyn Progress,
 ) -> Result<Context<'a>, BakeError> {
     names::check(plan, hypotheses)?;
@@ -111,13 +114,13 @@ pub fn context<'a>(
         .chain(effects)
         .map(|page| (page.into(), format!("{page}.html")));
     let pages = pages.collect();
-    Ok(Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress })
+    Ok(Context { scene, hypotheses, recipe, memo: Memo::new(cache), pages, progress })
 }
 
 /// The work of effects. The end of each effect's work, where its own parts have run dry, overlaps
 /// with the next effect's.
-fn made(effects: &[&Called], cache: Option<&Cache>, context: &Context) -> Result<Vec<Made>, BakeError> {
-    let made = effects.par_iter().with_max_len(1).map(|called| cached::made(called, context, cache));
+fn made(effects: &[&Called], whole: bool, context: &Context) -> Result<Vec<Made>, BakeError> {
+    let made = effects.par_iter().with_max_len(1).map(|called| cached::made(called, whole, context));
     made.collect::<Vec<_>>().into_iter().collect()
 }
 
@@ -140,6 +143,6 @@ fn finished(
     parts.extend(made.into_iter().map(|made| baked.take(made)));
     parts.sort_by_key(|part| plan.catalogue.iter().position(|effect| *effect == part.by));
     baked.files = assemble::assemble(plan, parts, context)?;
-    baked.truths = context.counter.total();
+    baked.truths = context.memo.total();
     Ok(baked)
 }

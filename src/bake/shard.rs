@@ -12,7 +12,6 @@ use super::{Baked, cached, finished, made};
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Called, named};
 use crate::plan::Plan;
-use crate::store::Cache;
 
 /// The form of the file.
 const VERSION: u32 = 1;
@@ -155,14 +154,9 @@ struct Head {
 ///
 /// # Errors
 /// As a bake of its effects.
-pub fn shard(
-    plan: &Plan,
-    shard: Shard,
-    cache: Option<&Cache>,
-    context: &Context,
-) -> Result<(Vec<u8>, Vec<String>), BakeError> {
+pub fn shard(plan: &Plan, shard: Shard, context: &Context) -> Result<(Vec<u8>, Vec<String>), BakeError> {
     let (mut effects, mut parts, mut broken) = (Vec::new(), Vec::new(), Vec::new());
-    for made in made(&shard.effects(plan), cache, context)? {
+    for made in made(&shard.effects(plan), true, context)? {
         let part = cached::encoded(&made, &context.recipe.hash)?;
         effects.push((made.part.by.name().to_string(), part.len()));
         parts.extend(part);

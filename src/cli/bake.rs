@@ -88,7 +88,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         say_failed(cache.as_ref());
         return write_shard(shard, made, folder, options);
     }
-    let selection = Selection { cache: cache.as_ref(), ..selection(options, &input, &plan)? };
+    let selection = Selection { cache: cache.as_ref(), whole: true, ..selection(options, &input, &plan)? };
     let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
     say_failed(cache.as_ref());
@@ -171,7 +171,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
     }
     let recipe = recipe(&input.scene, plan, &input.hypotheses)?;
     let kept = previous(&options.output.out, &recipe, plan, &options.only)?;
-    Ok(Selection { only: options.only.clone(), kept, cache: None })
+    Ok(Selection { only: options.only.clone(), kept, ..Selection::default() })
 }
 
 /// What was made: what each material and probe calls, or everything where more than one function of

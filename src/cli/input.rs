@@ -74,8 +74,8 @@ impl Input {
         cache: Option<&Cache>,
         progress: &dyn Progress,
     ) -> Result<(Vec<u8>, Vec<String>), CliError> {
-        let context = context(&self.scene, plan, &self.hypotheses, progress);
-        self.named(context.and_then(|context| shard(plan, piece, cache, &context)))
+        let context = context((&self.scene, plan), &self.hypotheses, cache, progress);
+        self.named(context.and_then(|context| shard(plan, piece, &context)))
     }
 
     /// The scene's bake of its pieces, the files of a folder.
@@ -88,7 +88,7 @@ impl Input {
         folder: &Path,
         files: &[(String, Vec<u8>)],
     ) -> Result<Baked, CliError> {
-        let context = self.named(context(&self.scene, plan, &self.hypotheses, &Silent))?;
+        let context = self.named(context((&self.scene, plan), &self.hypotheses, None, &Silent))?;
         Ok(merge(plan, &folder.display().to_string(), files, &context)?)
     }
 

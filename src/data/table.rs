@@ -42,7 +42,7 @@ impl TexelFormat {
 }
 
 /// One channel: its name in the file and its texels, the first axis fastest.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Channel {
     /// Name in the file.
     pub name: String,
@@ -69,7 +69,7 @@ pub const AXES: usize = 3;
 
 /// A table: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]`, as far as there
 /// are axes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     /// Name, `ggx-dfg-...`.
     pub name: String,

@@ -1,6 +1,6 @@
 //! E, and Schlick's bias B, of the isotropic lobe at many points.
 
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::Smith;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::points::Points;
@@ -20,15 +20,10 @@ impl Albedo {
     ///
     /// # Errors
     /// Points without alpha or mu, or outside the domain of `ggx-reflection`.
-    pub fn new(
-        smith: Smith,
-        points: &Points,
-        split: bool,
-        counter: &Counter,
-    ) -> Result<Albedo, IntegrateError> {
+    pub fn new(smith: Smith, points: &Points, split: bool, memo: &Memo) -> Result<Albedo, IntegrateError> {
         let outputs = &["E", "B"][..1 + usize::from(split)];
         let mut truth = GGX_REFLECTION.truth(&smith.into(), points, outputs, TRUTH_ERROR)?;
-        counter.add(truth.evaluations as usize);
+        memo.add(truth.evaluations as usize);
         let b = if split { truth.columns.swap_remove(1) } else { Vec::new() };
         Ok(Albedo { e: truth.columns.swap_remove(0), b })
     }

@@ -1,6 +1,6 @@
 //! What all stages of a bake share.
 
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::emit::header::Recipe;
 use crate::report::Origin;
 use crate::scene::Scene;
@@ -35,8 +35,9 @@ pub struct Context<'a> {
     pub hypotheses: &'a [UserHypothesis],
     /// What makes it again.
     pub recipe: Recipe,
-    /// Truths integrated, or interpolated from integrals for the texels of tables of three axes.
-    pub counter: Counter,
+    /// Counts truths integrated, or interpolated from integrals for the texels of tables of three axes,
+    /// and knows those of before.
+    pub memo: Memo<'a>,
     /// The pages of the bake: what they show, and their file.
     pub pages: Vec<(String, String)>,
     /// Where stages are announced.

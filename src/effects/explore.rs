@@ -177,7 +177,7 @@ impl Exploring<'_> {
     fn values(&self, points: &Points, context: &Context) -> Result<Vec<Vec<f64>>, BakeError> {
         let tolerance = self.quantity.tolerance_of_many(&self.variant);
         let truth = self.quantity.truth(&self.variant, points, self.outputs, tolerance)?;
-        context.counter.add(truth.evaluations as usize);
+        context.memo.add(truth.evaluations as usize);
         Ok(truth.columns)
     }
 

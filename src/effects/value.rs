@@ -113,7 +113,7 @@ impl ValueFits<'_> {
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;
         let FitSet { fits, dropped, nearest, .. } =
-            approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.counter)?;
+            approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.memo)?;
         let shown = self.shown(job)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
@@ -260,7 +260,7 @@ impl ValueFits<'_> {
 
     fn truths(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>, BakeError> {
         let points = &grid.points;
-        context.counter.add(points.len());
+        context.memo.add(points.len());
         let (quantity, variant) = (self.quantity, self.variant(context.scene));
         let tolerance = quantity.tolerance_of_many(&variant);
         let [column] = quantity.truth(&variant, points, &[self.column], tolerance)?.arrays();

@@ -13,6 +13,7 @@ mod cache;
 mod commit;
 mod disk;
 mod error;
+mod key;
 mod local;
 mod read;
 #[cfg(test)]
@@ -24,6 +25,7 @@ pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written, inside};
 pub use cache::{Cache, Held, VARIABLE as CACHE_VARIABLE};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
+pub use key::Key;
 pub use local::{LocalDisk, LocalTemp};
 pub use read::{Entry, is_folder, list, read, read_beginning, read_set, read_stream};
 pub use write::{temporary, write};

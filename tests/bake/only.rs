@@ -6,7 +6,7 @@ use crate::sliced_support;
 
 use std::path::Path;
 
-use common::{lobefit_with, shared_cache, stderr};
+use common::{lobefit, stderr};
 use lobefit::bake::{BUILD_FILE, sign};
 use lobefit::store::Files;
 use sliced_support::{ANISO, entry, manifest, small, small_baked};
@@ -26,7 +26,7 @@ fn full() -> &'static Files {
 /// an effect the others take: which parts go into a folder is what is looked at here.
 fn bake(folder: &Path, scene: &str, options: &[&str]) -> (i32, String) {
     let arguments = [&["bake", "-", "--quiet"], options].concat();
-    let output = lobefit_with(shared_cache(), folder, &arguments, scene.as_bytes());
+    let output = lobefit(folder, &arguments, scene.as_bytes());
     assert!(output.stdout.is_empty());
     (output.status.code().expect("a code"), stderr(&output))
 }

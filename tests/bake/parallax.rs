@@ -3,7 +3,8 @@
 
 use std::sync::LazyLock;
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
 use lobefit::effects::parallax::lobes;
 use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
@@ -26,13 +27,13 @@ fn scene_with(more: &str, probes: &str) -> Scene {
 
 fn baked(probes: &str) -> Baked {
     let scene = scene(probes);
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 /// The promises that are not kept, of a bake of the fits alone: neither pages nor more than one language.
 fn broken(probes: &str) -> Vec<String> {
     let scene = scene_with(r#""reports": false, "languages": ["wgsl"],"#, probes);
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").broken
+    bake_scene(&scene).expect("a bake").broken
 }
 
 fn manifest(baked: &Baked) -> Value {
@@ -228,7 +229,7 @@ fn lookups_bring_no_function_that_they_do_not_call() {
             r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [], "probes": [{probes}]}}"#
         );
         let scene = Scene::from_json(text.as_bytes(), "test.json").expect("a scene");
-        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+        let baked = bake_scene(&scene).expect("a bake");
         let calls = baked.calls.iter().map(|call| format!("{} calls {}", call.of, call.function));
         let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
         let emitted = text.lines().filter_map(|line| line.strip_prefix("fn ")?.split('(').next());
@@ -275,7 +276,7 @@ fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
             r#"{{"schema_version": 1, "pick": "all", "reports": false, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#
         );
         let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
-        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent);
+        let baked = bake_scene(&scene);
         let baked = baked.unwrap_or_else(|e| panic!("{map}: {probe}: {e}"));
         let emitted: Vec<f64> = baked
             .fits

@@ -2,7 +2,8 @@
 
 use std::sync::LazyLock;
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
 use lobefit::data::Vendor;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
@@ -20,7 +21,7 @@ fn baked_with(reports: bool, fields: &str, materials: &str) -> Baked {
         r#"{{"schema_version": 1, "name": "test", "reports": {reports}, {fields} "materials": [{materials}]}}"#
     );
     let scene = Scene::from_json(text.as_bytes(), "test.json").unwrap_or_else(|e| panic!("{e}\n{text}"));
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 fn metal(name: &str, fit: &str) -> String {

@@ -1,7 +1,7 @@
 //! Only what the scene calls for: by files, by manifest and by the number of truths integrated.
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::plan::plan;
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
 use lobefit::scene::Scene;
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ fn baked_with(more: &str, materials: &str) -> Baked {
         r#"{{"schema_version": 1, "name": "test", "pick": "all", {more} "materials": [{materials}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 fn manifest(baked: &Baked) -> Value {

@@ -3,6 +3,7 @@
 
 use std::sync::LazyLock;
 
+use crate::baked_support::bake_scene;
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
@@ -36,7 +37,7 @@ fn plain(material: &str) -> Baked {
 }
 
 fn of(scene: &Scene) -> Baked {
-    bake(scene, &plan(scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(scene).expect("a bake")
 }
 
 fn manifest(baked: &Baked) -> Value {

@@ -1,5 +1,7 @@
 //! `lobefit check`.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../sliced_support/mod.rs"]

@@ -5,7 +5,7 @@ use crate::common;
 
 use std::path::Path;
 
-use common::{lobefit, lobefit_with, shared_cache, stderr};
+use common::{lobefit, stderr};
 
 /// A scene whose bake takes little: a small table of samples.
 const SCENE: &[u8] =
@@ -14,7 +14,7 @@ const SCENE: &[u8] =
 const TABLE: &str = "tables/ggx-dfg-correlated-32x32-f32-plain.exr";
 
 fn bake(folder: &Path) {
-    let output = lobefit_with(shared_cache(), folder, &["bake", "-", "--quiet"], SCENE);
+    let output = lobefit(folder, &["bake", "-", "--quiet"], SCENE);
     assert_eq!(output.status.code(), Some(0));
 }
 

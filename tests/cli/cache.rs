@@ -39,14 +39,19 @@ fn a_second_bake_computes_nothing_and_writes_the_same_bytes() {
     for out in ["first", "second"] {
         assert!(bytes(&folder.path().join(out)) == alone, "{out}");
     }
-    assert!(run(&["cache"]).contains("cache: 1 entry, "), "one effect");
+    let part = || {
+        let parts: Vec<String> = names(&cache).into_iter().filter(|name| name.starts_with("part-")).collect();
+        assert_eq!(parts.len(), 1, "one effect");
+        parts[0].clone()
+    };
+    assert!(run(&["cache"]).contains(&format!("cache: {} entries, ", names(&cache).len())));
     // Damage is no result, of a file or of the part in it.
-    let entry = cache.join(&names(&cache)[0]);
+    let entry = cache.join(part());
     let whole = fs::read(&entry).unwrap();
     fs::write(&entry, &whole[..whole.len() / 2]).unwrap();
     assert!(!bake(&cache, folder.path(), "third", &[]).is_empty());
     assert_eq!(fs::read(&entry).unwrap(), whole);
-    let (key, results) = (names(&cache)[0].replace(".entry", ""), Cache::at(cache.clone()));
+    let (key, results) = (part().replace(".entry", ""), Cache::at(cache.clone()));
     let part = results.get(&key).unwrap();
     results.put(&key, &part[..part.len() - 1]);
     assert!(!bake(&cache, folder.path(), "fourth", &[]).is_empty());
@@ -69,6 +74,46 @@ fn a_second_bake_computes_nothing_and_writes_the_same_bytes() {
 }
 
 #[test]
+fn a_scene_with_more_in_it_is_spared_what_was_fitted_and_tabulated() {
+    let folder = tempfile::tempdir().unwrap();
+    let caches = ["first", "other"].map(|name| folder.path().join(name));
+    let scene = |ops: u32, more: &str| {
+        let table = r#""tables": [{"size": [16, 16, 4], "format": "f32"}]"#;
+        let materials = [
+            format!(
+                r#"{{"name": "steel", "kind": "metal", "f0": 0.6, "roughness": [0.2, 1], "wants": {{"fit": {{"max_ops": {ops}}}}}}}"#
+            ),
+            format!(
+                r#"{{"name": "pane", "kind": "glass", "ior": 1.5, "roughness": [0.1, 1], "wants": {{{table}}}}}"#
+            ),
+        ];
+        format!(
+            r#"{{"schema_version": 1, "languages": ["wgsl"], "reports": false, "materials": [{}{more}]}}"#,
+            materials.join(", ")
+        )
+    };
+    let brass = r#", {"name": "brass", "kind": "metal", "f0": 0.9, "roughness": [0.4, 1], "wants": {"fit": {"max_ops": 6}}}"#;
+    let bake = |cache: &Path, out: &str, scene: String| {
+        let output = lobefit_with(cache, folder.path(), &["bake", "-", "--out", out], scene.as_bytes());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        names(cache)
+    };
+    let of = |names: &[String], kind: &str| -> Vec<String> {
+        names.iter().filter(|name| name.starts_with(kind)).cloned().collect()
+    };
+    let before = bake(&caches[0], "before", scene(6, ""));
+    let after = bake(&caches[0], "after", scene(8, brass));
+    let alone = bake(&caches[1], "alone", scene(8, brass));
+    assert!(bytes(&folder.path().join("after")) == bytes(&folder.path().join("alone")));
+    // A glass's tables are not made again, nor the fits of the first six operations: the entries are the
+    // same, and the new ones are those of the new formulas.
+    assert_eq!(of(&before, "tables-"), of(&after, "tables-"));
+    let (old, new) = (of(&before, "fit-"), of(&after, "fit-"));
+    assert!(old.iter().all(|name| new.contains(name)) && old.len() < new.len(), "{old:?} {new:?}");
+    assert!(of(&alone, "fit-").iter().all(|name| new.contains(name)));
+}
+
+#[test]
 fn bakes_at_once_share_a_cache() {
     let folder = tempfile::tempdir().unwrap();
     let cache = folder.path().join("cache");
@@ -83,7 +128,9 @@ fn bakes_at_once_share_a_cache() {
     });
     let [a, b] = ["a", "b"].map(|name| bytes(&folder.path().join(name).join("out")));
     assert!(a == b);
-    assert_eq!(names(&cache).len(), 1, "{:?}", names(&cache));
+    let parts = names(&cache).into_iter().filter(|name| name.starts_with("part-"));
+    assert_eq!(parts.count(), 1, "{:?}", names(&cache));
+    assert!(names(&cache).iter().all(|name| name.ends_with(".entry")), "{:?}", names(&cache));
 }
 
 #[test]

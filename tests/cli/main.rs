@@ -1,5 +1,7 @@
 //! The program as its users call it.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../kernel_support/mod.rs"]

@@ -5,10 +5,10 @@ use crate::common;
 
 use std::path::Path;
 
+use crate::baked_support::bake_scene;
 use common::{lobefit, names, stderr};
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::Baked;
 use lobefit::emit::include::Include;
-use lobefit::plan::plan;
 use lobefit::report::{
     GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
 };
@@ -305,7 +305,7 @@ fn textured(format: &str) -> Baked {
            "wants": {{"tables":[{{"size": [4, 4]{format}}}]}}}}]}}"#
     );
     let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 #[test]

@@ -1,9 +1,8 @@
 //! Running the built binary.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::sync::OnceLock;
 
 /// The program under test and the arguments that it takes: a package above `lobefit` has a binary
 /// for one verb, which takes what follows the verb.
@@ -21,11 +20,11 @@ fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
     }
 }
 
-/// Runs the program in a folder, with bytes on its standard input and an empty cache.
+/// Runs the program in a folder, with bytes on its standard input, and with the cache of all tests: it
+/// names a result by the code that computes it and by all its inputs.
 #[allow(dead_code, reason = "some tests name a cache")]
 pub fn lobefit(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    let cache = tempfile::tempdir().expect("a folder");
-    lobefit_with(cache.path(), folder, arguments, input)
+    lobefit_with(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache"), folder, arguments, input)
 }
 
 /// The same with this cache.
@@ -43,20 +42,6 @@ pub fn lobefit_with(cache: &Path, folder: &Path, arguments: &[&str], input: &[u8
     // A program that ends before it has read everything closes the pipe: no failure of the test.
     let _ = child.stdin.take().expect("piped").write_all(input);
     child.wait_with_output().expect("the binary ends")
-}
-
-/// A cache for the runs of this process, empty before the first: for tests that look at what is done
-/// with a bake, not at how its parts are computed.
-#[allow(dead_code, reason = "not every test bakes twice")]
-pub fn shared_cache() -> &'static Path {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    FOLDER.get_or_init(|| {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache").join(env!("CARGO_CRATE_NAME"));
-        if folder.exists() {
-            std::fs::remove_dir_all(&folder).expect("an old cache goes");
-        }
-        folder
-    })
 }
 
 /// Names in a folder, sorted.

@@ -1,5 +1,7 @@
 //! Effects: truths, tables, fits, whole materials, and what engines ship.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../published_support/mod.rs"]
 mod published_support;
 

@@ -7,7 +7,7 @@
 
 use std::sync::OnceLock;
 
-use lobefit::approximate::{Counter, Emission, Entry, FitSet, place};
+use lobefit::approximate::{Emission, Entry, FitSet, Memo, place};
 use lobefit::data::{AlphaMap, Norm};
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, PUBLISHED, ParallaxSpec, Spread, fit_all};
 use lobefit_shade::Hypothesis;
@@ -96,7 +96,7 @@ fn fits() -> &'static FitSet {
             norms: vec![Norm::Max, Norm::Rms],
             emission: Emission::default(),
         };
-        fit_all(&spec, &Counter::default()).expect("fits")
+        fit_all(&spec, &Memo::default()).expect("fits")
     })
 }
 

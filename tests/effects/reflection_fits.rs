@@ -1,7 +1,7 @@
 //! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not
 //! used in fitting.
 
-use lobefit::approximate::{Counter, Emission, Fit, Region};
+use lobefit::approximate::{Emission, Fit, Memo, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Source};
 use lobefit::effects::reflection::{FitSpec, fit_all};
 
@@ -20,7 +20,7 @@ fn spec() -> FitSpec {
 
 #[test]
 fn bars() {
-    let fits = fit_all(&spec(), &Counter::default()).expect("fits");
+    let fits = fit_all(&spec(), &Memo::default()).expect("fits");
     assert!(fits.dropped.is_empty(), "{:?}", fits.dropped);
     let fits = fits.fits;
     let named = |name: &str| -> &Fit {

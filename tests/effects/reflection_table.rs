@@ -1,7 +1,7 @@
 //! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid
 //! set.
 
-use lobefit::approximate::{Counter, Region, certification};
+use lobefit::approximate::{Memo, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat};
 use lobefit::effects::Albedo;
 use lobefit::effects::reflection::{build, sampled};
@@ -23,10 +23,10 @@ fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> Spe
 }
 
 fn errors(spec: &Spec) -> Errors {
-    let counter = Counter::default();
-    let table = build(spec, &counter).expect("a table").remove(0);
+    let memo = Memo::default();
+    let table = build(spec, &memo).expect("a table").remove(0);
     let points = certification(&spec.region.flat(), 16);
-    let truth = Albedo::new(spec.smith, &points, true, &counter).expect("a truth");
+    let truth = Albedo::new(spec.smith, &points, true, &memo).expect("a truth");
     let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
     let errors = measure(&table, decode, &LookupPoints::isotropic(&points), truth, TRUTH_ERROR)
         .expect("of its decoding");
@@ -57,7 +57,7 @@ fn plain_layouts_are_what_engines_have() {
 #[test]
 fn plain_texels_are_balanced_where_the_lookup_clamps() {
     let spec = spec(32, Layout::Plain, Serves::Albedo, TexelFormat::F16);
-    let (optimised, sampled) = (build(&spec, &Counter::default()), sampled(&spec, &Counter::default()));
+    let (optimised, sampled) = (build(&spec, &Memo::default()), sampled(&spec, &Memo::default()));
     let worst = |tables: Result<Vec<Table>, BuildError>| {
         let table = tables.expect("a table").remove(0).quantised();
         let lookup = Lookup::new(&table, Decode::Albedo).expect("a table");

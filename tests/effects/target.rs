@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use lobefit::approximate::Memo;
 use lobefit::approximate::target::{Sampled, Target, TargetError, TargetSpec};
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit_shade::Hypothesis;
@@ -51,8 +52,11 @@ fn shared(target: &Target, fitted: &Sampled, measured: &Sampled) -> usize {
 fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
     for (quantity, arguments) in [("ggx-reflection", "alpha mu"), ("ggx-average", "alpha")] {
         let target = Target::new(&spec(quantity), &formula(arguments)).expect("a target");
-        let (even, edged, measured) =
-            (target.even().expect("E"), target.edged().expect("E"), target.measured().expect("E"));
+        let (even, edged, measured) = (
+            target.even(&Memo::default()).expect("E"),
+            target.edged(&Memo::default()).expect("E"),
+            target.measured(&Memo::default()).expect("E"),
+        );
         // A million f32 values of one axis are so many of all that a few samples are among them.
         let most = if quantity == "ggx-average" { measured.points.len() / 10_000 } else { 0 };
         assert!(shared(&target, &even, &measured) <= most, "{quantity}");
@@ -107,7 +111,7 @@ fn scale_and_target_are_those_of_the_use() {
 fn four_values_of_f0_stand_for_all() {
     let target = Target::new(&spec("ggx-reflection"), &formula("mu f0")).expect("a target");
     assert!(target.affine);
-    let measured = target.measured().expect("E and B");
+    let measured = target.measured(&Memo::default()).expect("E and B");
     let f0 = measured.points.column("f0").expect("f0");
     let mean: Vec<f64> = {
         let mut values: Vec<f64> = f0[..measured.points.uniform].to_vec();
@@ -126,7 +130,8 @@ fn four_values_of_f0_stand_for_all() {
         .expect("a formula");
     let target = Target::new(&spec("ggx-reflection"), &curved).expect("a target");
     assert!(!target.affine);
-    let (edged, measured) = (target.edged().expect("E"), target.measured().expect("E"));
+    let (edged, measured) =
+        (target.edged(&Memo::default()).expect("E"), target.measured(&Memo::default()).expect("E"));
     assert_eq!(shared(&target, &edged, &measured), 0);
 }
 
@@ -173,7 +178,8 @@ fn an_axis_of_one_value_does_not_square_the_lattice() {
         let domain = inputs.iter().map(|input| (input.to_string(), [0.5, 0.5])).collect();
         let spec = TargetSpec { domain, ..spec("ggx-reflection") };
         let target = Target::new(&spec, &formula("alpha mu")).expect("a target");
-        [target.even().expect("E"), target.edged().expect("E")].map(|sampled| sampled.points.len())
+        [target.even(&Memo::default()).expect("E"), target.edged(&Memo::default()).expect("E")]
+            .map(|sampled| sampled.points.len())
     };
     let [even, edged] = fixed(&[]);
     for inputs in [["roughness"], ["mu"]] {

@@ -1,12 +1,11 @@
 //! The largest error that a certificate states is the largest that can be found.
 #![allow(clippy::disallowed_methods)]
 
-use lobefit::approximate::Counter;
-use lobefit::bake::{Selection, Silent, bake};
+use crate::baked_support::bake_scene;
+use lobefit::approximate::Memo;
 use lobefit::effects::anisotropy::Anisotropy;
 use lobefit::effects::glass::Glass;
 use lobefit::effects::table::{Family, Judged, Lookup, Point, SliceAxis, Truth, error_map};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -50,7 +49,7 @@ fn drawn(rng: &mut Pcg64, axis: SliceAxis) -> Point {
 #[test]
 fn no_place_has_a_larger_error_than_the_certificate() {
     let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+    let baked = bake_scene(&scene).expect("a bake");
     assert_eq!(baked.tables.len(), 3);
     let mut rng = Pcg64::seed_from_u64(0x5eed);
     for (i, baked) in baked.tables.iter().enumerate() {
@@ -62,7 +61,7 @@ fn no_place_has_a_larger_error_than_the_certificate() {
         let mut points = baked.judge.points.clone();
         points.all = (0..PLACES).map(|_| drawn(&mut rng, axis)).collect();
         points.uniform = vec![false; PLACES];
-        let truths = family.truths(scene.smith, &points, true, &Counter::default()).expect("truths").sides;
+        let truths = family.truths(scene.smith, &points, true, &Memo::default()).expect("truths").sides;
         let side = usize::from(baked.side.is_some_and(|side| side.name() == "inside"));
         let lookup = Lookup::new(baked.table().expect("texels"), baked.decode).expect("a lookup");
         let truth = Truth { e: &truths[side].e, b: None };

@@ -1,7 +1,7 @@
 //! A scene's bake, and its include files.
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::plan::plan;
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
 use lobefit::scene::Scene;
 use lobefit_shade::Source;
 use lobefit_shade::code::Language;
@@ -12,7 +12,7 @@ use super::programs::compile_library;
 
 pub fn baked(json: &str) -> Baked {
     let scene = Scene::from_json(json.as_bytes(), "scene.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 /// The include file of a language.

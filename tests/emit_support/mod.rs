@@ -14,8 +14,9 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::sync::OnceLock;
 
-use lobefit::approximate::{Counter, Fit, Region, certification};
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use crate::baked_support::shared;
+use lobefit::approximate::{Fit, Memo, Region, certification};
+use lobefit::bake::{Baked, Silent, bake};
 use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
@@ -52,7 +53,7 @@ pub fn baked() -> &'static (Baked, Job) {
         let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
-        let baked = pool.install(|| bake(&scene, &plan, &[], Selection::default(), &Silent));
+        let baked = pool.install(|| bake(&scene, &plan, &[], shared(), &Silent));
         (baked.expect("the built-in scene bakes"), fit)
     })
 }
@@ -214,9 +215,9 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
         serves,
         region: region.into(),
     };
-    let table = build(&spec, &Counter::default()).expect("a table").remove(0).quantised();
+    let table = build(&spec, &Memo::default()).expect("a table").remove(0).quantised();
     let points = certification(&region, LOG2_POINTS);
-    let truth = Albedo::new(spec.smith, &points, true, &Counter::default()).expect("a truth");
+    let truth = Albedo::new(spec.smith, &points, true, &Memo::default()).expect("a truth");
     let (decode, points) = (Decode::of(layout, serves), table::LookupPoints::isotropic(&points));
     let truth = Truth { e: &truth.e, b: Some(&truth.b) };
     let errors = measure(&table, decode, &points, truth, TRUTH_ERROR).expect("a table of its decoding");

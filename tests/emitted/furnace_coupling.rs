@@ -21,12 +21,12 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use crate::baked_support::bake_scene;
 use emit_support::{programs, say};
 use half::Albedo;
 use lobefit::approximate::Fit;
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::Baked;
 use lobefit::data::{Smith, Use};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_truth::quantity::{COUPLING, Specular};
 use serde_json::Value;
@@ -46,7 +46,7 @@ const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "mat
 /// Its bake, once for all tests of bases.
 pub static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let scene = Scene::from_json(SCENE.as_bytes(), "furnace.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 });
 
 /// Emitted Rust with the manifest that tells what is in it.
@@ -522,7 +522,7 @@ fn a_table_of_e_and_b_makes_an_exact_factor() {
          "base": {"max_ops": 8, "norms": ["max"]},
          "wants": {"tables":[{"size": [32, 32], "format": "f32", "serves": "split-sum"}]}}]}"#;
     let scene = Scene::from_json(TABLE.as_bytes(), "table.json").expect("a scene");
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+    let baked = bake_scene(&scene).expect("a bake");
     let [made] = &baked.tables[..] else { panic!("{} tables", baked.tables.len()) };
     let table = made.table().expect("a table");
     let pairs = table.channels[0].texels.iter().zip(&table.channels[1].texels);

@@ -1,9 +1,8 @@
 //! Lookups of what an engine has hit itself: what they fetch, and that nothing is undefined.
 
+use crate::baked_support::bake_scene;
 use crate::emit_support::{functions, module};
-use lobefit::bake::{Selection, Silent, bake};
 use lobefit::data::{MipChain, MipMap};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::length;
@@ -34,7 +33,7 @@ fn points() -> Vec<[f32; 5]> {
 #[test]
 fn lookups_of_hits_fetch_the_width_of_the_ratio_of_distances() {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+    let baked = bake_scene(&scene).expect("a bake");
     let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
     let text = String::from_utf8(baked.files["fits/lobefit.wgsl"].clone()).expect("UTF-8");
     let known = functions(&text);

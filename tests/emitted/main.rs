@@ -1,6 +1,8 @@
 //! The emitted files in the hands of others: compilers, readers, a furnace. One bake of the
 //! built-in scene serves all.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../code_support/mod.rs"]
 mod code_support;
 #[path = "../emit_support/mod.rs"]

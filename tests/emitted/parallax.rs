@@ -6,12 +6,12 @@ use crate::emit_support::{functions, module};
 
 use std::sync::LazyLock;
 
+use crate::baked_support::bake_scene;
 use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{FAMILY, compile};
 use emit_support::programs::{compile_library, run};
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::Baked;
 use lobefit::data::{MipChain, MipMap};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::ops;
 use lobefit_shade::Hypothesis;
@@ -29,7 +29,7 @@ const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "mat
 
 static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 });
 
 fn text(language: Language) -> String {

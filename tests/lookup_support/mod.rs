@@ -7,14 +7,14 @@ use crate::emit_support;
 use std::ops::Range;
 use std::sync::LazyLock;
 
+use crate::baked_support::bake_scene;
 use emit_support::compilers::{self, Contraction, loops};
 use emit_support::functions;
 use emit_support::programs::run;
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::Baked;
 use lobefit::data::{ProbeLookup, SurfaceLobe};
 use lobefit::effects::parallax::taps::horizon::{FADE, fade};
 use lobefit::effects::parallax::{LobeFit, Shading, ShadingLobe, Stretch, TapRule};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
@@ -39,7 +39,7 @@ const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "mat
 
 pub static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 });
 
 pub fn text(language: Language) -> String {

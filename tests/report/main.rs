@@ -1,5 +1,7 @@
 //! Figures and pages.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../report_support/mod.rs"]
 mod report_support;
 

@@ -1,6 +1,7 @@
 //! Which fits of a bake get pictures, and that the page's words fit what was baked.
 
-use lobefit::bake::{Selection, Silent, UserHypothesis, bake};
+use crate::baked_support::{bake_scene, shared};
+use lobefit::bake::{Silent, UserHypothesis, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use serde_json::Value;
@@ -14,7 +15,7 @@ fn report(wants: &str, hypotheses: &[UserHypothesis]) -> Result<(Value, String),
             {{"name": "m", "kind": "dielectric", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json")?;
-    let baked = bake(&scene, &plan(&scene), hypotheses, Selection::default(), &Silent)?;
+    let baked = bake(&scene, &plan(&scene), hypotheses, shared(), &Silent)?;
     let page = String::from_utf8(baked.files["reports/reflection.html"].clone())?;
     Ok((serde_json::from_slice(&baked.files["reports/reflection.json"])?, page))
 }
@@ -62,7 +63,7 @@ fn a_card_costs_what_its_call_costs() -> Outcome {
                 {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {{"fit": {fit}}}}}]}}"#
         );
         let scene = Scene::from_json(json.as_bytes(), "test.json")?;
-        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+        let baked = bake_scene(&scene)?;
         let page = String::from_utf8(baked.files["reports/index.html"].clone())?;
         Ok((serde_json::from_slice(&baked.files["manifest.json"])?, page))
     };
@@ -91,7 +92,7 @@ fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
     let json = r#"{"schema_version": 1, "name": "p", "languages": ["wgsl"], "materials": [], "probes": [
         {"name": "room", "roughness": [0.2, 0.9], "rho": [0.25, 2], "max_error": 0.2, "lookups": [{}]}]}"#;
     let scene = Scene::from_json(json.as_bytes(), "test.json")?;
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+    let baked = bake_scene(&scene)?;
     let index: Value = serde_json::from_slice(&baked.files["reports/index.json"])?;
     let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"])?;
     let answer = &index["answers"][0];
@@ -110,7 +111,7 @@ fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
     for (i, ops) in [(1, sharp), (2, hit)] {
         let asked = choices[i]["asked"].as_str().ok_or("nothing asked")?;
         let scene = Scene::from_json(json.replace("\"lookups\": [{}]", asked).as_bytes(), "test.json")?;
-        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)?;
+        let baked = bake_scene(&scene)?;
         let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"])?;
         assert_eq!(manifest["lookups"][0]["cost"]["ops"].as_u64(), ops, "{asked}");
         assert_eq!(manifest["lookups"][0]["function"], choices[i]["name"], "{asked}");

@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::emit::exr;
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Files;
 use lobefit_truth::integrate::aniso::aniso;
@@ -39,7 +39,7 @@ pub const GLASS: [(&str, Side); 2] = [
 /// Bakes a scene.
 pub fn baked(scene: &str) -> Baked {
     let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+    bake_scene(&scene).expect("a bake")
 }
 
 /// The bake of the small scene, once per test binary.

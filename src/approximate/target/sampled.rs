@@ -3,6 +3,7 @@
 use super::f0::{self, Choice};
 use super::points;
 use super::{Span, Target, TargetError};
+use crate::approximate::Memo;
 use crate::data::{AlphaMap, Place};
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
@@ -76,18 +77,18 @@ impl Target {
     ///
     /// # Errors
     /// A truth that cannot be integrated.
-    pub fn even(&self) -> Result<Sampled, TargetError> {
+    pub fn even(&self, memo: &Memo) -> Result<Sampled, TargetError> {
         let points = points::even(&self.axes, self.map(), self.effort());
-        self.spread(points, Choice::Even)
+        self.spread(points, Choice::Even, memo)
     }
 
     /// Samples for the largest error: a lattice with the edges, and the layer mu ~ alpha.
     ///
     /// # Errors
     /// As [`Target::even`].
-    pub fn edged(&self) -> Result<Sampled, TargetError> {
+    pub fn edged(&self, memo: &Memo) -> Result<Sampled, TargetError> {
         let points = points::with_edges(&self.axes, self.map(), self.effort());
-        self.spread(points, Choice::Edged)
+        self.spread(points, Choice::Edged, memo)
     }
 
     /// Points to certify at, none of them a sample but for some on the faces of the box; the first
@@ -95,9 +96,9 @@ impl Target {
     ///
     /// # Errors
     /// As [`Target::even`].
-    pub fn measured(&self) -> Result<Sampled, TargetError> {
+    pub fn measured(&self, memo: &Memo) -> Result<Sampled, TargetError> {
         let points = points::measured(&self.axes, self.map(), self.effort());
-        let (points, truth) = self.open(points)?;
+        let (points, truth) = self.open(points, memo)?;
         let Some(span) = &self.f0 else { return Ok(self.used(points, &truth, &[None])) };
         let mean: Vec<Option<f64>> =
             f0::values(span, self.affine, Choice::MeasuredMean).into_iter().map(Some).collect();
@@ -132,23 +133,28 @@ impl Target {
     ///
     /// # Errors
     /// As [`Target::even`].
-    pub fn near(&self, place: &Place, width: f64, count: usize) -> Result<Sampled, TargetError> {
+    pub fn near(
+        &self,
+        place: &Place,
+        (width, count): (f64, usize),
+        memo: &Memo,
+    ) -> Result<Sampled, TargetError> {
         let mut points = points::near(&self.axes, self.map(), place, (width, count));
         points.uniform = points.len();
-        let (points, truth) = self.open(points)?;
+        let (points, truth) = self.open(points, memo)?;
         Ok(self.used(points, &truth, &[None]))
     }
 
-    fn spread(&self, points: Points, choice: Choice) -> Result<Sampled, TargetError> {
-        let (points, truth) = self.open(points)?;
+    fn spread(&self, points: Points, choice: Choice, memo: &Memo) -> Result<Sampled, TargetError> {
+        let (points, truth) = self.open(points, memo)?;
         let f0 = self.f0.as_ref().map(|span| f0::values(span, self.affine, choice));
         let f0 = f0.map_or(vec![None], |values| values.into_iter().map(Some).collect());
         Ok(self.used(points, &truth, &f0))
     }
 
     /// The points with their truth; without those that no formula can be blamed for.
-    fn open(&self, points: Points) -> Result<(Points, Truth), TargetError> {
-        let truth = self.truth(&points)?;
+    fn open(&self, points: Points, memo: &Memo) -> Result<(Points, Truth), TargetError> {
+        let truth = self.known(&points, memo)?;
         let Some(excuse) = self.excuse() else { return Ok((points, truth)) };
         let open: Vec<bool> = truth.columns[1].iter().map(|excused| *excused == 0.0).collect();
         if !open.contains(&true) {

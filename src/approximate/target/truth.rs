@@ -2,6 +2,8 @@
 
 use super::points::{Effort, MANY};
 use super::{Target, TargetError};
+use crate::approximate::Memo;
+use crate::store::Key;
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Excuse, Quantity, Truth};
@@ -17,6 +19,9 @@ const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 17 };
 const MODERATE: Effort = Effort { lattice: 64 * 64, log2: 15 };
 const SOUGHT: Effort = Effort { lattice: 40 * 40, log2: 12 };
 const DEAR: Effort = Effort { lattice: 1500, log2: 11 };
+
+/// Up to so many points are those about a worst one, which a certificate that is kept stands for.
+const FEW: usize = 128;
 
 /// Places of the quantity where many values of f0 stand for each.
 const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
@@ -66,6 +71,18 @@ impl Target {
     /// A bound on the error of the truths.
     pub fn truth_error(&self) -> f64 {
         self.asked().0.tolerance_of_many(&self.variant)
+    }
+
+    /// The truth at points, which is looked for before it is integrated where that takes longer.
+    pub(super) fn known(&self, points: &Points, memo: &Memo) -> Result<Truth, TargetError> {
+        if self.effort().log2 == MANY {
+            return self.truth(points);
+        }
+        let asked = format!("{:?} {:?} {:?}", self.asked(), self.variant, self.truth_error());
+        let named = points
+            .columns()
+            .fold(Key::of("truth").with(&asked), |key, (name, column)| key.with(name).numbers(column));
+        memo.truth(named, points.len() > FEW, || self.truth(points))
     }
 
     /// The truth at points: the columns of [`Target::asked`].

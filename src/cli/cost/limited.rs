@@ -76,7 +76,7 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
     let (progress, cache) =
         (Bar::new(options.quiet || options.json, (&input.scene, &plan), 0), Cache::of_user());
-    let selection = || Selection { cache: cache.as_ref(), ..Selection::default() };
+    let selection = || Selection { cache: cache.as_ref(), whole: true, ..Selection::default() };
     let bake = |job: &Plan| input.bake(job, selection(), &progress);
     let baked = options.threads.install(|| {
         let all: Vec<Result<Baked, CliError>> = jobs.par_iter().map(bake).collect();

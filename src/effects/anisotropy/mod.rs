@@ -23,7 +23,7 @@ use super::table::{
 };
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
@@ -97,8 +97,8 @@ impl Family for Anisotropy {
         (layout == Layout::PathTracer).then_some(PATH_TRACER_NOTE)
     }
 
-    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
-        counter.add(spec.size.iter().product());
+    fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
+        memo.add(spec.size.iter().product());
         table::build(spec)
     }
 
@@ -115,12 +115,12 @@ impl Family for Anisotropy {
         smith: Smith,
         points: &LookupPoints,
         _: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Truths, IntegrateError> {
         let (e, made, interpolants) = truths(smith, points)?;
-        counter.add(e.len());
-        let further = move |_, points: &LookupPoints, counter: &Counter| {
-            counter.add(points.len());
+        memo.add(e.len());
+        let further = move |_, points: &LookupPoints, memo: &Memo| {
+            memo.add(points.len());
             Ok(Albedo { e: truth::further(smith, points, &interpolants)?, b: Vec::new() })
         };
         Ok(Truths { sides: vec![Albedo { e, b: Vec::new() }], made, further: Further::new(further) })

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Anisotropy, truth};
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Smith};
 use crate::effects::BakeError;
 use crate::effects::grid::grazing;
@@ -33,7 +33,7 @@ pub fn findings(tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
 fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFinding, BakeError> {
     let judge = match own.iter().find(|table| table.layout == Layout::Azimuth) {
         Some(table) => table.judge.clone(),
-        None => Arc::new(Judge::new(&Anisotropy, smith, region, true, &Counter::default())?),
+        None => Arc::new(Judge::new(&Anisotropy, smith, region, true, &Memo::default())?),
     };
     let span = region.slices()?.range;
     let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);

@@ -2,7 +2,7 @@
 
 use super::CouplingSpec;
 use crate::approximate::target::{Sampled, Target};
-use crate::approximate::{self, Counter, Fit, FitStageError};
+use crate::approximate::{self, Fit, FitStageError, Memo};
 use crate::data::Place;
 use lobefit_math::chebyshev;
 use lobefit_shade::{measure, round_up};
@@ -54,7 +54,7 @@ const ROUNDING: f64 = 8.0 * f32::EPSILON as f64;
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be integrated; a formula that is
 /// not finite at some f0.
-pub fn anywhere(spec: &CouplingSpec, fits: &[&Fit], counter: &Counter) -> Result<Vec<AnyF0>, FitStageError> {
+pub fn anywhere(spec: &CouplingSpec, fits: &[&Fit], memo: &Memo) -> Result<Vec<AnyF0>, FitStageError> {
     let Some(first) = fits.first() else { return Ok(Vec::new()) };
     let target = Target::new(&spec.target([0.0, 1.0]), &first.hypothesis)?;
     let nodes = |[low, high]: [f64; 2]| chebyshev::nodes(low, high, SIDE);
@@ -67,7 +67,7 @@ pub fn anywhere(spec: &CouplingSpec, fits: &[&Fit], counter: &Counter) -> Result
     };
     places.extend(fits.iter().filter_map(worst));
     let f0: Vec<f64> = (0..F0).map(|i| i as f64 / (F0 - 1) as f64).collect();
-    counter.add(places.len());
+    memo.add(places.len());
     let sampled = target.at(&places, &f0)?;
     fits.iter().map(|fit| of_fit(fit, &sampled, places.len())).collect()
 }

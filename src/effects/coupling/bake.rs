@@ -70,8 +70,8 @@ impl Lobe {
             norms: job.goals.norms.clone(),
         };
         let FitSet { fits, dropped, nearest, .. } =
-            fit_emitted(&spec, job.emission(context.scene, &role(spec.specular)), &context.counter)?;
-        let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.counter)?;
+            fit_emitted(&spec, job.emission(context.scene, &role(spec.specular)), &context.memo)?;
+        let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.memo)?;
         Ok(Lobe { spec, fits, dropped, nearest, anywhere })
     }
 

@@ -18,7 +18,7 @@ pub struct Factors {
 impl Factors {
     /// The truth over a grid.
     pub fn new(smith: Smith, grid: Grid, context: &Context) -> Result<Factors, IntegrateError> {
-        let truth = Albedo::new(smith, &grid.points, true, &context.counter)?;
+        let truth = Albedo::new(smith, &grid.points, true, &context.memo)?;
         Ok(Factors { grid, truth })
     }
 

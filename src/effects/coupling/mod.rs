@@ -27,7 +27,7 @@ use super::effect::Note;
 use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
-use crate::approximate::{self, Counter, Emission, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
+use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Memo, Region, SafeRange, Wanted};
 use crate::data::{AlphaMap, Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
@@ -239,12 +239,12 @@ fn safe_range(specular: Specular, roughness: [f64; 2], alpha_map: AlphaMap) -> S
 ///
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be integrated.
-pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
-    fit_emitted(spec, Emission::default(), counter)
+pub fn fit_all(spec: &CouplingSpec, memo: &Memo) -> Result<FitSet, FitStageError> {
+    fit_emitted(spec, Emission::default(), memo)
 }
 
 /// The same with what is emitted of them.
-fn fit_emitted(spec: &CouplingSpec, emission: Emission, counter: &Counter) -> Result<FitSet, FitStageError> {
+fn fit_emitted(spec: &CouplingSpec, emission: Emission, memo: &Memo) -> Result<FitSet, FitStageError> {
     let wanted = Wanted {
         spec: spec.target(spec.f0),
         own: hypotheses(spec.specular),
@@ -255,7 +255,7 @@ fn fit_emitted(spec: &CouplingSpec, emission: Emission, counter: &Counter) -> Re
         safe_range: Some(safe_range(spec.specular, spec.region.roughness, spec.region.alpha_map)),
         emission,
     };
-    let mut set = approximate::fit_all(&wanted, counter)?;
+    let mut set = approximate::fit_all(&wanted, memo)?;
     for fit in &mut set.fits {
         if let Some(ops) = published::light_ops(&fit.approximation.name)? {
             fit.approximation.cost.ops = ops;

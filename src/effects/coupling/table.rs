@@ -49,7 +49,7 @@ pub fn of_published(
         serves: Serves::SplitSum,
         region: (*region).into(),
     };
-    let [table] = <[Table; 1]>::try_from(sampled(&spec, &context.counter)?)
+    let [table] = <[Table; 1]>::try_from(sampled(&spec, &context.memo)?)
         .map_err(|tables| BakeError::Internal(format!("{} tables of one name", tables.len())))?;
     let quantised = table.quantised();
     let measured = Measured::new(lobe, &quantised, context)?;
@@ -106,7 +106,7 @@ struct Measured<'a> {
 impl Measured<'_> {
     fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Result<Measured<'a>, BakeError> {
         let points = certification(&lobe.spec.region, LOG2);
-        let truth = Albedo::new(lobe.spec.smith, &points, true, &context.counter)?;
+        let truth = Albedo::new(lobe.spec.smith, &points, true, &context.memo)?;
         let lookup = Lookup::new(table, Decode::SplitSum)?;
         let no_bias = || LookupError::NoBias { table: table.name.clone() };
         let at = |point: &_| {

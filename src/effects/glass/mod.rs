@@ -14,7 +14,7 @@ use super::table::{
 };
 use super::who::stay_smooth;
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
@@ -72,8 +72,8 @@ impl Family for Glass {
         (layout == Layout::PathTracer).then_some(PATH_TRACER_NOTE)
     }
 
-    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
-        counter.add(spec.names.len() * spec.size.iter().product::<usize>());
+    fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
+        memo.add(spec.names.len() * spec.size.iter().product::<usize>());
         table::build(spec)
     }
 
@@ -86,13 +86,13 @@ impl Family for Glass {
         smith: Smith,
         points: &LookupPoints,
         _: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Truths, IntegrateError> {
         let (sides, evaluations) = truths(smith, points)?;
-        counter.add(sides.len() * points.len());
+        memo.add(sides.len() * points.len());
         let sides = sides.map(|e| Albedo { e, b: Vec::new() }).to_vec();
-        let further = Further::new(move |i, points, counter| {
-            counter.add(points.len());
+        let further = Further::new(move |i, points, memo| {
+            memo.add(points.len());
             let e = GgxGlass.one_side(smith, Side::ALL[i], &inputs(places(points)), JUDGED)?;
             Ok(Albedo { e, b: Vec::new() })
         });

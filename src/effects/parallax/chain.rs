@@ -161,18 +161,18 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let columns = inputs.map(|input| cells.iter().map(|cell| f64::from(input(cell) as f32)).collect());
     let samples =
         Samples { inputs: columns.to_vec(), scale: vec![1.0; target.len()], target: target.clone() };
-    let found =
+    let coefficients =
         searched(&hypothesis, Norm::Max, (&samples, &[]), &domain(grid)?, (&Options::new(Norm::Max), 0.0))?;
     let single: Vec<Vec<f32>> =
         samples.inputs.iter().map(|column| column.iter().map(|x| *x as f32).collect()).collect();
-    let values = found.hypothesis.tape().evaluate(&single, &found.coefficients)?;
+    let values = hypothesis.tape().evaluate(&single, &coefficients)?;
     let off = values.iter().zip(&target).map(|(value, target)| f64::from(*value) - target);
     let at = |i: usize| {
         [("alpha", cells[i].alpha), ("rho", cells[i].rho)].map(|(n, x)| (n.to_string(), shortest(x as f32)))
     };
     let error = worst(off, |i| at(i).into_iter().collect())?;
-    let hypothesis = found.hypothesis.renamed(&named(&grid.kernel, found.hypothesis.name()));
-    let (coefficients, gives, chain) = (found.coefficients, Gives::Bias, chain.clone());
+    let hypothesis = hypothesis.renamed(&named(&grid.kernel, hypothesis.name()));
+    let (gives, chain) = (Gives::Bias, chain.clone());
     Ok(Some(LevelFunction { hypothesis, coefficients, gives, chain, error }))
 }
 

@@ -21,7 +21,7 @@ use super::demand::{Demand, Job};
 use super::effect::{Clock, Note};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, Emission, Entry, FitSet, FitStageError, Wanted};
+use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Memo, Wanted};
 use crate::data::{AlphaMap, Norm, Source};
 use crate::report::TimedLookup;
 use crate::scene::Scene;
@@ -127,7 +127,7 @@ pub struct ParallaxSpec {
 ///
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be computed.
-pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+pub fn fit_all(spec: &ParallaxSpec, memo: &Memo) -> Result<FitSet, FitStageError> {
     let domain = [("roughness", spec.roughness), ("rho", spec.rho)];
     let wanted = Wanted {
         spec: TargetSpec {
@@ -146,7 +146,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         safe_range: None,
         emission: spec.emission.clone(),
     };
-    let mut set = approximate::fit_all(&wanted, counter)?;
+    let mut set = approximate::fit_all(&wanted, memo)?;
     for fit in set.fits.iter_mut().filter(|fit| fit.approximation.source == Source::Fitted) {
         fit.hypothesis = fit.hypothesis.renamed(&named(&spec.kernel, fit.hypothesis.name()));
         fit.approximation.name = named(&spec.kernel, &fit.approximation.name);

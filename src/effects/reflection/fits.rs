@@ -3,7 +3,7 @@
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 use super::{PUBLISHED, PUBLISHED_BLENDS};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, Emission, FitSet, FitStageError, Region, Wanted};
+use crate::approximate::{self, Emission, FitSet, FitStageError, Memo, Region, Wanted};
 use crate::data::{Norm, Pick, Smith, Source, Use};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::{GGX_REFLECTION, GgxAverage, Quantity, Variant};
@@ -34,9 +34,9 @@ pub struct FitSpec {
 ///
 /// # Errors
 /// A region outside of the quantities' domain; a hypothesis of the user's that cannot be fitted.
-pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+pub fn fit_all(spec: &FitSpec, memo: &Memo) -> Result<FitSet, FitStageError> {
     let wanted = spec.normalisations();
-    let mut set = approximate::fit_all(&wanted, counter)?;
+    let mut set = approximate::fit_all(&wanted, memo)?;
     let ours = set.fits.iter().take_while(|fit| fit.approximation.source == Source::Fitted).count();
     let mut published = set.fits.split_off(ours);
     for fit in &mut published {
@@ -45,10 +45,10 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
         fit.emitted = spec.emission.pick == Pick::All && seed && affordable;
     }
     if spec.average {
-        set.join(&spec.averages(), counter)?;
+        set.join(&spec.averages(), memo)?;
     }
     if spec.blend {
-        set.join(&spec.blends(), counter)?;
+        set.join(&spec.blends(), memo)?;
     }
     set.fits.extend(published);
     Ok(set)
@@ -56,12 +56,12 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
 
 impl FitSet {
     /// Adds the fits of another use; formulas of it that cost too much are noted.
-    fn join(&mut self, wanted: &Wanted, counter: &Counter) -> Result<(), FitStageError> {
+    fn join(&mut self, wanted: &Wanted, memo: &Memo) -> Result<(), FitStageError> {
         for entry in wanted.own {
             let formula = Hypothesis::parse(entry.file, entry.source)?;
             self.dropped.extend(wanted.too_dear(&formula)?);
         }
-        let more = approximate::fit_all(wanted, counter)?;
+        let more = approximate::fit_all(wanted, memo)?;
         let role = &wanted.emission.role;
         self.unserved.extend(more.nearest.map(|nearest| FitSet::unkept(role, &nearest)));
         self.fits.extend(more.fits);

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::demand::table_seconds;
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::effects::table::{
@@ -44,8 +44,8 @@ impl Family for Dfg {
         table_seconds(i, jobs)
     }
 
-    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
-        Ok((build(spec, counter)?, Made { evaluations: 0, integration: TRUTH_ERROR }))
+    fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
+        Ok((build(spec, memo)?, Made { evaluations: 0, integration: TRUTH_ERROR }))
     }
 
     /// With B where a table that is judged in the same region holds it.
@@ -63,29 +63,24 @@ impl Family for Dfg {
         smith: Smith,
         points: &LookupPoints,
         split: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Truths, IntegrateError> {
         Ok(Truths {
-            sides: vec![Albedo::new(smith, &points.inputs(), split, counter)?],
+            sides: vec![Albedo::new(smith, &points.inputs(), split, memo)?],
             made: Made { evaluations: 0, integration: TRUTH_ERROR },
-            further: Further::new(move |_, points, counter| known(smith, points, split, counter)),
+            further: Further::new(move |_, points, memo| known(smith, points, split, memo)),
         })
     }
 }
 
 /// E, and B with `split`, from the patches of the region, however few the points.
-fn known(
-    smith: Smith,
-    points: &LookupPoints,
-    split: bool,
-    counter: &Counter,
-) -> Result<Albedo, IntegrateError> {
+fn known(smith: Smith, points: &LookupPoints, split: bool, memo: &Memo) -> Result<Albedo, IntegrateError> {
     let patches = GGX_REFLECTION.interpolant(smith, split);
     let at = |point: &Point| patches.at(f64::from(point.alpha), f64::from(point.mu));
     let Some(both) = points.all.par_iter().map(at).collect::<Option<Vec<(f64, f64)>>>() else {
-        return Albedo::new(smith, &points.inputs(), split, counter);
+        return Albedo::new(smith, &points.inputs(), split, memo);
     };
-    counter.add(both.len());
+    memo.add(both.len());
     let (e, b): (Vec<f64>, Vec<f64>) = both.into_iter().unzip();
     Ok(Albedo { e, b: if split { b } else { Vec::new() } })
 }
@@ -94,20 +89,20 @@ fn known(
 ///
 /// # Errors
 /// A layout with slices; texels that are not finite.
-pub fn build(spec: &Spec, counter: &Counter) -> Result<Vec<Table>, BuildError> {
-    made(spec, flat::ROUNDS, counter)
+pub fn build(spec: &Spec, memo: &Memo) -> Result<Vec<Table>, BuildError> {
+    made(spec, flat::ROUNDS, memo)
 }
 
 /// The table as it is usually made: samples at the texels.
 ///
 /// # Errors
 /// As [`build`].
-pub fn sampled(spec: &Spec, counter: &Counter) -> Result<Vec<Table>, BuildError> {
-    made(spec, 0, counter)
+pub fn sampled(spec: &Spec, memo: &Memo) -> Result<Vec<Table>, BuildError> {
+    made(spec, 0, memo)
 }
 
-fn made(spec: &Spec, rounds: usize, counter: &Counter) -> Result<Vec<Table>, BuildError> {
-    counter.add(flat::samples(spec, rounds));
+fn made(spec: &Spec, rounds: usize, memo: &Memo) -> Result<Vec<Table>, BuildError> {
+    memo.add(flat::samples(spec, rounds));
     let split_sum = spec.serves == Serves::SplitSum;
     let many = flat::per_cell(spec, rounds) > 1;
     let known = (many && split_sum).then(|| GGX_REFLECTION.interpolant(spec.smith, true));

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::instead::instead;
-use super::{Errors, Family, Judge, LookupError, Made, Region, Spec, TableJob, measure};
+use super::{BuildError, Errors, Family, Judge, LookupError, Made, Region, Spec, TableJob, measure};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
 };
@@ -11,6 +11,7 @@ use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::emit::header;
 use crate::emit::lookup::TableNames;
+use crate::store::Key;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
 
@@ -83,7 +84,7 @@ pub fn bake(
         let judge = match judges.iter().find(|(known, _)| *known == key) {
             Some((_, judge)) => judge.clone(),
             None => {
-                let judge = Arc::new(Judge::new(family, key.0, key.1, key.2, &context.counter)?);
+                let judge = Arc::new(Judge::new(family, key.0, key.1, key.2, &context.memo)?);
                 judges.push((key, judge.clone()));
                 judge
             }
@@ -119,7 +120,7 @@ fn bake_job(
     while let Some(size) = sizes.next() {
         let text = job.sized(&size, jobs);
         let spec = job.spec(size, &text);
-        let (tables, made) = family.build(&spec, &context.counter)?;
+        let (tables, made) = built(family, &spec, context)?;
         if let Some(limit) = job.max_error.filter(|_| sizes.peek().is_some()) {
             let mut exceeds = false;
             for (i, table) in tables.iter().enumerate() {
@@ -133,7 +134,7 @@ fn bake_job(
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
-            let judge = judge.closer((&table, spec.decode()), i, &context.counter)?;
+            let judge = judge.closer((&table, spec.decode()), i, &context.memo)?;
             let baked = finish(&spec, &table, made, judge)?;
             let wanted_by = job.wanted_by.clone();
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
@@ -144,6 +145,16 @@ fn bake_job(
         }
     }
     Ok(last)
+}
+
+/// The tables of a spec, of which nothing is integrated where they are known.
+pub(super) fn built(
+    family: &dyn Family,
+    spec: &Spec,
+    context: &Context,
+) -> Result<(Vec<Table>, Made), BuildError> {
+    let key = Key::of("tables").with(family.prefix(spec.layout)).with(&format!("{spec:?}"));
+    context.memo.kept(key, || family.build(spec, &context.memo))
 }
 
 fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{Region, Spec, TableJob};
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::effect::Note;
 use crate::effects::table::results::WaysFinding;
@@ -29,12 +29,12 @@ pub struct Truths {
 #[derive(Clone)]
 pub struct Further(Arc<FurtherFn>);
 
-type FurtherFn = dyn Fn(usize, &LookupPoints, &Counter) -> Result<Albedo, IntegrateError> + Send + Sync;
+type FurtherFn = dyn Fn(usize, &LookupPoints, &Memo) -> Result<Albedo, IntegrateError> + Send + Sync;
 
 impl Further {
     /// By a function of the side, the points, and what counts them.
     pub fn new(
-        at: impl Fn(usize, &LookupPoints, &Counter) -> Result<Albedo, IntegrateError> + Send + Sync + 'static,
+        at: impl Fn(usize, &LookupPoints, &Memo) -> Result<Albedo, IntegrateError> + Send + Sync + 'static,
     ) -> Further {
         Further(Arc::new(at))
     }
@@ -43,8 +43,8 @@ impl Further {
     ///
     /// # Errors
     /// A truth that cannot be integrated.
-    pub fn at(&self, i: usize, points: &LookupPoints, counter: &Counter) -> Result<Albedo, IntegrateError> {
-        (self.0)(i, points, counter)
+    pub fn at(&self, i: usize, points: &LookupPoints, memo: &Memo) -> Result<Albedo, IntegrateError> {
+        (self.0)(i, points, memo)
     }
 }
 
@@ -90,7 +90,7 @@ pub trait Family: Sync {
     ///
     /// # Errors
     /// A layout that the family does not have; a truth that cannot be integrated.
-    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError>;
+    fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError>;
 
     /// Whether the truth of a job must tell more than E in the mean over the azimuth: B, or E at an
     /// azimuth.
@@ -113,7 +113,7 @@ pub trait Family: Sync {
         smith: Smith,
         points: &LookupPoints,
         finer: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Truths, IntegrateError>;
 }
 

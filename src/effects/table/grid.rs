@@ -1,7 +1,7 @@
 //! The truth over roughness and mu at some slices: what pictures are drawn from.
 
 use super::{Judged, Lookup, LookupError, LookupPoints, Region, Sliced, Truth, error_map};
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::Smith;
 use crate::effects::{BakeError, grid};
 use crate::report::Field;
@@ -27,7 +27,7 @@ impl Grid {
     ) -> Result<Vec<Grid>, BakeError> {
         let grid = |slice: &f64| {
             let points = LookupPoints::grid(region, &over.roughness.values, &over.mu.values, *slice);
-            let truths = family.truths(smith, &points, false, &Counter::default())?;
+            let truths = family.truths(smith, &points, false, &Memo::default())?;
             let truths = truths.sides.into_iter().map(|side| side.e).collect();
             Ok(Grid { slice: *slice, over: over.clone(), points, truths })
         };

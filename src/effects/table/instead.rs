@@ -3,7 +3,7 @@
 
 use std::iter::successors;
 
-use super::bake::finish;
+use super::bake::{built, finish};
 use super::job::{AUTO_SIDE, size_text};
 use super::{Family, Judge, TableJob};
 use crate::data::{Layout, TexelFormat};
@@ -116,7 +116,7 @@ fn narrowed(
             break;
         };
         let job = TableJob { mu, roughness, ..job.clone() };
-        let judge = Judge::new(family, job.smith, job.region(), finer, &context.counter)?;
+        let judge = Judge::new(family, job.smith, job.region(), finer, &context.memo)?;
         let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
         if error <= limit {
             return Ok(Some(format!(
@@ -146,7 +146,7 @@ pub fn table_instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
-    let judge = Judge::new(family, job.smith, job.region(), false, &context.counter)?;
+    let judge = Judge::new(family, job.smith, job.region(), false, &context.memo)?;
     let wide = |size: &Vec<usize>| (size[0] >= WIDE_SIDE).then(|| (size.clone(), TexelFormat::F32));
     let each = |size: Vec<usize>| [wide(&size), Some((size, TexelFormat::F16))].into_iter().flatten().rev();
     let mut tried: Vec<(Vec<usize>, TexelFormat)> = job.sizes().into_iter().flat_map(each).collect();
@@ -171,13 +171,13 @@ fn in_place(
     context: &Context,
 ) -> Result<Option<String>, BakeError> {
     let spec = TableJob { format, ..job.clone() }.spec(size.to_vec(), &size_text(size));
-    let (tables, made) = family.build(&spec, &context.counter)?;
+    let (tables, made) = built(family, &spec, context)?;
     let lacks = || BakeError::Internal("a job without a table".into());
     let table = tables.first().ok_or_else(lacks)?;
     if must && judge.exceeds((table, spec.decode()), 0, limit)? {
         return Ok(None);
     }
-    let judge = judge.closer((table, spec.decode()), 0, &context.counter)?;
+    let judge = judge.closer((table, spec.decode()), 0, &context.memo)?;
     let certificate = finish(&spec, table, made, judge)?.approximation.certificate;
     let is_kept = certificate.max_rel <= limit;
     if must && !is_kept {
@@ -273,11 +273,11 @@ fn measured(
     context: &Context,
 ) -> Result<Choice, BakeError> {
     let spec = job.spec(size.to_vec(), &size_text(size));
-    let (tables, made) = family.build(&spec, &context.counter)?;
+    let (tables, made) = built(family, &spec, context)?;
     let (mut error, mut bytes) = (0.0_f64, 0);
     for (i, table) in tables.iter().enumerate() {
         bytes = table.bytes();
-        let closer = judge.closer((table, spec.decode()), i, &context.counter)?;
+        let closer = judge.closer((table, spec.decode()), i, &context.memo)?;
         error = error.max(finish(&spec, table, made, closer)?.errors.lookup.max);
     }
     let words = format!("{}{but}", size_text(size));

@@ -6,7 +6,7 @@ use super::lookup::Variable;
 use super::{
     BuildError, Family, Further, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, Truths, error_map,
 };
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{AXES, Axis, Decode, Smith, Surface, Table};
 use crate::effects::{Albedo, BakeError};
 use lobefit_math::sobol::Sobol;
@@ -50,10 +50,10 @@ impl Judge {
         smith: Smith,
         region: Region,
         finer: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Judge, BuildError> {
         let points = family.points(&region, finer)?;
-        let Truths { sides, made, further } = family.truths(smith, &points, finer, counter)?;
+        let Truths { sides, made, further } = family.truths(smith, &points, finer, memo)?;
         Ok(Judge { points, truths: sides, made, further, region })
     }
 
@@ -89,7 +89,7 @@ impl Judge {
         &self,
         (table, decode): (&Table, Decode),
         i: usize,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Judge, BakeError> {
         let table = table.quantised();
         let lookup = Lookup::new(&table, decode)?;
@@ -97,11 +97,11 @@ impl Judge {
         let (points, truths) = (self.points.clone(), vec![self.truths[i].clone()]);
         let mut closer = Judge { points, truths, further: self.further.clone(), ..*self };
         let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
-        errors.extend(closer.add((&lookup, decode), i, even(over), counter)?);
+        errors.extend(closer.add((&lookup, decode), i, even(over), memo)?);
         for (places, n, width) in ROUNDS {
             let worst = apart(&lookup, &closer.points.all, &errors, places);
             let near = worst.iter().flat_map(|point| about(over, &lookup, point, (n, width))).collect();
-            errors.extend(closer.add((&lookup, decode), i, near, counter)?);
+            errors.extend(closer.add((&lookup, decode), i, near, memo)?);
         }
         Ok(closer)
     }
@@ -113,10 +113,10 @@ impl Judge {
         (lookup, decode): (&Lookup, Decode),
         i: usize,
         points: Vec<Point>,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Vec<f64>, BakeError> {
         let points = self.points.more(points);
-        let truth = self.further.at(i, &points, counter)?;
+        let truth = self.further.at(i, &points, memo)?;
         let errors = error_map(lookup, judged(decode), &points, Truth::of(&truth))?;
         self.points.all.extend(points.all);
         self.points.uniform.extend(points.uniform);

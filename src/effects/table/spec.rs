@@ -1,5 +1,7 @@
 //! What to bake, and what came of it.
 
+use serde::{Deserialize, Serialize};
+
 use super::Region;
 use crate::data::{Axis, Channel, Decode, Layout, Serves, Smith, Table, TableError, TexelFormat};
 
@@ -67,7 +69,7 @@ impl Spec {
 }
 
 /// What a table or a set of truths took.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Made {
     /// Integrand evaluations, checks included; 0 where they are not counted.
     pub evaluations: u64,

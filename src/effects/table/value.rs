@@ -7,7 +7,7 @@ use super::{
     BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, Spec, TableJob, Truths, bake,
     flat,
 };
-use crate::approximate::Counter;
+use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
@@ -136,7 +136,7 @@ impl Held {
         self,
         smith: Smith,
         [alpha, mu]: [Vec<f64>; 2],
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<(Vec<f64>, f64), IntegrateError> {
         let Held(quantity, column) = self;
         let has = quantity.has(Choice::Smith);
@@ -151,7 +151,7 @@ impl Held {
         let points = points::Points::new([inside("alpha", alpha), inside("mu", mu)]);
         let tolerance = quantity.tolerance_of_many(&variant);
         let truth = quantity.truth(&variant, &points, &[column], tolerance)?;
-        counter.add(points.len());
+        memo.add(points.len());
         let (error, [values]) = (truth.error.max(tolerance), truth.arrays());
         Ok((values, error))
     }
@@ -174,11 +174,11 @@ impl Family for ValueTable<'_> {
         self.seconds
     }
 
-    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
+    fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
         let (held, integration) = (Held(self.quantity, self.column), Cell::new(0.0));
         let mut tables = flat::build(self.quantity.name(), spec, flat::ROUNDS, &|places| {
             let (alpha, mu) = places.iter().copied().unzip();
-            let (values, error) = held.truth(spec.smith, [alpha, mu], counter)?;
+            let (values, error) = held.truth(spec.smith, [alpha, mu], memo)?;
             integration.set(error);
             Ok(values.into_iter().map(|e| (e, 0.0)).collect())
         })?;
@@ -197,20 +197,20 @@ impl Family for ValueTable<'_> {
         smith: Smith,
         points: &LookupPoints,
         _: bool,
-        counter: &Counter,
+        memo: &Memo,
     ) -> Result<Truths, IntegrateError> {
         let held = Held(self.quantity, self.column);
-        let at = move |points: &LookupPoints, counter: &Counter| {
+        let at = move |points: &LookupPoints, memo: &Memo| {
             let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
                 .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
-            let (e, integration) = held.truth(smith, [alpha, mu], counter)?;
+            let (e, integration) = held.truth(smith, [alpha, mu], memo)?;
             Ok((Albedo { e, b: Vec::new() }, integration))
         };
-        let (albedo, integration) = at(points, counter)?;
+        let (albedo, integration) = at(points, memo)?;
         Ok(Truths {
             sides: vec![albedo],
             made: Made { evaluations: 0, integration },
-            further: Further::new(move |_, points, counter| Ok(at(points, counter)?.0)),
+            further: Further::new(move |_, points, memo| Ok(at(points, memo)?.0)),
         })
     }
 }

@@ -1,5 +1,7 @@
 //! Foreign tables and functions against the truth.
 
+#[path = "../../../../tests/baked_support/mod.rs"]
+mod baked_support;
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 

@@ -5,9 +5,8 @@ use crate::common;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use crate::baked_support::bake_scene;
 use common::{lobefit, stderr};
-use lobefit::bake::{Selection, Silent, bake};
-use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Files;
 
@@ -28,7 +27,7 @@ const TABLES: [(&str, &str); 4] = [
 fn baked() -> &'static Files {
     static BAKED: LazyLock<Files> = LazyLock::new(|| {
         let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-        bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").files
+        bake_scene(&scene).expect("a bake").files
     });
     &BAKED
 }

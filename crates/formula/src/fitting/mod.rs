@@ -24,8 +24,8 @@ pub use summary::summary;
 
 use std::sync::Arc;
 
-use lobefit::approximate::FitStageError;
 use lobefit::approximate::target::{Target, TargetError, TargetSpec};
+use lobefit::approximate::{FitStageError, Memo};
 use lobefit::cli::{CliError, PackageError};
 use lobefit::data::WeightsError;
 use lobefit::report::ReportError;
@@ -208,7 +208,7 @@ pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
         printed::check(*language, &job.hypothesis)?;
     }
     let constraints = demands::constraints(&job.demands, &target, &job.hypothesis)?;
-    let measured = Arc::new(target.measured()?);
+    let measured = Arc::new(target.measured(&Memo::default())?);
     let one = |goal: &Goal| one::fit_one(job, *goal, &target, weight.as_ref(), &constraints, &measured);
     let fits: Vec<Certified> = job.goals.iter().map(one).collect::<Result<_, _>>()?;
     let most = fits.iter().map(|fit| fit.approximation.cost.ops).max().unwrap_or(0);

@@ -6,7 +6,7 @@ use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
 use lobefit::approximate::target::{Sampled, Target, TargetError};
-use lobefit::approximate::{self, closer, named_for, runaways};
+use lobefit::approximate::{self, Memo, Places, closer, named_for, runaways};
 use lobefit::data::{Approximation, Certificate, Formula, Source};
 use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
@@ -94,11 +94,9 @@ pub(super) fn fit_one(
     let weighted = weight.map(|weight| weighted(&hypothesis, &exact, target, weight)).transpose()?;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
-    let certificates: Vec<(Precision, Result<Certificate, TargetError>)> = job
-        .precisions
-        .iter()
-        .map(|p| (*p, closer(&hypothesis, &coefficients, target, measured, *p)))
-        .collect();
+    let places = Places { target, measured, memo: &Memo::default() };
+    let certificates: Vec<(Precision, Result<Certificate, TargetError>)> =
+        job.precisions.iter().map(|p| (*p, closer(&hypothesis, &coefficients, &places, *p))).collect();
     // Without the main certificate there is nothing to tell.
     let main = match &certificates[0].1 {
         Ok(certificate) => certificate.clone(),
@@ -189,8 +187,8 @@ fn samples(
     let squares = !matches!(goal, Goal::Power(p) if p != 2.0);
     target.affine &= squares && !weight.is_some_and(|weight| weight.reads("f0"));
     let sampled = match goal {
-        Goal::Max => target.edged()?,
-        Goal::Rms | Goal::Power(_) => target.even()?,
+        Goal::Max => target.edged(&Memo::default())?,
+        Goal::Rms | Goal::Power(_) => target.even(&Memo::default())?,
     };
     let weights = weight.map(|weight| weight.of(&sampled)).transpose()?;
     Ok(sampled.samples(hypothesis.name(), hypothesis.inputs(), weights.as_deref())?)

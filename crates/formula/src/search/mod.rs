@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use crate::fitting::catalogue::{self, CatalogueFit};
 use crate::fitting::{Demand, FittingError};
-use lobefit::approximate::closer;
 use lobefit::approximate::target::{Sampled, Target, TargetError, TargetSpec};
+use lobefit::approximate::{Memo, Places, closer};
 use lobefit::data::{Certificate, Model, Vendor, WeightsError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Found, Progress, search};
@@ -111,7 +111,8 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         (Some(f0), Some(over)) => pair::run(&target, (f0, over), job, progress)?,
         _ => alone(&target, job, progress)?,
     };
-    let measured = Arc::new(target.measured()?);
+    let memo = Memo::default();
+    let measured = Arc::new(target.measured(&memo)?);
     let mut points: Vec<Point> = Vec::new();
     for form in found {
         let coefficients: Vec<f32> = form.hypothesis.parameters().iter().map(|p| p.start).collect();
@@ -182,5 +183,5 @@ fn certified(
     target: &Target,
     measured: &Sampled,
 ) -> Result<Certificate, TargetError> {
-    closer(hypothesis, coefficients, target, measured, Precision::F32)
+    closer(hypothesis, coefficients, &Places { target, measured, memo: &Memo::default() }, Precision::F32)
 }

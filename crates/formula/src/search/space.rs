@@ -2,6 +2,7 @@
 
 use super::SearchJob;
 use crate::fitting::{Demand, FittingError};
+use lobefit::approximate::Memo;
 use lobefit::approximate::target::{Target, TargetError, TargetSpec};
 use lobefit::data::Use;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
@@ -161,7 +162,7 @@ pub(super) fn title(target: &Target) -> String {
 
 /// The samples, one column per axis with a range.
 pub(super) fn samples(target: &Target) -> Result<SearchSamples, FittingError> {
-    let sampled = target.edged()?;
+    let sampled = target.edged(&Memo::default())?;
     let names: Vec<String> = spanned(target).into_iter().map(|k| target.axes[k].name.clone()).collect();
     let axes = sampled.samples("form", &names, None)?.inputs;
     Ok(SearchSamples { axes, scale: sampled.scale, target: sampled.target })

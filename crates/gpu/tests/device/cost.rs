@@ -4,8 +4,8 @@ use crate::emit_support::{missing, say};
 use crate::gpu_support::device::INSTALL;
 use crate::lookup_support as lookups;
 
-use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::plan::plan;
+use crate::baked_support::bake_scene;
+use lobefit::bake::{Baked, Silent};
 use lobefit::report::{GpuKind, GpuRecord, Origin};
 use lobefit::scene::Scene;
 use lobefit::timing::record::{missing as untimed, page, read, stale};
@@ -126,7 +126,7 @@ fn every_kind_of_lookup_is_timed_with_its_fetches_and_without() {
 #[test]
 fn tables_and_fits_are_timed() {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
-    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+    let baked = bake_scene(&scene).expect("a bake");
     let Some(record) = measured(&baked) else { return };
     assert_whole(&baked, &record);
     let tables = record.rows.iter().filter(|row| row.kind == GpuKind::Table).count();

@@ -1,5 +1,7 @@
 //! Emitted code on a Vulkan device: what it computes, and how long it takes.
 
+#[path = "../../../../tests/baked_support/mod.rs"]
+mod baked_support;
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 #[path = "../../../../tests/emit_support/mod.rs"]

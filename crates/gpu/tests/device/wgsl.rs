@@ -8,7 +8,7 @@ use emit_support::accuracy::{CPU, WGSL, bound, divides};
 use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
-use lobefit::approximate::{Counter, Fit, place};
+use lobefit::approximate::{Fit, Memo, place};
 use lobefit::data::Use;
 use lobefit::effects::Albedo;
 use lobefit::effects::table::{self, Lookup};
@@ -201,7 +201,7 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
     };
     let (exact, at) = against(&table.lookup());
     let (coarse, _) = against(&table.lookup().with_weight_bits(8));
-    let truth = Albedo::new(table.table.smith.expect("a form"), &points.set, true, &Counter::default())
+    let truth = Albedo::new(table.table.smith.expect("a form"), &points.set, true, &Memo::default())
         .expect("a truth");
     let (error, worst) = largest(&points, |i| {
         let [e, _, b, _] = found[i].map(f64::from);

@@ -181,9 +181,9 @@ impl<'a> Lobe<'a> {
                 ..own
             },
         };
-        let FitSet { fits, dropped, nearest, .. } = fit_all(&spec, &context.counter)?;
+        let FitSet { fits, dropped, nearest, .. } = fit_all(&spec, &context.memo)?;
         let grid = Grid::new(spec.kernel.clone(), spec.alpha_map, spec.roughness, spec.rho, GRID)?;
-        context.counter.add(grid.cells.len());
+        context.memo.add(grid.cells.len());
         let variations = variations(&grid, &fits)?;
         let best: Vec<f64> = grid.cells.iter().map(|cell| cell.best).collect();
         let least = Variation::of(&grid, &best)?;

@@ -119,5 +119,5 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
         hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
         emission: Emission { beside, beside_price, ..job.emission(context.scene, NORMALISATION) },
     };
-    Ok(fit_all(&spec, &context.counter)?)
+    Ok(fit_all(&spec, &context.memo)?)
 }

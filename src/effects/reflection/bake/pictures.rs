@@ -52,7 +52,7 @@ impl Exact {
     }
 
     fn new(smith: Smith, grid: Grid, split: bool, context: &Context) -> Result<Exact, IntegrateError> {
-        let truth = Albedo::new(smith, &grid.points, split, &context.counter)?;
+        let truth = Albedo::new(smith, &grid.points, split, &context.memo)?;
         Ok(Exact { grid, truth, smith })
     }
 
@@ -147,7 +147,7 @@ pub fn averages(
     let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], AVERAGES);
     let mut points = points::Points::default();
     roughness.values.iter().for_each(|r| region.push(&mut points, *r, 1.0));
-    context.counter.add(points.len());
+    context.memo.add(points.len());
     let [truth] = GgxAverage.truth(&smith.into(), &points, &["E_avg"], TOLERANCE)?.arrays();
     let fit = |f: &&Fit| {
         let values = f.values(&points).map_err(FitStageError::from)?;

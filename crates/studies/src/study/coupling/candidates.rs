@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use crate::study::coupling::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::study::{Size, StudyError};
 use lobefit::approximate::target::TargetSpec;
-use lobefit::approximate::{Counter, Entry, Fit, Region};
+use lobefit::approximate::{Entry, Fit, Memo, Region};
 use lobefit::data::{AlphaMap, Norm, Smith};
 use lobefit::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
 use lobefit_fit::Goal;
@@ -188,7 +188,7 @@ fn emitted(lobe: Lobe) -> Result<Vec<Fit>, StudyError> {
         max_ops: None,
         norms: vec![Norm::Max],
     };
-    Ok(fit_all(&spec, &Counter::default())?.fits)
+    Ok(fit_all(&spec, &Memo::default())?.fits)
 }
 
 /// A form of ours with its constants: those that a bake emits, or the ones that lose least of what

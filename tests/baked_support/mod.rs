@@ -1,0 +1,24 @@
+//! Bakes for tests that look at what is made, not at how it is computed.
+#![allow(dead_code, reason = "each test binary uses its part")]
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::effects::BakeError;
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use lobefit::store::Cache;
+
+/// What bakes of a test share: a result is named by the code that computes it and by all its inputs, so
+/// that what another test computed, in this run or before, is what this one would compute.
+pub fn shared() -> Selection<'static> {
+    static CACHE: OnceLock<Cache> = OnceLock::new();
+    let folder = || Cache::at(Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache"));
+    Selection { cache: Some(CACHE.get_or_init(folder)), ..Selection::default() }
+}
+
+/// A bake of a scene of the product's effects, without hypotheses of its own.
+pub fn bake_scene(scene: &Scene) -> Result<Baked, BakeError> {
+    bake(scene, &plan(scene), &[], shared(), &Silent)
+}
