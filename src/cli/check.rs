@@ -17,6 +17,7 @@ use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
 use crate::plan;
+use crate::report::without_absent;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
 use counts::Counts;
@@ -136,6 +137,7 @@ struct Found {
 impl Found {
     fn new(mut baked: Baked, scene: &str, options: &Options, progress: &Bar) -> Result<Found, CliError> {
         let root = &options.against;
+        without_absent(&mut baked.files, root);
         let mut strays = strays(root, &baked)?;
         strays.retain(|stray| options.asks_for(&stray.name));
         let found = store::read_set(root, baked.files.keys().map(String::as_str), FILE_BYTES)?;

@@ -94,9 +94,7 @@ fn bar(out: &mut String, page: &Page) {
     for (shown, file) in page.origin.pages.iter().filter(|(_, file)| Some(file.as_str()) != figures) {
         put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
     }
-    for (shown, title, file) in bar::beside(&page.origin.command) {
-        put(out, format_args!("<a href=\"{file}\" title=\"{}\">{shown}</a>\n", Escaped(title)));
-    }
+    out.push_str(&bar::beside(&page.origin.command));
     if let Some(file) = figures {
         let title = "The figures of this page in full digits";
         put(out, format_args!("<a href=\"{}\" title=\"{title}\">JSON</a>\n", Escaped(file)));
@@ -244,22 +242,27 @@ fn card(out: &mut String, card: &Card) {
     let (shown, file) = (Escaped(&card.link.0), Escaped(&card.link.1));
     put(out, format_args!("<article class=\"card\" id=\"{id}\">\n<h3>{title}</h3>\n"));
     put(out, format_args!("<p>{about} <a href=\"{file}\">{shown}</a></p>\n<div class=\"choices\">\n"));
-    card.choices.iter().for_each(|one| choice(out, &card.id, one));
-    if let Some(svg) = &card.svg {
-        put(out, format_args!("<div class=\"plate\">{svg}</div>\n"));
+    card.choices.iter().for_each(|one| choice(out, card, one));
+    for (svg, class) in card.svg.iter().flatten().zip(["desk", "phone"]) {
+        put(out, format_args!("<div class=\"plate {class}\">{svg}</div>\n"));
     }
     out.push_str("</div>\n</article>\n");
 }
 
-fn choice(out: &mut String, card: &str, choice: &Choice) {
-    let class = if choice.recommended { "choice recommended" } else { "choice" };
-    let (role, call) = (Escaped(&choice.role), Broken(&choice.call));
-    put(out, format_args!("<div class=\"{class}\">\n<h4>{role}</h4>\n<p><code>{call}</code></p>\n"));
+/// A choice of a card, under its role where there are several.
+fn choice(out: &mut String, card: &Card, choice: &Choice) {
+    let several = card.choices.len() > 1;
+    let class = if several && choice.recommended { "choice recommended" } else { "choice" };
+    put(out, format_args!("<div class=\"{class}\">\n"));
+    if several {
+        put(out, format_args!("<h4>{}</h4>\n", Escaped(&choice.role)));
+    }
+    put(out, format_args!("<p><code>{}</code></p>\n", Broken(&choice.call)));
     block(out, &Block::Facts { rows: choice.facts.clone() });
     if !choice.note.is_empty() {
         put(out, format_args!("<p class=\"note\">{}</p>\n", Broken(&choice.note)));
     }
-    let name = format!("{card}-{}", choice.role);
+    let name = format!("{}-{}", card.id, choice.role);
     switch(out, ("switch tabs", &name), &choice.code, |out, language, text| {
         let (language, text) = (Escaped(language), Words(text));
         put(out, format_args!("<pre data-language=\"{language}\"><code>{text}</code></pre>\n"));
