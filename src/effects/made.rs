@@ -141,16 +141,18 @@ impl Made {
     fn signed(&mut self) -> Result<(), BakeError> {
         let mut calls = std::mem::take(&mut self.part.entries.calls);
         let text = self.part.code.values().next().map_or("", String::as_str);
+        let declared = |function: &str| include::call(text, function).map(|declared| declared.arguments);
         for call in &mut calls {
             let unknown = || BakeError::Internal(format!("{} is no function of the manifest", call.function));
-            call.arguments = self.part.entries.arguments(&call.function).ok_or_else(unknown)?;
+            let own = self.part.entries.arguments(&call.function);
+            call.arguments = own.or_else(|| declared(&call.function)).ok_or_else(unknown)?;
             // Of a compensation the function of colours and that of the factor.
             let takers = call.then.iter().flat_map(|then| [then.clone(), format!("{then}_factor")]);
             call.around.extend(takers.map(|function| Around::new(function, How::TakesValue)));
             call.around.retain_mut(|around| {
-                let own = include::call(text, &around.function).map(|declared| declared.arguments);
                 // Effects share the compensations.
-                let arguments = own.or_else(|| compensation::arguments(&around.function));
+                let shared = || compensation::arguments(&around.function);
+                let arguments = declared(&around.function).or_else(shared);
                 arguments.map(|arguments| around.arguments = arguments).is_some()
             });
         }

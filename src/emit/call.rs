@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::manifest::{CostEntry, Entries, FitEntry, Manifest, TableEntry};
-use crate::data::ARGUMENT_NAMES;
+use super::manifest::{CostEntry, Entries, Manifest};
 
 /// A function that a material or a probe calls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -69,7 +68,7 @@ impl Around {
 }
 
 /// What a function does with another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum How {
     /// It takes its value: as `e`, or as `e_v`, with that for the light as `e_l`.
@@ -208,27 +207,15 @@ impl Manifest {
 }
 
 impl Entries {
-    /// The names of a function's arguments in order, as the include files have them; of a table the
-    /// table comes first. None of a function that no entry has.
+    /// The names of the arguments of a function that is no formula, in order, as the include files have
+    /// them; of a table the table comes first.
     pub fn arguments(&self, function: &str) -> Option<Vec<String>> {
-        let of_fit = |fit: &FitEntry| {
-            let rgb = fit.rgb.as_deref() == Some(function);
-            let inputs = fit.inputs.iter().cloned().chain(rgb.then(|| "f0".to_string())).collect::<Vec<_>>();
-            (fit.function == function || rgb).then_some(inputs)
-        };
-        let lookups = self.lookups.iter().filter(|lookup| lookup.function == function);
-        let of_table = |table: &TableEntry| {
-            let inputs = std::iter::once("table".to_string()).chain(table.inputs.iter().cloned());
-            (table.function == function).then(|| inputs.collect())
-        };
-        let masks = self.masks.iter().filter(|mask| mask.function == function);
-        let inputs = self.fits.iter().find_map(of_fit).or_else(|| lookups.map(|l| l.inputs.clone()).next());
-        let inputs = inputs.or_else(|| masks.map(|mask| mask.inputs.clone()).next());
-        let inputs = inputs.or_else(|| self.tables.iter().find_map(of_table))?;
-        let named = |input: String| {
-            let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| *name == input);
-            renamed.map_or(input, |(_, name)| (*name).to_string())
-        };
-        Some(inputs.into_iter().map(named).collect())
+        let table = self.tables.iter().find(|table| table.function == function);
+        if let Some(table) = table {
+            return Some(std::iter::once("table").map(String::from).chain(table.inputs.clone()).collect());
+        }
+        let lookup = self.lookups.iter().find(|lookup| lookup.function == function);
+        let mask = self.masks.iter().find(|mask| mask.function == function);
+        lookup.map(|lookup| &lookup.inputs).or(mask.map(|mask| &mask.inputs)).cloned()
     }
 }

@@ -107,6 +107,7 @@ pub struct EffectFinding {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
     /// What the scene allows each of its jobs, in words.
+    #[serde(default)]
     pub limit: String,
     /// Error that was measured; none where nothing was made that has one.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -95,7 +95,7 @@ fn a_renamed_material_passes_by_its_values() {
         std::fs::write(&path, text[..at].to_owned() + &text[at..].replacen(old, new, 1)).expect("written");
     };
     std::fs::write(&manifest, text).expect("written");
-    let checked = || lobefit(folder.path(), &["check", "-", "--values", "10"], renamed.as_bytes());
+    let checked = || lobefit(folder.path(), &["check", "-", "--values", "10"], scene.as_bytes());
     edit("fits/lobefit.h", "max 0.", ": ", "max 2.");
     assert_eq!(checked().status.code(), Some(0));
     edit("fits/lobefit.h", " (0.", "return 1.0f", " (0.0");

@@ -1,6 +1,7 @@
 //! Committed files: short, and what others take from them. That they follow from their recipe is what the
 //! closing `lobefit check` of `.ci/run` shows.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use lobefit::effects::parallax::Width;
@@ -51,14 +52,21 @@ fn the_manifest_states_the_arguments_that_the_include_files_declare() {
             }
         }
     }
-    let around = |function: &str| {
-        let of = manifest.entries.calls.iter().find(|call| call.function == function).expect(function);
-        of.around.iter().map(|around| (around.function.as_str(), around.how)).collect::<Vec<_>>()
-    };
-    let coupled = ["diffuse_coupled_normalised", "diffuse_coupled_normalised_rgb"];
-    assert_eq!(around("diffuse_coupling"), coupled.map(|function| (function, How::Calls)));
-    let glass = ["ggx_compensate_glass", "ggx_compensate_glass_factor"];
-    assert_eq!(around("ggx_glass_albedo_outside"), glass.map(|function| (function, How::TakesValue)));
+    let around: BTreeSet<(&str, How)> = manifest
+        .entries
+        .calls
+        .iter()
+        .flat_map(|call| &call.around)
+        .map(|around| (around.function.as_str(), around.how))
+        .collect();
+    for named in [
+        ("diffuse_coupled_normalised", How::Calls),
+        ("diffuse_coupled_normalised_rgb", How::Calls),
+        ("ggx_compensate_reflection", How::TakesValue),
+        ("ggx_compensate_glass_factor", How::TakesValue),
+    ] {
+        assert!(around.contains(&named), "{named:?} in {around:?}");
+    }
 }
 
 /// An include file is read from its top to its end.
