@@ -1,7 +1,8 @@
 //! What the include files say first of all: of the effects that they hold, and of no others.
 
 use crate::effects::context::Context;
-use crate::effects::{Note, Part};
+use crate::effects::{Note, PATH_TRACER, Part};
+use crate::emit::manifest::{Entries, TableEntry};
 
 /// The lines, of the parts that a bake has.
 pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
@@ -9,7 +10,10 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     let mut out = vec![String::new(), format!("Effects: {}", names.join(", "))];
     for part in parts {
         let lobe = part.by.lobe(context.scene);
-        if !out.contains(&lobe) {
+        let Entries { tables, fits, .. } = &part.entries;
+        let is_own = |table: &TableEntry| table.function.starts_with(PATH_TRACER);
+        let all_own = fits.is_empty() && !tables.is_empty() && tables.iter().all(is_own);
+        if !all_own && !out.contains(&lobe) {
             out.push(lobe);
         }
     }

@@ -30,7 +30,10 @@ pub fn recipe(
     }
     let mut built_in = Scene::built_in().ok();
     built_in.iter_mut().for_each(|built_in| built_in.output.reports = scene.output.reports);
-    let named = if built_in.as_ref() == Some(scene) { "" } else { " SCENE.json" };
+    let named = match &scene.made_of {
+        _ if built_in.as_ref() == Some(scene) => String::new(),
+        made_of => format!(" {}", made_of.as_deref().unwrap_or("SCENE.json")),
+    };
     let pages = if scene.output.reports { "" } else { " --no-reports" };
     Ok(Recipe {
         command: format!("lobefit bake{named}{pages}"),

@@ -12,10 +12,11 @@ use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
-use crate::effects::rule;
+use crate::effects::{PATH_TRACER, PATH_TRACER_CONVENTIONS, rule};
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
 use crate::plan::{self, Plan};
+use crate::report::without_absent;
 use crate::scene::Scene;
 use crate::scene::escape::visible;
 use crate::store::{self, Cache, Files, Folder, MANIFEST, Written};
@@ -139,6 +140,7 @@ pub(super) fn finish(
     if is_broken(&baked.broken) {
         return Ok(Outcome::Failed);
     }
+    without_absent(&mut baked.files, &output.out);
     let changed = changed_since(&output.out, &baked)?;
     sign(&mut baked.files);
     let written = folder.write(&baked.files)?;
@@ -180,6 +182,8 @@ fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<Str
     let mut lines = table(&baked.calls, None, scene);
     lines.extend(recommended(&baked.calls));
     lines.extend(cosines(&baked.calls, scene));
+    let own = baked.calls.iter().any(|call| call.function.starts_with(PATH_TRACER));
+    lines.extend(own.then(|| PATH_TRACER_CONVENTIONS.into()));
     for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
         lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }

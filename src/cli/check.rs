@@ -17,6 +17,7 @@ use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
 use crate::plan;
+use crate::report::without_absent;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
 use counts::Counts;
@@ -26,12 +27,13 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit check                         the built-in scene against the current folder
   lobefit check scene.json --against assets
-  lobefit check --values 1e-6           accept decoded values within 1e-6 of each other
+  lobefit check --values 1e-6           accept texels and figures within 1e-6 of each other
   lobefit check --only tables,fits      what an engine reads, and neither pages nor the manifest
 
-With --values another version of lobefit, another recipe or another name of a material is no difference where the numbers agree, constants
-of functions among them; pages are not compared. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
-texels break the error that its manifest states is never accepted, whatever --values says.
+With --values TOL texels, and figures of the reports, the manifest and comments, may be TOL off. Another version of lobefit, another
+recipe or another name of a material is no difference then; pages are not compared. Constants of functions, in fits/ and in the
+manifest's coefficients, must be equal, and a table whose texels break the error that its manifest states
+is never accepted, whatever --values says. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
 other code than the bake's, and functions that they lack, are noted, and do not fail. Records of machine code (reports/isa/, by lobefit
@@ -55,8 +57,8 @@ pub(super) struct Options {
     /// Folder that holds the bake
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub against: PathBuf,
-    /// Accept files whose decoded values differ by no more than this, unless a table breaks its
-    /// stated error
+    /// Accept texels and figures that differ by no more than this, unless a table breaks its stated
+    /// error; constants of functions must be equal
     #[arg(long, value_name = "TOL", value_parser = not_negative)]
     pub values: Option<f64>,
     /// Compare these parts of the bake only: `tables`, `fits`, `reports` or `manifest`
@@ -135,6 +137,7 @@ struct Found {
 impl Found {
     fn new(mut baked: Baked, scene: &str, options: &Options, progress: &Bar) -> Result<Found, CliError> {
         let root = &options.against;
+        without_absent(&mut baked.files, root);
         let mut strays = strays(root, &baked)?;
         strays.retain(|stray| options.asks_for(&stray.name));
         let found = store::read_set(root, baked.files.keys().map(String::as_str), FILE_BYTES)?;

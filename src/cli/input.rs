@@ -149,7 +149,8 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         });
     };
     let text = text(path, &option.textures)?;
-    let scene = parsed(&text)?;
+    let mut scene = parsed(&text)?;
+    scene.made_of = text.is_foreign.then(|| in_command(path, &option.textures));
     let Text { name, folder, notes, .. } = text;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
@@ -202,6 +203,26 @@ pub(super) fn text(path: &Path, images: &TexturesOption) -> Result<Text, CliErro
     let mut textures = images.textures.then(|| Textures::new(&files, images.quantile.unwrap_or(0.0)));
     let Imported { json, notes } = format.read(&bytes, &name, textures.as_mut())?;
     Ok(Text { bytes: json.into_bytes(), name, folder, is_foreign: true, notes })
+}
+
+/// A foreign file as the header of a baked file names it in its command: without its folder, with the
+/// options that change what is read of it.
+fn in_command(path: &Path, images: &TexturesOption) -> String {
+    // Headers are lines of comments, and a shell reads the command.
+    let plain = |name: &&str| {
+        !name.starts_with('-') && name.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
+    };
+    let name = path.file_name().and_then(|name| name.to_str()).filter(plain);
+    let ending = path.extension().and_then(|ending| ending.to_str()).filter(plain);
+    let mut command =
+        name.map_or_else(|| format!("SCENE.{}", ending.unwrap_or("glb")), |name| name.to_string());
+    if images.textures {
+        command += " --textures";
+    }
+    if let Some(share) = images.quantile {
+        command += &format!(" --quantile {share}");
+    }
+    command
 }
 
 fn no_images(name: &str) -> CliError {
@@ -282,4 +303,24 @@ fn hypothesis(file: &Path, scene: &str, field: String) -> Result<String, CliErro
         file: file.display().to_string(),
         at: e.utf8_error().valid_up_to(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_header_names_a_foreign_file_and_stays_a_line() {
+        let (plain, images) = (
+            TexturesOption { textures: false, quantile: None },
+            TexturesOption { textures: true, quantile: Some(0.01) },
+        );
+        let named = |path: &str, images| in_command(Path::new(path), images);
+        assert_eq!(named("art/room-2.glb", &plain), "room-2.glb");
+        assert_eq!(named("room.mtlx", &images), "room.mtlx --textures --quantile 0.01");
+        for hostile in ["a\nb.gltf", "-x.gltf", "a;b.gltf", "a b.gltf", "ä.gltf"] {
+            assert_eq!(named(hostile, &plain), "SCENE.gltf");
+        }
+        assert_eq!(named("-", &plain), "SCENE.glb");
+    }
 }

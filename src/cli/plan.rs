@@ -106,14 +106,10 @@ fn effect_text(effect: &Called) -> String {
             .map(|(name, [lo, hi])| format!("{name} {} to {}", short(*lo), short(*hi)))
             .collect();
         let over = if ranges.is_empty() { String::new() } else { format!("over {}; ", ranges.join(", ")) };
-        let error = match (job.expected_error, &job.recommended) {
-            (Some(limit), _) => format!("error within {limit}"),
-            (None, Some(rule)) => format!("no limit on the error: recommended is {rule}"),
-            (None, None) => "no limit on the error".into(),
-        };
         let _ = writeln!(
             out,
-            "    {over}{error}; {}; about {:.1} s",
+            "    {over}{}; {}; about {:.1} s",
+            job.limit(),
             bytes(job.bytes, job.bytes_at_most),
             job.seconds
         );

@@ -100,6 +100,15 @@ impl JobSummary {
         }
     }
 
+    /// The error that the scene allows, in words.
+    pub fn limit(&self) -> String {
+        match (self.expected_error, &self.recommended) {
+            (Some(limit), _) => format!("error within {limit}"),
+            (None, Some(rule)) => format!("no limit on the error: recommended is {rule}"),
+            (None, None) => "no limit on the error".into(),
+        }
+    }
+
     /// Says where no formula is within the budget, of which a call takes so many operations `beside`.
     pub fn doubting(mut self, job: &Job, own: &[Entry], beside: u32) -> JobSummary {
         let costs = own.iter().filter_map(|entry| Hypothesis::parse(entry.file, entry.source).ok());
@@ -160,11 +169,32 @@ impl Called {
         EffectFinding {
             effect: self.effect.into(),
             because: self.because.clone(),
+            reasons: if self.reasons == self.because { Vec::new() } else { self.reasons.clone() },
             ranges: self.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
             approximation: self.approximation.clone(),
             expected_error: self.expected_error,
+            limit: self.limits(),
             measured_error,
             metric: metric.into(),
+        }
+    }
+
+    /// The error that the scene allows its jobs: once where all have the same, else with their names.
+    fn limits(&self) -> String {
+        let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+        for job in &self.jobs {
+            let limit = job.limit();
+            match groups.iter_mut().find(|(known, _)| *known == limit) {
+                Some((_, names)) => names.push(&job.name),
+                None => groups.push((limit, vec![&job.name])),
+            }
+        }
+        match &groups[..] {
+            [(limit, _)] => limit.clone(),
+            groups => {
+                let named = groups.iter().map(|(limit, names)| format!("{}: {limit}", names.join(", ")));
+                named.collect::<Vec<_>>().join("; ")
+            }
         }
     }
 

@@ -11,8 +11,9 @@ use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
 use crate::data::{Approximation, Use};
-use crate::emit::call::Call;
+use crate::emit::call::{Around, Call, How};
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
+use crate::emit::{compensation, include};
 use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose};
 use crate::scene::Scene;
@@ -118,6 +119,7 @@ impl Made {
             answer::limit_calls(&mut self.part.entries, limited);
         }
         answer::mark(&mut self.part.entries, &answer.purposes);
+        self.signed()?;
         let recommended = comment("//", &answer::recommendations(&self.part.entries.calls));
         // Behind the head of a file, where Rust takes no inner documentation.
         self.part.code.values_mut().for_each(|text| text.insert_str(0, &recommended));
@@ -130,6 +132,39 @@ impl Made {
             self.part.files.insert(file.path, file.bytes);
         }
         Ok(self)
+    }
+
+    /// Gives each call its arguments, and those of the emitted functions that take its value or call it.
+    ///
+    /// # Errors
+    /// A call of a function that no entry has: a defect of the effect.
+    fn signed(&mut self) -> Result<(), BakeError> {
+        let mut calls = std::mem::take(&mut self.part.entries.calls);
+        let text = self.part.code.values().next().map_or("", String::as_str);
+        let declared = |function: &str| include::call(text, function).map(|declared| declared.arguments);
+        for call in &mut calls {
+            let unknown = || BakeError::Internal(format!("{} is no function of the manifest", call.function));
+            let own = self.part.entries.arguments(&call.function);
+            call.arguments = own.or_else(|| declared(&call.function)).ok_or_else(unknown)?;
+            // Of a compensation the function of colours and that of the factor.
+            let takers = call.then.iter().flat_map(|then| [then.clone(), format!("{then}_factor")]);
+            call.around.extend(takers.map(|function| Around::new(function, How::TakesValue)));
+            call.around.retain_mut(|around| {
+                // Effects share the compensations.
+                let shared = || compensation::arguments(&around.function);
+                let arguments = declared(&around.function).or_else(shared);
+                arguments.map(|arguments| around.arguments = arguments).is_some()
+            });
+        }
+        self.part.entries.calls = calls;
+        Ok(())
+    }
+
+    /// Notes that functions, where they are emitted, call one that materials call.
+    pub fn called_within(&mut self, function: &str, by: impl IntoIterator<Item = String>) {
+        let by: Vec<Around> = by.into_iter().map(|name| Around::new(name, How::Calls)).collect();
+        let calls = self.part.entries.calls.iter_mut().filter(|call| call.function == function);
+        calls.for_each(|call| call.around.extend(by.iter().cloned()));
     }
 
     /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index,
@@ -184,7 +219,9 @@ impl Made {
             recommended: false,
             function: function.into(),
             name: a.name.clone(),
+            arguments: Vec::new(),
             then: None,
+            around: Vec::new(),
             file: file.map(String::from),
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),

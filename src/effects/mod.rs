@@ -41,6 +41,7 @@ pub use effect::{Effect, Note};
 pub use error::BakeError;
 pub use made::{Limited, Made, Part};
 use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx};
+pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {

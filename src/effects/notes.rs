@@ -3,11 +3,14 @@
 use super::Note;
 use crate::scene::Scene;
 
+/// How the names of functions of tables in the path tracer's layout begin.
+pub const PATH_TRACER: &str = "path_tracer_";
+
+/// The conventions of these tables.
+pub const PATH_TRACER_CONVENTIONS: &str = "`path_tracer_*`: GGX lobe, smith: separable; alpha = roughness";
+
 /// Of the tables in the path tracer's layout.
-pub(super) const NOTE_PATH_TRACER: Note = (
-    &["path_tracer_"],
-    &["(`path_tracer_*` have a form and a map of their own, which their comments state.)"],
-);
+pub(super) const NOTE_PATH_TRACER: Note = (&[PATH_TRACER], &[PATH_TRACER_CONVENTIONS]);
 
 /// Of f0.
 pub(super) const NOTE_F0: Note = (&["f0"], &["f0 is the reflectance at normal incidence."]);

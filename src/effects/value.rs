@@ -64,6 +64,8 @@ pub struct Around {
     pub print: fn(Language, &Fit) -> Result<String, BakeError>,
     /// The function that takes the value of the fit, where no function calls the fit itself.
     pub then: Option<&'static str>,
+    /// The functions that call the fit.
+    pub calling: &'static [&'static str],
     /// What the card of the fit says of them; empty where there are none.
     pub said: fn(&Fit) -> Result<String, BakeError>,
 }
@@ -136,8 +138,9 @@ impl ValueFits<'_> {
         }
         self.explored(&mut made, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
-        if let Some(then) = self.around.and_then(|around| around.then) {
-            made.part.entries.calls.iter_mut().for_each(|call| call.then = Some(then.into()));
+        if let Some((of, fit)) = around {
+            made.part.entries.calls.iter_mut().for_each(|call| call.then = of.then.map(String::from));
+            made.called_within(fit.hypothesis.name(), of.calling.iter().map(ToString::to_string));
         }
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;
         Ok(made)

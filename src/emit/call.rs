@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::data::ARGUMENT_NAMES;
+use super::manifest::{CostEntry, Entries, Manifest};
 
 /// A function that a material or a probe calls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,11 +22,18 @@ pub struct Call {
     pub recommended: bool,
     /// The function in the include files.
     pub function: String,
+    /// The names of its arguments in order; `table` stands for the texture, with its sampler in the
+    /// languages that have one.
+    #[serde(default)]
+    pub arguments: Vec<String>,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
     /// The function that takes its value, or `f/E` where the lobe f is divided by it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
+    /// Functions of the include files about it: that take its value, or that call it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub around: Vec<Around>,
     /// The texture that it fetches from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
@@ -41,6 +47,34 @@ pub struct Call {
     /// them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub price: Option<f64>,
+}
+
+/// A function about a call, in the include files.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Around {
+    /// Its name.
+    pub function: String,
+    /// The names of its arguments in order.
+    pub arguments: Vec<String>,
+    /// What it does with the call.
+    pub how: How,
+}
+
+impl Around {
+    /// One whose arguments are not known yet.
+    pub fn new(function: String, how: How) -> Around {
+        Around { function, arguments: Vec::new(), how }
+    }
+}
+
+/// What a function does with another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum How {
+    /// It takes its value: as `e`, or as `e_v`, with that for the light as `e_l`.
+    TakesValue,
+    /// It calls it.
+    Calls,
 }
 
 /// A function that looks a probe up through a proxy of its room.
@@ -109,6 +143,11 @@ pub struct Callers<'a> {
 }
 
 impl Call {
+    /// The call with its arguments.
+    pub fn signature(&self) -> String {
+        format!("{}({})", self.function, self.arguments.join(", "))
+    }
+
     /// Whether it is the one to take of several of its material or probe for its purpose.
     pub fn is_preferred(&self, calls: &[Call]) -> bool {
         let stands_beside = |other: &&Call| (&other.of, &other.purpose) == (&self.of, &self.purpose);
@@ -165,29 +204,18 @@ impl Manifest {
         let fits = self.entries.fits.iter().map(|fit| &fit.alpha_map);
         fits.chain(self.entries.tables.iter().map(|table| &table.alpha_map)).next().map(String::as_str)
     }
+}
 
-    /// A call with its arguments as the include files name them; of a table the table comes
-    /// first. None of a function that no entry has.
-    pub fn signature(&self, call: &Call) -> Option<String> {
-        let fits = self.entries.fits.iter();
-        let of_fit = |fit: &FitEntry| {
-            let rgb = fit.rgb.as_ref() == Some(&call.function);
-            let inputs = fit.inputs.iter().cloned().chain(rgb.then(|| "f0".to_string())).collect::<Vec<_>>();
-            (fit.function == call.function || rgb).then_some(inputs)
-        };
-        let lookups = self.entries.lookups.iter().filter(|lookup| lookup.function == call.function);
-        let of_table = |table: &TableEntry| {
-            let inputs = std::iter::once("table".to_string()).chain(table.inputs.iter().cloned());
-            (table.function == call.function).then(|| inputs.collect())
-        };
-        let masks = self.entries.masks.iter().filter(|mask| mask.function == call.function);
-        let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());
-        let inputs = inputs.or_else(|| masks.map(|mask| mask.inputs.clone()).next());
-        let inputs = inputs.or_else(|| self.entries.tables.iter().find_map(of_table))?;
-        let named = |input: &String| {
-            let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| name == input);
-            renamed.map_or_else(|| input.clone(), |(_, name)| (*name).to_string())
-        };
-        Some(format!("{}({})", call.function, inputs.iter().map(named).collect::<Vec<_>>().join(", ")))
+impl Entries {
+    /// The names of the arguments of a function that is no formula, in order, as the include files have
+    /// them; of a table the table comes first.
+    pub fn arguments(&self, function: &str) -> Option<Vec<String>> {
+        let table = self.tables.iter().find(|table| table.function == function);
+        if let Some(table) = table {
+            return Some(std::iter::once("table").map(String::from).chain(table.inputs.clone()).collect());
+        }
+        let lookup = self.lookups.iter().find(|lookup| lookup.function == function);
+        let mask = self.masks.iter().find(|mask| mask.function == function);
+        lookup.map(|lookup| &lookup.inputs).or(mask.map(|mask| &mask.inputs)).cloned()
     }
 }

@@ -1,6 +1,7 @@
 //! The functions that compensate a lobe with a value of its table, in every language (Turquin,
 //! "Practical multiple scattering compensation for microfacet models", 2019).
 
+use super::include::call;
 use lobefit_shade::code::{CodeError, Float, Language};
 use lobefit_shade::{Features, ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
@@ -57,6 +58,12 @@ impl Compensation {
             Compensation::Glass => [NAMES[2], NAMES[3]],
         }
     }
+}
+
+/// The names of the arguments of one of these functions; none of another.
+pub fn arguments(function: &str) -> Option<Vec<String>> {
+    let own = NAMES.contains(&function).then_some(TEXT);
+    own.and_then(|text| call(text, function)).map(|declared| declared.arguments)
 }
 
 /// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function `inner`

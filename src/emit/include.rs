@@ -97,6 +97,8 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 pub struct Called {
     /// The line.
     pub call: String,
+    /// The names of what it is called with.
+    pub arguments: Vec<String>,
     /// What it is called with, as the include file declares it.
     pub parameters: String,
 }
@@ -117,11 +119,11 @@ pub fn call(text: &str, function: &str) -> Option<Called> {
         depth == 0
     })?;
     let parameters = parts(&rest[..end]);
-    let arguments: Vec<&str> = parameters.iter().map(|part| named(part)).collect();
+    let arguments: Vec<String> = parameters.iter().map(|part| named(part).to_string()).collect();
     let call = format!("{function}({})", arguments.join(", "));
     let result = text[line..start].rsplit(' ').next().unwrap_or_default();
     let word = if typed_after(result) { "let" } else { result };
-    Some(Called { call: format!("{word} value = {call};"), parameters: parameters.join(", ") })
+    Some(Called { call: format!("{word} value = {call};"), arguments, parameters: parameters.join(", ") })
 }
 
 /// Whether types stand after names: whether this word is before the name of a function.

@@ -96,6 +96,9 @@ pub struct EffectFinding {
     pub effect: String,
     /// What in the scene called for it.
     pub because: Vec<String>,
+    /// The same for people, where sentences differ in names and ranges alone: each such group in one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub reasons: Vec<String>,
     /// Domain that the scene spans, by input.
     pub ranges: BTreeMap<String, [f64; 2]>,
     /// Approximation chosen.
@@ -103,6 +106,9 @@ pub struct EffectFinding {
     /// Error that the scene allows; none where it sets no limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
+    /// What the scene allows each of its jobs, in words.
+    #[serde(default)]
+    pub limit: String,
     /// Error that was measured; none where nothing was made that has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured_error: Option<f64>,

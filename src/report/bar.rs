@@ -1,9 +1,12 @@
 //! The bar of links that the pages of the built-in scene share with those of studies and of times.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use super::ReportError;
 use super::gpu::refused;
+use crate::store::Files;
 
 /// The answers of the built-in scene, which name its effects.
 const ANSWERS: &str = include_str!("../../reports/index.json");
@@ -25,8 +28,25 @@ const BESIDE: [(&str, &str, &str); 6] = [
 
 /// What the bar of a page of the built-in scene's bake has after the pages of the bake; nothing of
 /// another scene's.
-pub(super) fn beside(command: &str) -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    BESIDE.into_iter().filter(move |_| command == "lobefit bake")
+pub(super) fn beside(command: &str) -> String {
+    if command == "lobefit bake" { links() } else { String::new() }
+}
+
+fn links() -> String {
+    BESIDE.map(|(word, title, file)| format!("<a href=\"{file}\" title=\"{title}\">{word}</a>\n")).concat()
+}
+
+/// Takes the links to pages beside those of a bake out of its pages, unless all of those pages lie in
+/// `root`, the folder of the bake: that of the repository.
+pub fn without_absent(files: &mut Files, root: &Path) {
+    if BESIDE.iter().all(|(.., file)| root.join("reports").join(file).is_file()) {
+        return;
+    }
+    let links = links();
+    for (_, bytes) in files.iter_mut().filter(|(name, _)| name.ends_with(".html")) {
+        let at = bytes.windows(links.len()).position(|window| window == links.as_bytes());
+        at.map(|at| bytes.drain(at..at + links.len()));
+    }
 }
 
 /// The whole bar, for a page that no bake writes; `up` leads from its folder to `reports/`.
@@ -40,4 +60,25 @@ pub fn bar_from(up: &str) -> Result<Vec<(String, String)>, ReportError> {
     let of_bake = ["index", "explore"].into_iter().chain(effects);
     let of_bake = of_bake.map(|page| (page.to_string(), format!("{up}{page}.html")));
     Ok(of_bake.chain(BESIDE.map(|(word, _, file)| (word.to_string(), format!("{up}{file}")))).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_to_pages_that_are_not_there_are_left_out() {
+        let page = format!("<nav>\n<a>index</a>\n{}</nav>\n", beside("lobefit bake"));
+        let left = |root: &Path| {
+            let mut files = Files::from([("reports/index.html".to_string(), page.clone().into_bytes())]);
+            without_absent(&mut files, root);
+            String::from_utf8(files.remove("reports/index.html").expect("a page")).expect("text")
+        };
+        assert_eq!(left(Path::new(env!("CARGO_MANIFEST_DIR"))), page);
+        assert_eq!(
+            left(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")),
+            "<nav>\n<a>index</a>\n</nav>\n"
+        );
+        assert!(beside("lobefit bake SCENE.json").is_empty() && page.contains("studies/"));
+    }
 }

@@ -155,7 +155,7 @@ fn of_card(card: &Card, full: usize) -> f64 {
     let code = |(_, text): &(String, String)| 20.0 * text.lines().count() as f64;
     let choice = |c: &Choice| 190.0 + 24.0 * c.facts.len() as f64 + c.code.first().map_or(0.0, code);
     let tallest = card.choices.iter().map(choice).fold(0.0, f64::max);
-    let svg = card.svg.as_ref().map_or(0.0, |svg| pictures(std::slice::from_ref(svg)));
+    let svg = card.svg.as_ref().map_or(0.0, |[desk, _]| pictures(std::slice::from_ref(desk)));
     120.0 + if card.choices.len() < full { tallest.max(svg) } else { tallest + svg }
 }
 

@@ -94,9 +94,7 @@ fn bar(out: &mut String, page: &Page) {
     for (shown, file) in page.origin.pages.iter().filter(|(_, file)| Some(file.as_str()) != figures) {
         put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
     }
-    for (shown, title, file) in bar::beside(&page.origin.command) {
-        put(out, format_args!("<a href=\"{file}\" title=\"{}\">{shown}</a>\n", Escaped(title)));
-    }
+    out.push_str(&bar::beside(&page.origin.command));
     if let Some(file) = figures {
         let title = "The figures of this page in full digits";
         put(out, format_args!("<a href=\"{}\" title=\"{title}\">JSON</a>\n", Escaped(file)));
@@ -243,23 +241,41 @@ fn card(out: &mut String, card: &Card) {
     let (id, title, about) = (Escaped(&card.id), Broken(&card.title), Broken(&card.about));
     let (shown, file) = (Escaped(&card.link.0), Escaped(&card.link.1));
     put(out, format_args!("<article class=\"card\" id=\"{id}\">\n<h3>{title}</h3>\n"));
-    put(out, format_args!("<p>{about} <a href=\"{file}\">{shown}</a></p>\n<div class=\"choices\">\n"));
-    card.choices.iter().for_each(|one| choice(out, &card.id, one));
-    if let Some(svg) = &card.svg {
-        put(out, format_args!("<div class=\"plate\">{svg}</div>\n"));
+    let several = card.choices.len() > 1;
+    let class = if several { "choices tabbed" } else { "choices" };
+    put(out, format_args!("<p>{about} <a href=\"{file}\">{shown}</a></p>\n<div class=\"{class}\">\n"));
+    if several {
+        let drawing = card.svg.as_ref().map(|_| "furnace");
+        let labels = card.choices.iter().map(|choice| choice.role.as_str()).chain(drawing);
+        buttons(out, &format!("{}-choices", card.id), labels);
+    }
+    card.choices.iter().for_each(|one| choice(out, card, one));
+    if let Some([desk, phone]) = &card.svg {
+        put(
+            out,
+            format_args!(
+                "<div class=\"plate phone\">{phone}</div>\n<div class=\"plate desk\">{desk}</div>\n"
+            ),
+        );
     }
     out.push_str("</div>\n</article>\n");
 }
 
-fn choice(out: &mut String, card: &str, choice: &Choice) {
-    let class = if choice.recommended { "choice recommended" } else { "choice" };
-    let (role, call) = (Escaped(&choice.role), Broken(&choice.call));
-    put(out, format_args!("<div class=\"{class}\">\n<h4>{role}</h4>\n<p><code>{call}</code></p>\n"));
+/// A choice of a card, under its role where there are several; in a narrow window a button stands for
+/// the role, and one choice or the drawing is seen at a time.
+fn choice(out: &mut String, card: &Card, choice: &Choice) {
+    let several = card.choices.len() > 1;
+    let class = if several && choice.recommended { "choice recommended" } else { "choice" };
+    put(out, format_args!("<div class=\"{class}\">\n"));
+    if several {
+        put(out, format_args!("<h4>{}</h4>\n", Escaped(&choice.role)));
+    }
+    put(out, format_args!("<p><code>{}</code></p>\n", Broken(&choice.call)));
     block(out, &Block::Facts { rows: choice.facts.clone() });
     if !choice.note.is_empty() {
         put(out, format_args!("<p class=\"note\">{}</p>\n", Broken(&choice.note)));
     }
-    let name = format!("{card}-{}", choice.role);
+    let name = format!("{}-{}", card.id, choice.role);
     switch(out, ("switch tabs", &name), &choice.code, |out, language, text| {
         let (language, text) = (Escaped(language), Words(text));
         put(out, format_args!("<pre data-language=\"{language}\"><code>{text}</code></pre>\n"));
@@ -276,10 +292,8 @@ fn switch<T>(
     print: impl Fn(&mut String, &str, &T),
 ) {
     put(out, format_args!("<div class=\"{class}\">\n"));
-    for (i, (label, _)) in of.iter().enumerate().filter(|_| of.len() > 1) {
-        let (checked, name, label) = (if i == 0 { " checked" } else { "" }, Escaped(name), Escaped(label));
-        put(out, format_args!("<input type=\"radio\" name=\"{name}\" id=\"{name}-{i}\"{checked}>"));
-        put(out, format_args!("<label for=\"{name}-{i}\">{label}</label>\n"));
+    if of.len() > 1 {
+        buttons(out, name, of.iter().map(|(label, _)| label.as_str()));
     }
     for (label, one) in of {
         let class = if of.len() > 1 { "" } else { " class=\"alone\"" };
@@ -288,6 +302,15 @@ fn switch<T>(
         out.push_str("</div>\n");
     }
     out.push_str("</div>\n");
+}
+
+/// Buttons of which one is pressed, at first the first.
+fn buttons<'a>(out: &mut String, name: &str, labels: impl Iterator<Item = &'a str>) {
+    for (i, label) in labels.enumerate() {
+        let (checked, name, label) = (if i == 0 { " checked" } else { "" }, Escaped(name), Escaped(label));
+        put(out, format_args!("<input type=\"radio\" name=\"{name}\" id=\"{name}-{i}\"{checked}>"));
+        put(out, format_args!("<label for=\"{name}-{i}\">{label}</label>\n"));
+    }
 }
 
 fn text_table(out: &mut String, table: &TextTable) {

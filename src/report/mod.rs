@@ -29,7 +29,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::emit::manifest::Manifest;
 use crate::store::Files;
-pub use bar::bar_from;
+pub use bar::{bar_from, without_absent};
 pub use cost::{CostJob, CostPoint, CostUnit, Costs};
 pub use error::ReportError;
 pub use field::{Field, Ruler};

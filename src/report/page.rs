@@ -112,8 +112,8 @@ pub struct Card {
     pub link: (String, String),
     /// What there is to choose from.
     pub choices: Vec<Choice>,
-    /// A drawing below them.
-    pub svg: Option<String>,
+    /// A drawing beside or below them: for a wide window, and for a narrow one.
+    pub svg: Option<[String; 2]>,
 }
 
 /// One choice.

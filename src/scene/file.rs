@@ -56,6 +56,10 @@ pub struct Scene {
     /// Occlusion culling, where the scene calls for it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub culling: Option<Culling>,
+    /// The file that it is made of as a command names it, with its options: `room.glb --textures`; none
+    /// of a scene in JSON, whose name is its own.
+    #[serde(skip)]
+    pub made_of: Option<String>,
 }
 
 /// A scene: the materials that a renderer has, and what it wants of them.
@@ -204,6 +208,7 @@ impl Scene {
             materials: parsed.materials.0,
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
             culling: parsed.culling.0,
+            made_of: None,
         };
         scene.settle_slices();
         Ok(scene)

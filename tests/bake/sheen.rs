@@ -70,6 +70,8 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
     assert_eq!(first, preferred.map(|call| call.function.as_str()), "{metals:?}");
     assert_eq!(others.map(|list| list.split(", ").count()), Some(several - 1), "{metals:?}");
     assert!(satins.calls.len() == 1 && satins.calls[0].ends_with(" then sheen_base_scale"), "{satins:?}");
+    let sheen = baked.calls.iter().find(|call| call.of == "silk" && call.then.is_some()).expect("a sheen");
+    assert_eq!(sheen.around[0].arguments, ["sheen_color", "e_v", "e_l"], "{sheen:?}");
 }
 
 /// What the lobe of a dielectric is multiplied with follows its base; of an albedo in a table as of a fit.

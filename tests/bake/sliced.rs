@@ -146,6 +146,10 @@ fn path_tracer(kind: &str) -> Baked {
 #[test]
 fn the_path_tracers_reflection_is_the_truth_at_its_nodes() {
     let baked = path_tracer(r#""kind":"metal","f0":0.9,"anisotropy":[0.2,0.8]"#);
+    let head = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]);
+    let conventions = |line: &&str| line.contains("GGX lobe, smith: ");
+    let found: Vec<&str> = head.lines().filter(conventions).collect();
+    assert_eq!(found, ["// `path_tracer_*`: GGX lobe, smith: separable; alpha = roughness"]);
     let table = Read::of(&baked.files, "path-tracer-reflection-separable-64x64x32-f32");
     assert_eq!(
         (&table.entry["smith"], &table.entry["alpha_map"]),

@@ -87,6 +87,22 @@ fn a_renamed_material_passes_by_its_values() {
     let text = std::fs::read_to_string(&manifest).expect("a manifest");
     std::fs::write(&manifest, text.replace("\"of\": \"a\"", "\"of\": \"b\"")).expect("written");
     assert_eq!(check(&renamed), Some(1), "a name that is none of the scene's");
+    // A figure in a comment may be off; a constant is exact, in code and in the manifest.
+    let edit = |file: &str, old: &str, after: &str, new: &str| {
+        let path = folder.path().join(file);
+        let text = std::fs::read_to_string(&path).expect("text");
+        let at = text.find(after).expect("the place") + after.len();
+        std::fs::write(&path, text[..at].to_owned() + &text[at..].replacen(old, new, 1)).expect("written");
+    };
+    std::fs::write(&manifest, text).expect("written");
+    let checked = || lobefit(folder.path(), &["check", "-", "--values", "10"], scene.as_bytes());
+    edit("fits/lobefit.h", "max 0.", ": ", "max 2.");
+    assert_eq!(checked().status.code(), Some(0));
+    edit("fits/lobefit.h", " (0.", "return 1.0f", " (0.0");
+    edit("manifest.json", ": 0.", "\"coefficients\": {", ": 0.0");
+    let said = String::from_utf8(checked().stdout).expect("text");
+    let constants = said.lines().filter(|line| line.contains("; a constant of a function, ")).count();
+    assert!(constants == 2 && said.contains("2 of "), "{said}");
 }
 
 /// A colour is one change, and so is an index of refraction with the reflectance that follows from
@@ -119,6 +135,12 @@ fn another_reflectance_is_said_once_and_changes_no_number_of_shaders() {
         let baked = run(&["bake", "-"], &new);
         assert!(baked.contains("\nno number and no code that a shader reads changed\n"), "{baked}");
     }
+    // A language that goes or comes is named itself, wherever it stands in the list.
+    let many = SCENE.replace(r#"["c"]"#, r#"["wgsl","hlsl","c"]"#);
+    run(&["bake", "-", "--quiet"], &many);
+    let text = run(&["check", "-"], &many.replace(r#""hlsl","c""#, r#""c","rust""#));
+    let changes = "the scene changed: languages: \"hlsl\" is gone\nthe scene changed: languages: \"rust\" is new\nfiles ";
+    assert!(text.starts_with(changes), "{text}");
     // Headers of tables name the recipe: texels are compared without them, in every format.
     let table = r#"{"tables":[{"size":[8,8]}]}"#;
     let tables = SCENE

@@ -59,7 +59,7 @@ fn planted_changes_are_found_and_named() {
         "max ulp 1",
         "promise broken: lookup error",
         "fits/lobefit.rs: line ",
-        "max abs difference 9.99",
+        "a constant of a function, 9.99",
         "fits/lobefit.wgsl: missing",
         "tables/stale.exr: extra",
         "3 of ",

@@ -1,9 +1,13 @@
 //! Committed files: short, and what others take from them. That they follow from their recipe is what the
 //! closing `lobefit check` of `.ci/run` shows.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use lobefit::effects::parallax::Width;
+use lobefit::emit::call::How;
+use lobefit::emit::include::call;
+use lobefit::emit::manifest::Manifest;
 use lobefit_shade::code::Language;
 use serde_json::Value;
 
@@ -20,6 +24,49 @@ fn the_width_of_emitted_lookups_is_the_studys() {
     let constant = fit["coefficients"]["k"].as_f64().expect("a number") as f32;
     let Width::Cubic { k, c: 0.0, d: 0.0 } = Width::EMITTED else { panic!("another formula") };
     assert_eq!(k as f32, constant);
+}
+
+/// The manifest alone is enough to write a call and what is made of it: each include file declares the
+/// arguments that it states, a texture and its sampler as `table`.
+#[test]
+fn the_manifest_states_the_arguments_that_the_include_files_declare() {
+    let files = &baked().0.files;
+    let manifest: Manifest = serde_json::from_slice(&files["manifest.json"]).expect("a manifest");
+    let fetched = ["table", "texels", "linear_clamp"];
+    for include in &manifest.includes {
+        let text = String::from_utf8_lossy(&files[&include.file]);
+        let declared = |function: &str| {
+            let declared = call(&text, function).unwrap_or_else(|| panic!("{}: {function}", include.file));
+            declared
+                .arguments
+                .into_iter()
+                .filter(|name| !fetched.contains(&name.as_str()))
+                .collect::<Vec<_>>()
+        };
+        for call in &manifest.entries.calls {
+            let stated = call.arguments.strip_prefix(&["table".to_string()]).unwrap_or(&call.arguments);
+            assert_eq!(stated.len() < call.arguments.len(), call.file.is_some(), "{}", call.function);
+            assert_eq!(declared(&call.function), stated, "{}: {}", include.file, call.function);
+            for around in &call.around {
+                assert_eq!(declared(&around.function), around.arguments, "{}", include.file);
+            }
+        }
+    }
+    let around: BTreeSet<(&str, How)> = manifest
+        .entries
+        .calls
+        .iter()
+        .flat_map(|call| &call.around)
+        .map(|around| (around.function.as_str(), around.how))
+        .collect();
+    for named in [
+        ("diffuse_coupled_normalised", How::Calls),
+        ("diffuse_coupled_normalised_rgb", How::Calls),
+        ("ggx_compensate_reflection", How::TakesValue),
+        ("ggx_compensate_glass_factor", How::TakesValue),
+    ] {
+        assert!(around.contains(&named), "{named:?} in {around:?}");
+    }
 }
 
 /// An include file is read from its top to its end.

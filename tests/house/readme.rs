@@ -114,6 +114,12 @@ fn recipes_bake_and_their_calls_compile() {
             None => {
                 let shader = blocks(recipe, "wgsl")[0];
                 assert_valid(&format!("{}\n{shader}", text("fits/lobefit.wgsl")), title);
+                let glsl = recipe.split_once("In GLSL").map_or("", |(_, said)| said);
+                if let Some(call) = glsl.split('`').find(|code| code.starts_with("ggx_")) {
+                    assert_eq!(call, "ggx_dfg(dfg, roughness, max(n_dot_v, 1e-4))");
+                    let declared = "vec3 ggx_dfg(sampler2D table, float roughness, float n_dot_v) {";
+                    assert!(text("fits/lobefit.glsl").contains(declared), "{title}");
+                }
             }
         }
     }

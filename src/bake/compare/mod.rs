@@ -27,7 +27,8 @@ pub struct Difference {
     pub kind: Kind,
     /// How far it is off and where, in words.
     pub detail: String,
-    /// Largest difference of a decoded value; none where values cannot be paired.
+    /// Largest difference of a decoded value; none where values cannot be paired, and of constants of
+    /// functions, for which no tolerance holds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_abs: Option<f64>,
     /// The same in units of the last place of the stored format.
@@ -77,8 +78,8 @@ impl fmt::Display for Difference {
 
 /// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in
 /// the folder, links in the places of files among it. With `tolerance`, files whose decoded values
-/// are all within it pass, but never a table that breaks its stated error. Another version of the
-/// tool, another recipe, or another name in the scene is then no difference; pages of the report
+/// are all within it pass, but never a table that breaks its stated error nor another constant of a
+/// function. Another version of the tool, another recipe, or another name in the scene is then no difference; pages of the report
 /// are not compared, since they are drawn from the figures.
 pub fn compare(
     baked: &Baked,

@@ -8,19 +8,42 @@ pub fn code(bytes: &[u8]) -> Vec<&[u8]> {
     lines.filter(|line| !line.trim_ascii_start().starts_with(b"//")).collect()
 }
 
-/// How two texts differ: by the largest difference of their numbers if all else is equal, else by
-/// their first differing line, else by the first line whose end differs.
+/// A number that is another in two texts.
+struct Pair {
+    line: usize,
+    want: f64,
+    have: f64,
+}
+
+impl Pair {
+    fn gap(&self) -> f64 {
+        (self.want - self.have).abs()
+    }
+}
+
+/// How two texts differ: by a constant of a function, which no tolerance forgives; else by the largest
+/// difference of their numbers if all else is equal, else by their first differing line, else by the
+/// first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
         return Difference::plain(file, Kind::Different, "different bytes; not text");
     };
     let mut difference = Difference::plain(file, Kind::Different, "");
-    match worst_number(expected, found) {
-        Some((line, want, have)) => {
-            let gap = (want - have).abs();
-            difference.detail =
-                format!("line {line}: {have} where the recipe gives {want}; max abs difference {gap:e}");
-            (difference.max_abs, difference.at) = (Some(gap), Some(format!("line {line}")));
+    let pairs = pairs(expected, found).unwrap_or_default();
+    let constants = constants(file, expected);
+    let constant = pairs.iter().find(|pair| pair.gap() != 0.0 && constants[pair.line - 1]);
+    // NaN is the largest difference there is.
+    let worst = pairs.iter().min_by(|a, b| b.gap().total_cmp(&a.gap()));
+    match constant.or(worst) {
+        Some(pair @ Pair { line, want, have }) => {
+            let (gap, place) = (pair.gap(), format!("line {line}"));
+            let size = match constant {
+                Some(_) => format!("a constant of a function, {gap:e} off: no tolerance holds for constants"),
+                None => format!("max abs difference {gap:e}"),
+            };
+            difference.detail = format!("{place}: {have} where the recipe gives {want}; {size}");
+            difference.max_abs = constant.is_none().then_some(gap);
+            difference.at = Some(place);
         }
         None => {
             let (line, words) = first_line(expected, found);
@@ -31,25 +54,38 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     difference
 }
 
-/// The pair of numbers that differ most, with its line, if nothing but numbers differs.
-fn worst_number(expected: &str, found: &str) -> Option<(usize, f64, f64)> {
+/// Whether each line holds constants of functions: the code of an include file, and coefficients in the
+/// manifest.
+fn constants(file: &str, text: &str) -> Vec<bool> {
+    let is_code = file.starts_with("fits/");
+    let mut inside = false;
+    let mut holds = |line: &str| {
+        inside = match line {
+            "\"coefficients\": {" => true,
+            "}" | "}," => false,
+            _ => inside,
+        };
+        inside || is_code && !line.starts_with("//")
+    };
+    text.lines().map(|line| holds(line.trim())).collect()
+}
+
+/// The numbers that differ, with their lines, if nothing else does.
+fn pairs(expected: &str, found: &str) -> Option<Vec<Pair>> {
     if expected.lines().count() != found.lines().count() {
         return None;
     }
-    let mut worst: Option<(usize, f64, f64)> = None;
+    let mut all = Vec::new();
     for (i, (want, have)) in expected.lines().zip(found.lines()).enumerate() {
         let (want, have) = (tokens(want), tokens(have));
         if want.len() != have.len() {
             return None;
         }
         for (a, b) in want.iter().zip(&have).filter(|(a, b)| a != b) {
-            let (a, b) = (a.parse::<f64>().ok()?, b.parse::<f64>().ok()?);
-            if worst.is_none_or(|(_, x, y)| (a - b).abs() > (x - y).abs()) {
-                worst = Some((i + 1, a, b));
-            }
+            all.push(Pair { line: i + 1, want: a.parse().ok()?, have: b.parse().ok()? });
         }
     }
-    worst
+    Some(all)
 }
 
 /// A line cut into numbers and what stands between them. A digit behind a letter belongs to a name.
@@ -138,6 +174,11 @@ mod tests {
         let d = different("a.rs", b"x1 = 0.5;\ny = -2.5e-3\n", b"x1 = 0.5;\ny = -2.25e-3\n");
         assert_eq!(d.at.as_deref(), Some("line 2"));
         assert!((d.max_abs.expect("numbers") - 2.5e-4).abs() < 1e-18, "{d:?}");
+        // In an include file code is a constant and a comment is a figure, however far off.
+        let of = |file: &str, found: &str| different(file, b"// max 0.5\nx = 1.0f;\n", found.as_bytes());
+        let d = of("fits/a.h", "// max 9.5\nx = 1.25f;\n");
+        assert_eq!((d.at.as_deref(), d.max_abs), (Some("line 2"), None), "{d:?}");
+        assert_eq!(of("fits/a.h", "// max 9.5\nx = 1.0f;\n").max_abs, Some(9.0));
     }
 
     #[test]

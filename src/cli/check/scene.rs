@@ -58,6 +58,9 @@ fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
         (Value::Array(a), Value::Array(b)) if is_one_change(a, b) => {
             all.push(format!("{path}: {} became {}", figures(a), figures(b)));
         }
+        (Value::Array(a), Value::Array(b)) if a.iter().chain(b).all(Value::is_string) => {
+            words(path, a, b, all);
+        }
         (Value::Array(a), Value::Array(b)) => {
             for i in 0..a.len().max(b.len()) {
                 let (old, new) = (a.get(i).unwrap_or(&absent), b.get(i).unwrap_or(&absent));
@@ -68,6 +71,18 @@ fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
         (Value::Null, new) => all.push(format!("{path}: {} is new", shown(new))),
         (old, Value::Null) => all.push(format!("{path}: {} is gone", shown(old))),
         (old, new) => all.push(format!("{path}: {} became {}", shown(old), shown(new))),
+    }
+}
+
+/// What is gone from a list of words, `languages`, and what is new in it, or else that their order is
+/// another: of words that are left the places mean nothing.
+fn words(path: &str, old: &[Value], new: &[Value], all: &mut Vec<String>) {
+    let known = all.len();
+    all.extend(old.iter().filter(|word| !new.contains(word)).map(|word| format!("{path}: {word} is gone")));
+    all.extend(new.iter().filter(|word| !old.contains(word)).map(|word| format!("{path}: {word} is new")));
+    if all.len() == known && old != new {
+        let [old, new] = [old, new].map(|list| Value::Array(list.to_vec()).to_string());
+        all.push(format!("{path}: {old} became {new}"));
     }
 }
 

@@ -153,7 +153,7 @@ impl Shipped {
                 continue;
             };
             let lacks = || BakeError::Internal(format!("{file} does not declare {}", call.function));
-            let include::Called { call: snippet, parameters } =
+            let include::Called { call: snippet, parameters, .. } =
                 include::call(&code, &call.function).ok_or_else(lacks)?;
             let field = field(plan, &entries, (call, &baked.calls), limits).filter(|_| is_first);
             let gives = gives(&entries, call);

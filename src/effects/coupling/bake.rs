@@ -1,5 +1,6 @@
 //! Jobs to fits of the factor, one set for each kind of lobe that lies above a base.
 
+use super::emitted::around as coupled;
 use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_emitted, page, role, specular};
 use crate::approximate::{Dropped, Fit, FitSet};
 use crate::effects::context::Context;
@@ -48,6 +49,9 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     for (job, lobe) in called.work.iter().zip(&lobes) {
         made.fits_called(job, &lobe.fits, context.scene);
         let brdf = format!("diffuse_coupled_{} is the BRDF that calls it.", lobe.spec.specular.name());
+        if let Some(best) = lobe.best() {
+            made.called_within(best.hypothesis.name(), coupled(lobe.spec.specular));
+        }
         let emitted = lobe.fits.iter().filter(|fit| fit.emitted);
         made.cautions.extend(emitted.map(|fit| (fit.hypothesis.name().to_string(), brdf.clone())));
     }

@@ -30,14 +30,22 @@ view alone.";
 const PER_CHANNEL: &str = "\
 The same with a reflectance per colour channel: three factors, each that of its channel's f0.";
 
-/// Names of the functions that this module may print.
+/// Names of the functions that this module may print, and of the factors.
 pub fn names() -> impl Iterator<Item = String> {
-    let around = Specular::ALL.into_iter().flat_map(|specular| {
-        [role(specular), exact_name(specular), coupled_name(specular), coloured(&coupled_name(specular))]
-    });
-    let reciprocal =
-        [AVERAGE.into(), EXCHANGED.into(), RECIPROCAL.into(), coloured(AVERAGE), coloured(RECIPROCAL)];
-    around.chain(reciprocal)
+    let of_lobe = |specular| [role(specular), exact_name(specular)].into_iter().chain(around(specular));
+    Specular::ALL.into_iter().flat_map(of_lobe)
+}
+
+/// Names of the functions that may call the factor under a lobe: materials, of one f0 and of one for each
+/// channel, and what those of path tracers take.
+pub fn around(specular: Specular) -> Vec<String> {
+    let name = coupled_name(specular);
+    let mut all = vec![name.clone(), coloured(&name)];
+    if specular == Specular::Single {
+        let reciprocal = [RECIPROCAL, AVERAGE].into_iter().flat_map(|name| [name.into(), coloured(name)]);
+        all.extend(reciprocal.chain([EXCHANGED.into()]));
+    }
+    all
 }
 
 /// The functions of a material whose directions can be exchanged. Its lobe must be reciprocal: of

@@ -16,7 +16,8 @@ pub const TEXT: &str = include_str!("eon.wgsl");
 /// Names of the functions, in the order of the text.
 pub const NAMES: [&str; 3] = ["eon_average", "eon_single", BRDF];
 
-const BRDF: &str = "eon_brdf";
+/// The base.
+pub const BRDF: &str = "eon_brdf";
 
 /// Functions that are written out in those that call them.
 const INSIDE: [&str; 3] = ["lost", "bounced", "e"];

@@ -40,6 +40,7 @@ const FITS: ValueFits = ValueFits {
     around: Some(Around {
         print: scale,
         then: Some(BASE_SCALE),
+        calling: &[],
         said: |_| Ok("sheen_base_scale makes of it what the layers below keep.".into()),
     }),
 };

@@ -26,6 +26,9 @@ const FEW: usize = 6;
 const CARD: f64 = 1126.0;
 const GAP: f64 = 16.0;
 
+/// Width of a card's content in a window of 390 pixels.
+const PHONE: f64 = 346.0;
+
 /// Plotted size of the chart: the whole width of a page.
 const CHART: (f64, f64) = (1080.0, 270.0);
 
@@ -102,7 +105,10 @@ fn card(
         about: about.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" "),
         link: (format!("All of {effect}"), format!("{effect}.html")),
         choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
-        svg: purpose.furnace.as_ref().map(|f| strip(f, room(purpose, paired))).transpose()?,
+        svg: match &purpose.furnace {
+            Some(furnace) => Some([strip(furnace, room(purpose, paired))?, strip(furnace, PHONE)?]),
+            None => None,
+        },
     })
 }
 
@@ -186,7 +192,7 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         let then = own().filter_map(|one| one.then.as_ref()).find_map(|name| call(&text, name));
         let mut calls: Vec<Lines> = Vec::new();
         for function in forms {
-            let Some(Called { call, parameters }) = call(&text, function) else { continue };
+            let Some(Called { call, parameters, .. }) = call(&text, function) else { continue };
             let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
             let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
             let mut lines = vec![format!("{file}: {parameters}")];

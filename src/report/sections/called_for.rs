@@ -8,7 +8,7 @@ const COLUMNS: [(&str, bool); 7] = [
     ("because", false),
     ("ranges", false),
     ("approximation", false),
-    ("error limit", true),
+    ("error limit", false),
     ("measured error", true),
     ("error of what", false),
 ];
@@ -46,12 +46,13 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
 }
 
 fn row(e: &EffectFinding) -> Vec<String> {
+    let reasons = if e.reasons.is_empty() { &e.because } else { &e.reasons };
     vec![
         e.effect.clone(),
-        numbers::shortened(&e.because.join("; ")),
+        numbers::shortened(&reasons.join("; ")),
         words::ranges(&e.ranges),
         numbers::shortened(&e.approximation),
-        e.expected_error.map_or_else(|| "no limit".into(), words::max),
+        e.limit.clone(),
         e.measured_error.map_or_else(|| "–".into(), words::max),
         e.metric.clone(),
     ]

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{called_for, words};
 use crate::emit::call::{Call, Callers, NAMED, callers};
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Block, Names, ReportError, Section, TextTable, check, figures_of, numbers, place_of};
+use crate::report::{Block, Names, Section, TextTable, figures_of, numbers, place_of};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -36,17 +36,17 @@ const CALLS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError> {
+pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
     if manifest.effects.is_empty() {
-        return Ok(vec![called_for]);
+        return vec![called_for];
     }
     called_for = behind("Materials, ranges, and what was left out", called_for);
     let call = Section {
         id: "call".into(),
         title: "Who calls what".into(),
         lead: "What each material and probe calls, then each emitted function once.".into(),
-        blocks: vec![of_callers(manifest), calls(manifest)?],
+        blocks: vec![of_callers(manifest), calls(manifest)],
     };
     let made = Section {
         id: "made".into(),
@@ -56,7 +56,7 @@ pub(super) fn sections(manifest: &Manifest) -> Result<Vec<Section>, ReportError>
             .into(),
         blocks: vec![rows(manifest)],
     };
-    Ok(vec![behind("All functions", call), behind("All tables and formulas", made), called_for])
+    vec![behind("All functions", call), behind("All tables and formulas", made), called_for]
 }
 
 /// A section behind a line, its lead too: on the overview it stands below what there is to take.
@@ -132,7 +132,7 @@ fn of_callers(manifest: &Manifest) -> Block {
 }
 
 /// A row for each function, with who calls it.
-fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
+fn calls(manifest: &Manifest) -> Block {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
         match found.iter_mut().find(|(known, _)| known.function == call.function) {
@@ -146,24 +146,22 @@ fn calls(manifest: &Manifest) -> Result<Block, ReportError> {
     let row = |(call, names): (&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
-        let problem =
-            || check::domain("index", "calls", &format!("{} is no function of the manifest", call.function));
         let words = [
-            manifest.signature(call).ok_or_else(problem)?,
+            call.signature(),
             if is_preferred(call) { "yes" } else { "" }.into(),
             call.effect.clone(),
             numbers::shortened(&some(&names)),
             words::max(call.max_error),
             call.metric.clone(),
         ];
-        Ok(words.into_iter().chain(figures).collect())
+        words.into_iter().chain(figures).collect()
     };
     let links = found.iter().map(|(call, _)| place(manifest, &call.effect, &call.name)).collect();
     let caption =
         "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.";
-    let rows = found.into_iter().map(row).collect::<Result<_, ReportError>>()?;
+    let rows = found.into_iter().map(row).collect();
     let names = Some(Names { column: 0, places: Vec::new(), links });
-    Ok(Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) }))
+    Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) })
 }
 
 /// The first names, and how many more there are: [`of_callers`] has all.

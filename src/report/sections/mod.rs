@@ -67,7 +67,7 @@ pub(crate) fn of_index(
         sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
-    sections.extend(index::sections(drawn.manifest)?);
+    sections.extend(index::sections(drawn.manifest));
     Ok(Page {
         title: origin.title("lobefit report", ""),
         origin,

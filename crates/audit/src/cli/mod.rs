@@ -27,7 +27,9 @@ use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted};
+use words::{
+    Ranged, Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -114,9 +116,10 @@ struct Options {
     /// Value of an argument that is no input; a vector or a structure may be set by its name
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
-    /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`
+    /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`, or of roughness, alpha =
+    /// roughness^2 unless the axis alpha^(1/4) is stated
     #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
-    pub domain: Vec<(Input, [f64; 2])>,
+    pub domain: Vec<(Ranged, [f64; 2])>,
     /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use
     #[arg(long)]
     pub isa: bool,
@@ -238,7 +241,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
     let refused = match &said {
         Some(said) => refusal::of_stated(said, options.limit),
-        None => refusal::refusal(&done, options.limit),
+        None => refusal::refusal(&done, options.limit) + &sidecar::missing(options),
     };
     publish(options, folder, &found, &refused)
 }
@@ -394,7 +397,7 @@ fn fixed(options: &Asked) -> Result<Fixed, CliError> {
         floors: options.clamp.clone(),
         roles: None,
         inverse: false,
-        domain: options.domain.clone(),
+        domain: words::domain(&options.domain, &options.axes),
     })
 }
 

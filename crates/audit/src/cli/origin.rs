@@ -45,8 +45,7 @@ fn command(options: &Asked) -> String {
         options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
     );
     let named = |option: &str, value: &str| format!("{option} {}", quoted(value));
-    let range =
-        |(input, [low, high]): &(crate::audit::Input, [f64; 2])| format!("{}={low}..{high}", input.name());
+    let range = |(of, [low, high]): &(super::Ranged, [f64; 2])| format!("{}={low}..{high}", of.name());
     words.extend(options.domain.iter().map(|d| named("--domain", &range(d))));
     words.extend(options.define.iter().map(|d| named("--define", d)));
     words.extend(options.include.iter().map(|i| named("--include", &i.display().to_string())));

@@ -1,12 +1,15 @@
 //! The sidecar of a file that this tool wrote: `NAME.npy.json` beside `NAME.npy` says what the file
 //! has no room for.
 
+use std::ffi::OsString;
 use std::io::ErrorKind;
+use std::path::Path;
 
 use super::{Options, file_name};
 use crate::foreign::{Channel, ForeignTable, Hints, RawFormat, Step};
 use lobefit::cli::output::say;
 use lobefit::data::{Container, TexelFormat};
+use lobefit::emit::container::SIDECAR;
 use lobefit::emit::sidecar::{SCHEMA_VERSION, Sidecar};
 use lobefit::store::{self, StoreError};
 
@@ -21,12 +24,9 @@ pub(super) struct Beside {
 
 /// The sidecar beside the file, if there is one that can be followed; why another is not, is said.
 pub(super) fn beside(options: &Options, length: usize) -> Option<Beside> {
-    let extension = options.file.extension()?.to_string_lossy().to_ascii_lowercase();
-    let container = Container::ALL.into_iter().find(|c| *c != Container::Exr && c.name() == extension)?;
-    let mut path = options.file.clone().into_os_string();
-    path.push(".json");
-    let name = format!("{}.json", file_name(options));
-    let read = match store::read(path.as_ref(), BYTES) {
+    let container = container(options)?;
+    let name = format!("{}{SIDECAR}", file_name(options));
+    let read = match store::read(path(options).as_ref(), BYTES) {
         Ok(bytes) => serde_json::from_slice::<Sidecar>(&bytes).map_err(|e| e.to_string()),
         Err(StoreError::Io { source, .. }) if source.kind() == ErrorKind::NotFound => return None,
         Err(error) => Err(error.to_string()),
@@ -38,6 +38,30 @@ pub(super) fn beside(options: &Options, length: usize) -> Option<Beside> {
             None
         }
     }
+}
+
+/// The format of a file by its ending, if it is one whose files this tool writes with a sidecar.
+fn container(options: &Options) -> Option<Container> {
+    let extension = options.file.extension()?.to_string_lossy().to_ascii_lowercase();
+    Container::ALL.into_iter().find(|c| *c != Container::Exr && c.name() == extension)
+}
+
+fn path(options: &Options) -> OsString {
+    let mut path = options.file.clone().into_os_string();
+    path.push(SIDECAR);
+    path
+}
+
+/// What to say of a file that is not understood, where one of this tool would have a sidecar and this
+/// one has none; else nothing.
+pub(super) fn missing(options: &Options) -> String {
+    if container(options).is_none() || Path::new(&path(options)).exists() {
+        return String::new();
+    }
+    let file = file_name(options);
+    format!(
+        "; its sidecar {file}{SIDECAR} is missing: a table of lobefit is read as what the sidecar beside it says"
+    )
 }
 
 /// Says why a sidecar is not followed.

@@ -18,8 +18,9 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
             found.map_err(|why| CliError::Usage(format!("{file}: says that it is of `{name}`: {why}")))
         }
         _ => Err(CliError::Usage(format!(
-            "{file}: does not say which quantity it stands for; say it by --as: {}",
-            QUANTITIES.map(|quantity| quantity.name()).join(", ")
+            "{file}: does not say which quantity it stands for; say it by --as: {}{}",
+            QUANTITIES.map(|quantity| quantity.name()).join(", "),
+            sidecar::missing(options)
         ))),
     }
 }
@@ -30,8 +31,7 @@ fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
         return Ok(Some(beside.quantity().to_string()));
     }
     let file = options.file.display().to_string();
-    let whole = Hints { layer: None, ..hints(options) };
-    let tables = foreign::read_table(bytes, &file, &whole)?;
+    let tables = read(options, bytes, &Hints { layer: None, ..hints(options) })?;
     let names = tables.iter().map(|table| audit::stated_quantity(&table.note));
     let names = names.collect::<Result<Vec<Option<&str>>, String>>();
     let names = names.map_err(|why| CliError::Usage(format!("{file}: its attribute `lobefit`: {why}")))?;
@@ -44,6 +44,15 @@ fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
     }
 }
 
+/// The tables of a file as its header has them, or the hints.
+fn read(options: &Options, bytes: &[u8], hints: &Hints) -> Result<Vec<foreign::ForeignTable>, CliError> {
+    let tables = foreign::read_table(bytes, &options.file.display().to_string(), hints);
+    tables.map_err(|error| match sidecar::missing(options) {
+        missing if missing.is_empty() => error.into(),
+        missing => CliError::Usage(format!("{error}{missing}")),
+    })
+}
+
 /// A table as the sidecar of its file has it, and what it is called in messages.
 type Named = (foreign::ForeignTable, String);
 
@@ -51,7 +60,7 @@ type Named = (foreign::ForeignTable, String);
 fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
     let beside = sidecar::beside(options, bytes.len());
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
-    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
+    let tables = read(options, bytes, &hints)?;
     let with = |table: foreign::ForeignTable| {
         let what = named(options, &table.name);
         match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {

@@ -18,18 +18,49 @@ pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
     }
 }
 
-/// The range of an input.
-pub(super) fn range(text: &str) -> Result<(Input, [f64; 2]), String> {
+/// What a range is of: an input, or the roughness that alpha is made of.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Ranged {
+    Input(Input),
+    Roughness,
+}
+
+impl Ranged {
+    pub fn name(self) -> &'static str {
+        match self {
+            Ranged::Input(input) => input.name(),
+            Ranged::Roughness => Scale::Roughness.name(),
+        }
+    }
+}
+
+/// Ranges of inputs: of roughness that of alpha, by the map of the axis that is stated for it, else
+/// alpha = roughness^2.
+pub(super) fn domain(given: &[(Ranged, [f64; 2])], axes: &[(Scale, bool)]) -> Vec<(Input, [f64; 2])> {
+    let stated = |scale: &Scale| axes.iter().any(|(own, _)| own == scale);
+    let map = Some(Scale::RoughnessFourth).filter(stated).unwrap_or(Scale::Roughness);
+    let of_input = |(ranged, range): &(Ranged, [f64; 2])| match ranged {
+        Ranged::Input(input) => (*input, *range),
+        Ranged::Roughness => (map.input(), range.map(|x| map.input_at(x))),
+    };
+    given.iter().map(of_input).collect()
+}
+
+/// The range of an input, or of roughness.
+pub(super) fn range(text: &str) -> Result<(Ranged, [f64; 2]), String> {
     let called_for = || "INPUT=LOW..HIGH is called for, as mu=0.01..1";
     let (name, range) = text.split_once('=').ok_or_else(called_for)?;
     let (low, high) = range.split_once("..").ok_or_else(called_for)?;
-    let inputs = [Input::Alpha, Input::Mu, Input::Ior, Input::Anisotropy];
-    let input = inputs
-        .into_iter()
-        .find(|input| input.name() == name)
-        .ok_or_else(|| format!("no such input; they are {}", inputs.map(Input::name).join(", ")))?;
+    let inputs = [Input::Alpha, Input::Mu, Input::Ior, Input::Anisotropy].map(Ranged::Input);
+    let known = inputs.into_iter().chain([Ranged::Roughness]);
+    let names = || known.clone().map(Ranged::name).collect::<Vec<_>>().join(", ");
+    let ranged = known.clone().find(|ranged| ranged.name() == name);
+    let ranged = ranged.ok_or_else(|| format!("no such input; they are {}", names()))?;
     match (low.parse::<f64>(), high.parse::<f64>()) {
-        (Ok(low), Ok(high)) if low < high && high.is_finite() => Ok((input, [low, high])),
+        (Ok(low), Ok(_)) if low < 0.0 && ranged == Ranged::Roughness => {
+            Err("a roughness is no negative number".into())
+        }
+        (Ok(low), Ok(high)) if low < high && high.is_finite() => Ok((ranged, [low, high])),
         _ => Err(called_for().into()),
     }
 }

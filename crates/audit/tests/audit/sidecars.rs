@@ -65,6 +65,11 @@ fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
     write("alone.dds", &files[&format!("tables/{alone}")]);
     let (code, _, err) = audit(folder.path(), "alone.dds", "", &[]);
     assert!(code == Some(2) && err.contains("alone.dds: does not say which quantity it stands for"), "{err}");
+    let missing = "; its sidecar alone.dds.json is missing: a table of lobefit is read as what the sidecar beside it says";
+    assert!(err.contains(missing), "{err}");
+    let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
+    let (code, _, err) = audit(folder.path(), "alone.dds", "ggx-reflection:E", &read);
+    assert!(code == Some(1) && err.contains("audit failed: ") && err.contains(missing), "{err}");
     // Another certificate, and another name of a channel.
     let (name, quantity) = TABLES[0];
     let file = format!("{name}.ktx2.json");
@@ -116,7 +121,10 @@ fn a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
     }
     // Nothing says how a raw file without one is laid out.
     let (code, _, err) = audit(folder.path(), "t.raw", "ggx-reflection", &[]);
-    assert!(code == Some(2) && err.contains("state the size"), "{err}");
+    assert!(
+        code == Some(2) && err.contains("state the size") && err.contains("; its sidecar t.raw.json is "),
+        "{err}"
+    );
     // A sidecar beyond the limit is none.
     write("t.raw.json", &vec![b' '; (1 << 20) + 1]);
     let (code, _, err) = audit(folder.path(), "t.raw", "ggx-reflection", &[]);

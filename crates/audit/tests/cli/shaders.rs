@@ -30,6 +30,9 @@ fn macros_folders_overloads_and_domains_are_options() {
     let one = ["--function", "albedo(float, float)"];
     let (code, said) = run(&[&one[..], &["--include", "lib", "--domain", "mu=0.5..1"]].concat());
     assert_eq!(code, Some(0), "{said}");
+    let of = |domain: &str| run(&[&one[..], &["--include", "lib", "--domain", domain]].concat());
+    assert_eq!(of("roughness=0.5..1"), of("alpha=0.25..1"));
+    assert_ne!(of("roughness=0.5..1"), of("alpha=0.5..1"));
     let (code, said) = run(&one);
     assert!(code == Some(2) && said.contains("`#include <helpers.glsl>` at brdf.glsl: 1:1"), "{said}");
     let (code, said) = run(&["--function", "albedo", "--include", "lib"]);
@@ -40,7 +43,8 @@ fn macros_folders_overloads_and_domains_are_options() {
     assert_eq!(run(&["--function", "exact", "--define", "EXACT"]).0, Some(0));
     for (words, part) in [
         (&["--domain", "mu=1..0"][..], "INPUT=LOW..HIGH"),
-        (&["--domain", "nu=0..1"], "alpha, mu"),
+        (&["--domain", "nu=0..1"], "alpha, mu, ior, anisotropy, roughness"),
+        (&["--domain", "roughness=-1..1"], "no negative number"),
         (&["--define", "=2", "--function", "exact"], "NAME=VALUE"),
         (&["--include", "nowhere", "--function", "exact"], "nowhere"),
     ] {
