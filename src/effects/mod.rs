@@ -6,6 +6,7 @@ mod albedo;
 pub mod anisotropy;
 mod answer;
 mod called;
+pub mod clearcoat;
 mod code;
 mod containers;
 pub mod context;
@@ -51,6 +52,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &dielectric::Dielectric,
         &width::Width,
         &coupling::DiffuseCoupling,
+        &clearcoat::Clearcoat,
         &eon::Eon,
         &sheen::Sheen,
         &parallax::Parallax,

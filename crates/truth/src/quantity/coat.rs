@@ -8,8 +8,8 @@
 //! seen from inside), and the rest is what single scattering loses between facets.
 //!
 //! `K` is the internal reflectance where nothing is lost: all that is not reflected enters, T = 1 - E_c,
-//! and by the same reciprocity K = 1 - (1 - E_avg)/ior^2. Over a base of albedo rho light goes to and fro,
-//! and the layers send back
+//! and by the same reciprocity `escape` = 1 - K = (1 - E_avg)/ior^2. Over a base of albedo rho light goes
+//! to and fro, and the layers send back
 //!   E(mu) = E_c(mu) + (1 - E_c(mu)) rho (1 - K)/(1 - rho K),
 //! 1 for a white base at every mu. Of single scattering it is E_c + T(mu) rho (T_avg/ior^2)/(1 - rho
 //! K_single) (`crates/truth/tests/coat.rs` walks it).
@@ -23,7 +23,7 @@ use lobefit_math::{ops, panels};
 use rayon::prelude::*;
 
 use super::glass::GgxGlass;
-use super::{ALPHA, Asked, Choice, Input, Quantity, Truth, Variant, check_domain, check_unit};
+use super::{ALPHA, Asked, Choice, Input, Quantity, Residual, Truth, Use, Variant, check_domain, check_unit};
 use crate::integrate::glass::{self, Side, table};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{Estimate, IntegrateError};
@@ -34,10 +34,20 @@ use crate::points::{Points, hull};
 #[derive(Clone, Copy, Debug)]
 pub struct GgxCoat;
 
+/// The share that leaves a coat: bases are multiplied by it and divided by 1 - rho (1 - escape), so that its
+/// relative error is what a renderer sees at most.
+pub const ESCAPE: Use = Use {
+    name: "escape",
+    meaning: "the share of diffuse light from inside that leaves a coat, error relative",
+    metric: "relative error of the share that leaves",
+    residual: Residual::Quotient,
+    blends: false,
+};
+
 /// Bound of the error by default.
 const TOLERANCE: f64 = 1e-6;
 
-/// Tolerance of what is averaged: the finest that neighbours share.
+/// Tolerance of what is averaged.
 const INNER: f64 = 1e-7;
 
 /// Smallest alpha above 0, and smallest mu at which a rough interface is asked for: where neighbours
@@ -162,9 +172,10 @@ impl Averages {
     }
 }
 
-/// The internal reflectance where nothing is lost.
-fn internal(e_avg: f64, ior: f64) -> f64 {
-    1.0 - (1.0 - e_avg) / (ior * ior)
+/// What leaves of diffuse light from inside where nothing is lost, and the internal reflectance.
+fn internal(e_avg: f64, ior: f64) -> [f64; 2] {
+    let escape = (1.0 - e_avg) / (ior * ior);
+    [escape, 1.0 - escape]
 }
 
 impl Quantity for GgxCoat {
@@ -177,7 +188,7 @@ impl Quantity for GgxCoat {
     }
 
     fn outputs(&self) -> &'static [&'static str] {
-        &["K", "E_avg", "T_avg", "K_single", "error"]
+        &["escape", "K", "E_avg", "T_avg", "K_single", "error"]
     }
 
     fn choices(&self) -> &'static [Choice] {
@@ -192,8 +203,12 @@ impl Quantity for GgxCoat {
         SMALLEST_ALPHA
     }
 
+    fn uses(&self, column: &str) -> &'static [Use] {
+        if column == self.outputs()[0] { &[ESCAPE, Use::VALUE] } else { &[Use::VALUE] }
+    }
+
     fn remark(&self) -> &'static str {
-        "K from inside, where nothing is lost; T_avg and K_single of single scattering"
+        "escape = 1 - K from inside, where nothing is lost; T_avg and K_single of single scattering"
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -213,12 +228,13 @@ impl Quantity for GgxCoat {
             return Err(IntegrateError::Tolerance { quantity, place, reached, tolerance });
         }
         let [e, t, k] = values.map(|value| value.value);
-        Ok(vec![internal(e, x[1]), e, t, k, reached])
+        let [escape, internal] = internal(e, x[1]);
+        Ok(vec![escape, internal, e, t, k, reached])
     }
 
-    /// K and E_avg from an interpolant over the box of the points.
+    /// What is of E_avg alone, from an interpolant over the box of the points.
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
-        let few = asked.points.len() <= GRID * GRID;
+        let few = asked.points.len() <= GRID;
         if few || asked.tolerance < QUICK || asked.wants(&["T_avg", "K_single", "error"]) {
             return Ok(None);
         }
@@ -233,12 +249,13 @@ impl Quantity for GgxCoat {
         let known = Averages::new(smith, rough, hull(ior.iter().copied()))?;
         let one = |i: usize| {
             let e = match alpha[i] {
-                0.0 => self.at(asked.variant, &[0.0, ior[i]], asked.tolerance)?[1],
+                0.0 => self.at(asked.variant, &[0.0, ior[i]], asked.tolerance)?[2],
                 alpha => known.at(alpha, ior[i]),
             };
-            Ok([internal(e, ior[i]), e])
+            let [escape, internal] = internal(e, ior[i]);
+            Ok([escape, internal, e])
         };
-        let rows: Vec<[f64; 2]> = (0..alpha.len()).into_par_iter().map(one).collect::<Result<_, _>>()?;
+        let rows: Vec<[f64; 3]> = (0..alpha.len()).into_par_iter().map(one).collect::<Result<_, _>>()?;
         let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
         Ok(Some(Truth { columns, error: QUICK, evaluations: (GRID * GRID) as u64 }))
     }
@@ -252,8 +269,8 @@ impl Quantity for GgxCoat {
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let smith = variant.smith(self.name())?;
         let [e, t, k_single] = monte_carlo::coat(smith, x[0], x[1], run)?;
-        let scale = 1.0 / (x[1] * x[1]);
-        let k = Sampled { value: internal(e.value, x[1]), standard_error: scale * e.standard_error };
-        Ok(vec![k, e, t, k_single])
+        let standard_error = e.standard_error / (x[1] * x[1]);
+        let [escape, k] = internal(e.value, x[1]).map(|value| Sampled { value, standard_error });
+        Ok(vec![escape, k, e, t, k_single])
     }
 }

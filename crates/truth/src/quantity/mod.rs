@@ -20,7 +20,7 @@ mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
-pub use coat::GgxCoat;
+pub use coat::{ESCAPE, GgxCoat};
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
 pub use eon::EonSingle;
 pub use glass::GgxGlass;
