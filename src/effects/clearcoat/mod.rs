@@ -31,12 +31,9 @@ pub const PUBLISHED: [Entry; 3] = published![
 /// Least alpha of a job; below it is the smooth coat's value within 4e-6.
 const ALPHA_MIN: f64 = 4e-4;
 
-/// What is made of a fit's value, in WGSL.
+/// What is made of a fit's value, in WGSL, and its functions.
 const TEXT: &str = include_str!("coat.wgsl");
-
-/// Its functions.
-const NAMES: [&str; 2] = [BASE_SCALE, "coat_diffuse"];
-const BASE_SCALE: &str = "coat_base_scale";
+const NAMES: [&str; 2] = ["coat_base_scale", "coat_diffuse"];
 
 const FITS: ValueFits = ValueFits {
     quantity: &GgxCoat,
@@ -55,7 +52,7 @@ const FITS: ValueFits = ValueFits {
     table: None,
     around: Some(Around {
         print: functions,
-        then: Some(BASE_SCALE),
+        then: Some(NAMES[0]),
         said: |_| {
             Ok("coat_base_scale makes of it what the base keeps, coat_diffuse a reciprocal diffuse base."
                 .into())
