@@ -99,7 +99,6 @@ fn effect_text(effect: &Called) -> String {
         let _ = writeln!(out, "  because of {} more (--json names them)", effect.reasons.len() - shown);
     }
     for job in &effect.jobs {
-        let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
         let ranges: Vec<String> = job
             .ranges
             .iter()
@@ -108,7 +107,9 @@ fn effect_text(effect: &Called) -> String {
         let over = if ranges.is_empty() { String::new() } else { format!("over {}; ", ranges.join(", ")) };
         let _ = writeln!(
             out,
-            "    {over}{}; {}; about {:.1} s",
+            "  {}: {}; {over}{}; {}; about {:.1} s",
+            job.name,
+            job.approximation,
             job.limit(),
             bytes(job.bytes, job.bytes_at_most),
             job.seconds

@@ -6,6 +6,7 @@ use crate::data::Use;
 use crate::emit::compensation::{coloured, coloured_ops};
 use crate::emit::header;
 use lobefit_shade::code::{self, CodeError, Language};
+use lobefit_truth::quantity::Residual;
 
 /// The emitted fits in a language, each with its header; normalisations with their form for three
 /// channels where a material has a colour.
@@ -88,6 +89,7 @@ fn lines(fit: &Fit) -> Vec<String> {
     let what = match a.used_as {
         Use::NORMALISATION => "furnace error |E N - 1|",
         Use::F0_BLEND => "of f0 A + B, at the worst f0",
+        used_as if used_as.residual == Residual::Quotient => "relative",
         _ => "absolute",
     };
     let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));

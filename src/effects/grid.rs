@@ -123,3 +123,9 @@ pub fn at(points: Points, inputs: &[(&'static str, f64)]) -> Points {
         points.with(input, vec![f64::from(*value as f32); count])
     })
 }
+
+/// Where the other inputs stand in a picture: ` at ior 1.5`.
+pub fn at_text(shown: &[(&str, f64)]) -> String {
+    let at: Vec<String> = shown.iter().map(|(input, value)| format!("{input} {value}")).collect();
+    if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) }
+}

@@ -6,6 +6,7 @@ mod albedo;
 pub mod anisotropy;
 mod answer;
 mod called;
+pub mod clearcoat;
 mod code;
 mod containers;
 pub mod context;
@@ -52,6 +53,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &dielectric::Dielectric,
         &width::Width,
         &coupling::DiffuseCoupling,
+        &clearcoat::Clearcoat,
         &eon::Eon,
         &sheen::Sheen,
         &parallax::Parallax,

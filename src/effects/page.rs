@@ -1,10 +1,17 @@
 //! Parts of the pages of several effects.
 
 use super::BakeError;
+use super::context::Context;
+use super::grid;
 use super::selection::Selected;
-use crate::approximate::{Dropped, Fit};
-use crate::report::{Field, FitCurve, FitFinding, LeftOut};
+use crate::approximate::{Dropped, Fit, FitStageError, Region};
+use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FitFinding, LeftOut, Ruler};
 use lobefit_shade::code::{self, Language};
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{Quantity, Variant};
+
+/// Roughnesses of the curves of what has no view.
+const ROUGHNESSES: usize = 49;
 
 /// A fit with its formula, curves and map.
 ///
@@ -26,6 +33,32 @@ pub fn fit(
         curves,
         error,
     })
+}
+
+/// A column of a quantity without a view, and its fits, over the roughness of a region in even steps, where
+/// other inputs have one value each.
+///
+/// # Errors
+/// A truth that cannot be integrated; a formula of other inputs.
+pub fn over_roughness(
+    (quantity, column, variant): (&dyn Quantity, &str, Variant),
+    (region, shown): (&Region, &[(&'static str, f64)]),
+    fits: &[&Fit],
+    context: &Context,
+) -> Result<AverageFinding, BakeError> {
+    let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], ROUGHNESSES);
+    let mut points = Points::default();
+    roughness.values.iter().for_each(|r| region.push(&mut points, *r, 1.0));
+    let points = grid::at(points, shown);
+    context.memo.add(points.len());
+    let [truth] = quantity.truth(&variant, &points, &[column], quantity.tolerance(&variant))?.arrays();
+    let fit = |f: &&Fit| {
+        let values = f.values_for(&points, 1.0).map_err(FitStageError::from)?;
+        let values = values.into_iter().map(f64::from).collect();
+        Ok(AverageFit { name: f.approximation.name.clone(), values })
+    };
+    let fits = fits.iter().map(fit).collect::<Result<_, BakeError>>()?;
+    Ok(AverageFinding { name: column.to_string() + &grid::at_text(shown), truth, fits, roughness })
 }
 
 /// Hypotheses that have no reliable fit in the scene.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::explore::Exploring;
-use super::grid::Grid;
+use super::grid::{Grid, at_text};
 use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
@@ -25,7 +25,8 @@ pub(super) const IOR_WIDTH_MIN: f64 = 0.4;
 
 /// What is fitted and how its page shows it.
 pub struct ValueFits<'a> {
-    /// A quantity whose inputs are alpha, mu and those of `shown_at`.
+    /// A quantity whose inputs are alpha, mu if it has that, and those of `shown_at`. Formulas are fitted
+    /// for the first use of the column.
     pub quantity: &'static dyn Quantity,
     /// The side from which its light comes, of a quantity that has two.
     pub side: Option<Side>,
@@ -75,6 +76,7 @@ impl ValueFits<'_> {
     pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
         let (name, kind) = (&scene.materials[of].name, scene.materials[of].kind.name());
         let roughness = Span::roughness(roughness, scene.alpha);
+        let mu = self.has_mu().then(|| ("mu", Span::new(scene.mu)));
         Demand {
             job: self.of.into(),
             rank: 0,
@@ -83,9 +85,24 @@ impl ValueFits<'_> {
             name: name.clone(),
             field: format!("materials[{of}].{}", self.field),
             because: format!("{name}: {kind} {} (roughness {})", self.because, roughness.text()),
-            spans: BTreeMap::from([("roughness", roughness), ("mu", Span::new(scene.mu))]),
+            spans: [("roughness", roughness)].into_iter().chain(mu).collect(),
             goals,
         }
+    }
+
+    /// Whether it is a value of a view.
+    fn has_mu(&self) -> bool {
+        self.quantity.inputs().iter().any(|input| input.name == "mu")
+    }
+
+    fn used_as(&self) -> Use {
+        self.quantity.uses(self.column)[0]
+    }
+
+    /// The region of a job; without a view, mu is 1.
+    fn region(&self, job: &Job, scene: &Scene) -> Result<Region, BakeError> {
+        let mu = if self.has_mu() { job.range("mu")? } else { [1.0; 2] };
+        Ok(Region { roughness: job.range("roughness")?, mu, alpha_map: scene.alpha })
     }
 
     /// What a plan says of the jobs.
@@ -113,13 +130,13 @@ impl ValueFits<'_> {
             return Ok(made);
         }
         context.progress.stage(&format!("fits of {}", self.of));
-        let region = job.region(context.scene.alpha)?;
+        let region = self.region(job, context.scene)?;
         let FitSet { fits, dropped, nearest, .. } =
             approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.memo)?;
         let shown = self.shown(job)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
-        made.promised(job, (&fits, &nearest), self.of, Use::VALUE);
+        made.promised(job, (&fits, &nearest), self.of, self.used_as());
         if !made.broken.is_empty() {
             return Ok(made);
         }
@@ -149,7 +166,8 @@ impl ValueFits<'_> {
     /// The published formulas stand beside ours where the map of roughness is theirs.
     fn wanted<'a>(&'a self, job: &'a Job, scene: &Scene, region: &Region) -> Result<Wanted<'a>, BakeError> {
         let Region { roughness, mu, alpha_map } = *region;
-        let mut domain = BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]);
+        let mut domain = BTreeMap::from([("roughness".to_string(), roughness)]);
+        domain.extend(self.has_mu().then(|| ("mu".to_string(), mu)));
         for (input, _) in self.shown_at {
             domain.insert(input.to_string(), job.range(input)?);
         }
@@ -157,7 +175,7 @@ impl ValueFits<'_> {
             spec: TargetSpec {
                 quantity: self.quantity,
                 column: Some(self.column.into()),
-                used_as: Some(Use::VALUE),
+                used_as: Some(self.used_as()),
                 variant: self.variant(scene),
                 alpha_map,
                 domain,
@@ -203,6 +221,24 @@ impl ValueFits<'_> {
         (region, shown): (&Region, &[(&'static str, f64)]),
         (fits, dropped): (&[Fit], &[Dropped]),
     ) -> Result<Findings, BakeError> {
+        let tables = made.tables.iter().map(|table| &table.approximation);
+        let all = fits.iter().map(|fit| &fit.approximation);
+        let drawn =
+            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at_text(shown)) };
+        let chosen = selected(fits, self.column, self.used_as(), context);
+        let found = Findings {
+            effects: vec![made.part.finding.clone()],
+            left_out: page::left_out(dropped),
+            caption: self.caption.to_string() + &drawn,
+            approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
+            ..Findings::new(context.origin())
+        };
+        if !self.has_mu() {
+            let chosen: Vec<&Fit> = chosen.iter().map(|one| one.fit).collect();
+            let of = (self.quantity, self.column, self.variant(context.scene));
+            let averages = page::over_roughness(of, (region, shown), &chosen, context)?;
+            return Ok(Findings { averages: Some(averages), ..found });
+        }
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
         let finding = |one: &Selected| {
@@ -211,20 +247,11 @@ impl ValueFits<'_> {
             let curves = lines.lines(&along, &lines.values(one.fit, 1.0)?);
             page::fit(one, self.column.into(), curves, map.field(self.column, true, errors))
         };
-        let tables = made.tables.iter().map(|table| &table.approximation);
-        let all = fits.iter().map(|fit| &fit.approximation);
-        let chosen = selected(fits, self.column, Use::VALUE, context);
-        let drawn =
-            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at_text(shown)) };
         Ok(Findings {
-            effects: vec![made.part.finding.clone()],
-            left_out: page::left_out(dropped),
             truths: vec![map.field(self.column, false, truth.iter().copied())],
-            caption: self.caption.to_string() + &drawn,
             tables: made.tables.iter().filter_map(|t| table::finding(t, &made.part, Vec::new())).collect(),
-            approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
             fits: chosen.iter().map(finding).collect::<Result<_, BakeError>>()?,
-            ..Findings::new(context.origin())
+            ..found
         })
     }
 
@@ -269,10 +296,4 @@ impl ValueFits<'_> {
         let [column] = quantity.truth(&variant, points, &[self.column], tolerance)?.arrays();
         Ok(column)
     }
-}
-
-/// Where the other inputs stand in a picture: ` at ior 1.5`.
-fn at_text(shown: &[(&str, f64)]) -> String {
-    let at: Vec<String> = shown.iter().map(|(input, value)| format!("{input} {value}")).collect();
-    if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) }
 }

@@ -1,5 +1,5 @@
-//! What a material has beside its specular lobe: a diffuse base below it, a sheen layer above it,
-//! each with what is wanted of it.
+//! What a material has beside its specular lobe: a diffuse base below it, a coat and a sheen layer above
+//! it, each with what is wanted of it.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::goals::{Goals, Norms};
 use super::limits;
 use super::material::{Lobe, rough_part};
-use super::number::{ErrorLimit, In, Numbers, Ops, Span, Unit, Whole};
+use super::number::{ErrorLimit, GlassIor, In, Numbers, Ops, Span, Unit, Whole};
 use super::table::{OpenTable, TableWant, different};
 use super::value::{List, Maybe, Word, about, from_file};
 use crate::data::{AlphaMap, Serves};
@@ -163,3 +163,58 @@ impl TryFrom<SheenFile> for Sheen {
 }
 
 from_file!(Sheen, SheenFile);
+
+/// A dielectric coat above all else but the sheen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Coat {
+    /// Roughness range in [0, 1], lo <= hi; the scene's map makes alpha of it. 0 is a smooth coat.
+    pub roughness: [f64; 2],
+    /// Range of its index of refraction in [1, 3], lo <= hi.
+    pub ior: [f64; 2],
+    /// What the fits of the share that leaves must keep.
+    #[serde(flatten)]
+    pub goals: Goals,
+}
+
+/// The index of refraction of a coat that does not say: that of glTF's clear coat.
+const COAT_IOR: f64 = 1.5;
+
+/// A clear coat above a dielectric, as of car paint, smooth or rough. It calls for fits of the share of
+/// diffuse light from inside that leaves it, of which the darkening of the base below is made.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Coat")]
+#[serde(deny_unknown_fields, expecting = "an object that describes a coat")]
+struct CoatFile {
+    /// Roughness of the coat: a number, or the range [lo, hi] that the material's texture spans; default 0,
+    /// a smooth coat.
+    #[serde(default)]
+    roughness: Maybe<Span<Unit, true>>,
+    /// Index of refraction of the coat: a number, or a range [lo, hi]; default 1.5.
+    #[serde(default)]
+    ior: Maybe<Span<GlassIor, true>>,
+    /// Most operations that an emitted fit may take; default: any number.
+    #[serde(default)]
+    max_ops: Maybe<Whole<Ops>>,
+    /// Relative error of the share that at least one emitted fit within `max_ops` must meet, else the bake
+    /// fails; default: no limit.
+    #[serde(default)]
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Norms,
+}
+
+impl TryFrom<CoatFile> for Coat {
+    type Error = String;
+
+    fn try_from(file: CoatFile) -> Result<Self, String> {
+        Ok(Coat {
+            roughness: file.roughness.0.map_or([0.0; 2], |range| range.0),
+            ior: file.ior.0.map_or([COAT_IOR; 2], |range| range.0),
+            goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
+        })
+    }
+}
+
+from_file!(Coat, CoatFile);

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::goals::Goals;
-use super::layers::{Base, Sheen};
+use super::layers::{Base, Coat, Sheen};
 use super::limits::{EXACT_IOR, GLASS_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
@@ -81,6 +81,10 @@ pub struct Material {
     // Absent where there is none, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheen: Option<Sheen>,
+    /// Its coat, if it has one: of dielectrics.
+    // Absent where there is none, for the same reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coat: Option<Coat>,
     /// Its diffuse base, if it has one: of dielectrics.
     // Absent where there is none, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -116,6 +120,7 @@ impl Material {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
         let values = self.wants.exact_fresnel.iter_mut().chain(&mut self.wants.refracted_width);
         let fit = fit.chain(values.map(|value| &mut value.goals));
+        let fit = fit.chain(self.coat.iter_mut().map(|coat| &mut coat.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
     }
@@ -145,14 +150,14 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric
+// A diffuse base and a coat are a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric
 // either, glass `ior`. Tables with a third axis are for anisotropic materials and for glass, which
 // has neither anisotropy nor the approximations of lobes that only reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
         { "required": ["f0"], "properties": {
-            "kind": { "const": "metal" }, "base": false,
+            "kind": { "const": "metal" }, "base": false, "coat": false,
             "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "required": ["f0"], "properties": {
@@ -176,6 +181,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "ior": { "maximum": GLASS_IOR, "items": { "maximum": GLASS_IOR } },
                 "anisotropy": false,
                 "base": false,
+                "coat": false,
                 "wants": { "properties": { "fit": false, "exact_fresnel": false } },
             },
         },
@@ -232,6 +238,9 @@ struct MaterialFile {
     /// A sheen layer; without it, none.
     #[serde(default)]
     sheen: Maybe<Sheen>,
+    /// A clear coat of a dielectric, whose base is diffuse; without it, none.
+    #[serde(default)]
+    coat: Maybe<Coat>,
     /// The diffuse base of a dielectric; without it, none.
     #[serde(default)]
     base: Maybe<Base>,
@@ -265,11 +274,14 @@ impl TryFrom<MaterialFile> for Material {
                 format!("it is of dielectrics with an `ior` of at most {EXACT_IOR} and without anisotropy");
             return Err(about("wants.exact_fresnel", message));
         }
-        let (name, roughness, sheen, base) = (file.name.0, file.roughness.0, file.sheen.0, file.base.0);
-        if base.is_some() && kind != Kind::Dielectric {
-            return Err(format!("`base` is for dielectrics; leave it out of {}", of_kind(kind)));
+        let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
+        let (coat, base) = (file.coat.0, file.base.0);
+        for (layer, is_there) in [("base", base.is_some()), ("coat", coat.is_some())] {
+            if is_there && kind != Kind::Dielectric {
+                return Err(format!("`{layer}` is for dielectrics; leave it out of {}", of_kind(kind)));
+            }
         }
-        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, base, wants })
+        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, coat, base, wants })
     }
 }
 

@@ -26,7 +26,7 @@ fn all(json: &str) -> Baked {
 
 /// R of the lobe: the mean of F G2/G1 over visible normals (Heitz 2018, "Sampling the GGX Distribution
 /// of Visible Normals"), at the points of a lattice.
-fn reflected(smith: Smith, [alpha, mu, ior]: [f64; 3], points: usize) -> f64 {
+pub fn reflected(smith: Smith, [alpha, mu, ior]: [f64; 3], points: usize) -> f64 {
     let sine = (1.0 - mu * mu).sqrt();
     let view = [sine, 0.0, mu];
     let stretched = normalised([alpha * sine, 0.0, mu]);

@@ -14,6 +14,7 @@ mod furnace_support;
 #[path = "../lookup_support/mod.rs"]
 mod lookup_support;
 
+mod clearcoat;
 mod committed;
 mod coupling;
 mod dielectric;

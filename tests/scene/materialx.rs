@@ -111,6 +111,21 @@ fn lobes_of_models_become_materials() {
     assert_eq!(materials[0].roughness, [0.0; 2]);
 }
 
+#[test]
+fn coats_have_their_roughness_and_index() {
+    let of = |model: &str, inputs: &[(&str, &str)]| {
+        let (materials, _) = shader(model, inputs);
+        materials.last().and_then(|m| m.coat.as_ref()).map(|coat| [coat.roughness, coat.ior])
+    };
+    assert_eq!(of("open_pbr_surface", &[("coat_weight", "0.5")]), Some([[0.0; 2], [1.6; 2]]));
+    assert_eq!(of("standard_surface", &[("coat", "1"), ("coat_IOR", "1.3")]), Some([[0.1; 2], [1.3; 2]]));
+    let mixed = [("clearcoat", "1"), ("clearcoat_roughness", "0.3"), ("metallic", "0.5")];
+    assert_eq!(of("gltf_pbr", &mixed), Some([[0.3; 2], [1.5; 2]]));
+    assert_eq!(of("UsdPreviewSurface", &[("clearcoat", "1")]), Some([[0.01; 2], [1.5; 2]]));
+    assert_eq!(of("open_pbr_surface", &[("coat_roughness", "0.5")]), None);
+    assert_eq!(of("open_pbr_surface", &[("coat_weight", "1"), ("base_metalness", "1")]), None);
+}
+
 /// What this version lacks is told apart from how a file was read.
 #[test]
 fn what_a_scene_does_not_hold_is_said() {
@@ -121,7 +136,7 @@ fn what_a_scene_does_not_hold_is_said() {
             "{words}: {notes:?}"
         );
     };
-    said("open_pbr_surface", &[("coat_weight", "1")], About::Missing, "no coat over a base");
+    said("open_pbr_surface", &[("coat_weight", "1")], About::Missing, "darkening of the base, and neither");
     said("open_pbr_surface", &[("thin_film_weight", "1")], About::Missing, "no film");
     said("open_pbr_surface", &[("subsurface_weight", "1")], About::Missing, "subsurface");
     said("standard_surface", &[("diffuse_roughness", "1")], About::Reading, "EON's");

@@ -187,6 +187,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let based = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"base":{"albedo":[0.5,1,0],"specular":"single","max_ops":9,"norms":["max"]}}]}"#;
     let exact = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1,"wants":{"exact_fresnel":{"max_ops":47}}}]}"#;
     let refracted = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":1.5,"roughness":1,"wants":{"refracted_width":{"max_ops":4}}}]}"#;
+    let coated = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"coat":{"roughness":[0.1,1],"ior":1.6,"max_ops":8}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -228,6 +229,17 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"glass\"", "\"dielectric\""),
                 ("\"glass\",\"ior\":1.5", "\"metal\",\"f0\":1"),
                 ("\"max_ops\":4", "\"blend\":true"),
+            ],
+        ),
+        (
+            coated,
+            &[
+                ("[0.1,1]", "[0.1,1.5]"),
+                ("\"ior\":1.6", "\"ior\":0.5"),
+                ("\"ior\":1.6", "\"ior\":[1,3.5]"),
+                ("\"ior\":1.6", "\"f0\":0.04"),
+                ("\"dielectric\"", "\"metal\""),
+                ("\"dielectric\",\"f0\":0.04", "\"glass\",\"ior\":1.5"),
             ],
         ),
         (
@@ -334,6 +346,7 @@ fn it_names_and_describes_every_field() {
             "base",
             "blend",
             "buffer",
+            "coat",
             "cost",
             "count",
             "culling",
@@ -346,6 +359,7 @@ fn it_names_and_describes_every_field() {
             "grid",
             "hit",
             "hypotheses",
+            "ior",
             "ior",
             "kernel",
             "kind",
@@ -363,6 +377,8 @@ fn it_names_and_describes_every_field() {
             "max_error",
             "max_error",
             "max_error",
+            "max_error",
+            "max_ops",
             "max_ops",
             "max_ops",
             "max_ops",
@@ -379,6 +395,7 @@ fn it_names_and_describes_every_field() {
             "norms",
             "norms",
             "norms",
+            "norms",
             "passes",
             "path",
             "pick",
@@ -388,6 +405,7 @@ fn it_names_and_describes_every_field() {
             "refracted_width",
             "reports",
             "rho",
+            "roughness",
             "roughness",
             "roughness",
             "roughness",

@@ -54,6 +54,8 @@ pub(crate) struct Surface {
     pub dispersion: f64,
     /// Roughness of a sheen layer.
     pub sheen: Option<[f64; 2]>,
+    /// Roughness and index of refraction of a clear coat.
+    pub coat: Option<[[f64; 2]; 2]>,
 }
 
 impl Surface {
@@ -81,7 +83,9 @@ impl Surface {
                     own.push(("base", self.base()));
                 }
                 add("dielectric", own);
-            } else if is_opaque && (self.sheen.is_some() || self.base_roughness[1] > 0.0) {
+            } else if is_opaque
+                && (self.sheen.is_some() || self.coat.is_some() || self.base_roughness[1] > 0.0)
+            {
                 said.reading("it has no specular lobe: the scene has a smooth one, which calls for nothing");
                 add("dielectric", vec![("f0", json!(0)), ("roughness", json!(0)), ("base", self.base())]);
             }
@@ -90,6 +94,15 @@ impl Surface {
             match parts.iter_mut().rfind(|part| part.kind != "glass") {
                 Some(part) => part.fields.push(("sheen", json!({ "roughness": span(roughness) }))),
                 None => said.missing("sheen over glass: this version has none: it is left out"),
+            }
+        }
+        if let Some([roughness, ior]) = self.coat {
+            let coat = json!({ "roughness": span(roughness), "ior": span(ior) });
+            match parts.iter_mut().find(|part| part.kind == "dielectric") {
+                Some(part) => part.fields.push(("coat", coat)),
+                None => {
+                    said.missing("clear coat over no diffuse base: this version has none: it is left out")
+                }
             }
         }
         Parts { parts, said }

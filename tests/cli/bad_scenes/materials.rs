@@ -105,6 +105,14 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
             "materials[0]: `anisotropy` is for metals and dielectrics; leave it out of glass",
         ),
         case(
+            material(&format!(r#"{GLASS},"coat":{{}}"#)),
+            "materials[0]: `coat` is for dielectrics; leave it out of glass",
+        ),
+        case(
+            material(r#""kind":"dielectric","f0":0.04,"roughness":1,"coat":{"ior":3.5}"#),
+            "materials[0].coat.ior: 3.5 is outside [1, 3]",
+        ),
+        case(
             material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"refracted_width":{}}"#),
             "materials[0].wants.refracted_width: it is of glass, which refracts",
         ),

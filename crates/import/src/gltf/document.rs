@@ -183,7 +183,12 @@ macro_rules! extension {
 }
 
 extension!(Anisotropy { anisotropy_strength: Factor, anisotropy_texture: Maybe<Texture>, });
-extension!(Clearcoat { clearcoat_factor: Factor, clearcoat_texture: Maybe<Texture>, });
+extension!(Clearcoat {
+    clearcoat_factor: Factor,
+    clearcoat_texture: Maybe<Texture>,
+    clearcoat_roughness_factor: Factor,
+    clearcoat_roughness_texture: Maybe<Texture>,
+});
 extension!(DiffuseTransmission {
     diffuse_transmission_factor: Factor,
     diffuse_transmission_texture: Maybe<Texture>,

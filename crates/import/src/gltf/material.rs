@@ -73,6 +73,7 @@ fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Sur
         ior: [ior; 2],
         dispersion: with.dispersion.0.as_ref().map_or(0.0, |own| number(&own.dispersion, 0.0)),
         sheen: None,
+        coat: None,
     })
 }
 
@@ -112,6 +113,7 @@ fn of_glossiness(of: &Glossiness, look: &mut Look) -> Result<Surface, Wrong> {
         ior: [IOR; 2],
         dispersion: 0.0,
         sheen: None,
+        coat: None,
     })
 }
 
@@ -136,7 +138,7 @@ pub(crate) fn widths(roughness: f64, strength: f64) -> [f64; 2] {
     [across, across + (1.0 - across) * strength * strength]
 }
 
-/// Layers above and effects beside the lobes: the sheen, and what this version leaves out.
+/// Layers above and effects beside the lobes: sheen and coat, and what this version leaves out.
 fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(), Wrong> {
     if let Some(sheen) = &with.sheen.0
         && look.colour(rgb(&sheen.sheen_color_factor, 0.0), &sheen.sheen_color_texture)? != [0.0; 3]
@@ -147,6 +149,10 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
     if let Some(own) = &with.clearcoat.0
         && look.is_there("clear coat", number(&own.clearcoat_factor, 0.0), &own.clearcoat_texture, R)?
     {
+        let factor = number(&own.clearcoat_roughness_factor, 0.0);
+        let roughness =
+            look.range("roughness of the clear coat", factor, &own.clearcoat_roughness_texture, G)?;
+        surface.coat = Some([roughness, [IOR; 2]]);
         look.said.missing(COAT);
     }
     if let Some(own) = &with.iridescence.0
@@ -168,8 +174,7 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
 }
 
 /// What is said of a coat and of a film.
-pub(crate) const COAT: &str =
-    "clear coat: this version has no coat over a base: the base is planned as if it lay bare";
+pub(crate) const COAT: &str = "clear coat: this version has its darkening of the base, and neither its lobe nor how it widens the lobes below";
 pub(crate) const FILM: &str = "iridescence: its film changes f0 with the angle, and what is promised for an f0 is void there: this version has no film";
 
 /// A look at a material: its textures, and what is said of it.

@@ -44,8 +44,24 @@ impl Inputs<'_, '_, '_, '_, '_> {
         Ok(self.number::<NotNegative>(name, 0.0, 1.0)?[1] > 0.0)
     }
 
-    fn ior(&mut self, name: &str) -> Result<[f64; 2], SceneError> {
-        self.number::<Index>(name, 1.5, GLASS_IOR)
+    fn ior(&mut self, name: &str, default: f64) -> Result<[f64; 2], SceneError> {
+        self.number::<Index>(name, default, GLASS_IOR)
+    }
+
+    /// Roughness and index of refraction of a clear coat of a weight, if it is there; an index without a
+    /// name is the default.
+    fn coat(
+        &mut self,
+        weight: &str,
+        (roughness, default): (&str, f64),
+        (name, ior): (Option<&str>, f64),
+    ) -> Result<Option<[[f64; 2]; 2]>, SceneError> {
+        if !self.has(weight)? {
+            return Ok(None);
+        }
+        self.said.missing(COAT);
+        let ior = name.map_or(Ok([ior; 2]), |name| self.ior(name, ior))?;
+        Ok(Some([self.unit(roughness, default)?, ior]))
     }
 
     /// Khronos' dispersion of the smallest number of Abbe, whose spread is the largest: 20 is 1.
@@ -78,7 +94,7 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
     let specular = of.number::<NotNegative>("specular_weight", 1.0, 1.0)?[1];
     let tint = of.colour("specular_color", WHITE)?;
     let roughness = of.unit("specular_roughness", 0.3)?;
-    let ior = of.ior("specular_ior")?;
+    let ior = of.ior("specular_ior", 1.5)?;
     let strength = of.unit("specular_roughness_anisotropy", 0.0)?;
     let [_, scale] = of.unit("transmission_dispersion_scale", 0.0)?;
     let abbe = "transmission_dispersion_abbe_number";
@@ -90,7 +106,8 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
     if sheen.is_some() {
         of.said.missing("fuzz: this version has the Charlie sheen, another lobe, of the same roughness");
     }
-    of.lacks(&[("coat_weight", COAT), ("thin_film_weight", FILM), ("subsurface_weight", SUBSURFACE)])?;
+    let coat = of.coat("coat_weight", ("coat_roughness", 0.0), (Some("coat_ior"), 1.6))?;
+    of.lacks(&[("thin_film_weight", FILM), ("subsurface_weight", SUBSURFACE)])?;
     Ok(Surface {
         metalness,
         f0: scaled(base, specular.min(1.0)),
@@ -104,6 +121,7 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
         ior,
         dispersion: if scale > 0.0 { scale * of.dispersion(abbe, number) } else { 0.0 },
         sheen,
+        coat,
     })
 }
 
@@ -124,7 +142,7 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
     let specular = of.unit("specular", 1.0)?[1];
     let tint = of.colour("specular_color", WHITE)?;
     let roughness = of.unit("specular_roughness", 0.2)?;
-    let ior = of.ior("specular_IOR")?;
+    let ior = of.ior("specular_IOR", 1.5)?;
     let strength = of.unit("specular_anisotropy", 0.0)?;
     let extra = of.number::<Signed>("transmission_extra_roughness", 0.0, 1.0)?;
     // Abbe's number, and 0 for none.
@@ -136,7 +154,8 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
     // Its roughness is alpha.
     let sheen =
         sheen(of, ("sheen", "sheen_color"), ("sheen_roughness", 0.3))?.map(|range| range.map(f64::sqrt));
-    of.lacks(&[("coat", COAT), ("thin_film_thickness", FILM), ("subsurface", SUBSURFACE)])?;
+    let coat = of.coat("coat", ("coat_roughness", 0.1), (Some("coat_IOR"), 1.5))?;
+    of.lacks(&[("thin_film_thickness", FILM), ("subsurface", SUBSURFACE)])?;
     let base_roughness = of.unit("diffuse_roughness", 0.0)?;
     if base_roughness[1] > 0.0 {
         of.said
@@ -155,6 +174,7 @@ fn standard(of: &mut Inputs) -> Result<Surface, SceneError> {
         ior,
         dispersion: if largest > 0.0 { of.dispersion("transmission_dispersion", abbe) } else { 0.0 },
         sheen,
+        coat,
     })
 }
 
@@ -171,12 +191,13 @@ fn gltf(of: &mut Inputs) -> Result<Surface, SceneError> {
     let roughness = of.unit("roughness", 1.0)?;
     let specular = of.unit("specular", 1.0)?[1];
     let tint = of.colour("specular_color", WHITE)?;
-    let ior = of.ior("ior")?;
+    let ior = of.ior("ior", 1.5)?;
     let strength = of.unit("anisotropy_strength", 0.0)?;
     let dispersion = of.number::<NotNegative>("dispersion", 0.0, 1.0)?[1];
     let is_black = of.colour("sheen_color", BLACK)? == BLACK;
     let sheen = if is_black { None } else { Some(of.unit("sheen_roughness", 0.0)?) };
-    of.lacks(&[("clearcoat", COAT), ("iridescence", FILM)])?;
+    let coat = of.coat("clearcoat", ("clearcoat_roughness", 0.0), (None, 1.5))?;
+    of.lacks(&[("iridescence", FILM)])?;
     Ok(Surface {
         metalness,
         f0: colour,
@@ -190,6 +211,7 @@ fn gltf(of: &mut Inputs) -> Result<Surface, SceneError> {
         ior,
         dispersion,
         sheen,
+        coat,
     })
 }
 
@@ -198,10 +220,10 @@ fn usd_preview(of: &mut Inputs) -> Result<Surface, SceneError> {
     let colour = of.colour("diffuseColor", [0.18; 3])?;
     let has_f0 = of.is_on("useSpecularWorkflow")?;
     let roughness = of.unit("roughness", 0.5)?;
-    let ior = of.ior("ior")?;
+    let ior = of.ior("ior", 1.5)?;
     let opacity = of.unit("opacity", 1.0)?;
     let is_cut_out = of.has("opacityThreshold")?;
-    of.lacks(&[("clearcoat", COAT)])?;
+    let coat = of.coat("clearcoat", ("clearcoatRoughness", 0.01), (None, 1.5))?;
     Ok(Surface {
         metalness: if has_f0 { [0.0; 2] } else { of.unit("metallic", 0.0)? },
         f0: colour,
@@ -219,6 +241,7 @@ fn usd_preview(of: &mut Inputs) -> Result<Surface, SceneError> {
         ior,
         dispersion: 0.0,
         sheen: None,
+        coat,
     })
 }
 

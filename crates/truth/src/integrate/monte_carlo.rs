@@ -8,7 +8,7 @@
 
 mod lobes;
 
-pub use lobes::{aniso, glass, sobol};
+pub use lobes::{aniso, coat, glass, sobol};
 pub(crate) use lobes::{check_positive, refract, shadowing};
 
 use rand::{RngExt, SeedableRng};

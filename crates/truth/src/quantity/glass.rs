@@ -54,7 +54,7 @@ impl GgxGlass {
     ///
     /// # Errors
     /// As [`Quantity::at`].
-    fn reflected(
+    pub(super) fn reflected(
         &self,
         (smith, side): (Smith, Side),
         points: &Points,
@@ -78,7 +78,7 @@ impl GgxGlass {
     }
 
     /// The energies of both sides or of one, and the evaluations that they took.
-    fn energies(
+    pub(super) fn energies(
         &self,
         smith: Smith,
         only: Option<Side>,

@@ -6,6 +6,7 @@
 
 mod aniso;
 mod average;
+mod coat;
 pub mod coupling;
 pub mod eon;
 mod glass;
@@ -19,6 +20,7 @@ mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
+pub use coat::{ESCAPE, GgxCoat};
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
 pub use eon::EonSingle;
 pub use glass::GgxGlass;
@@ -380,7 +382,7 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 10] = [
+pub static QUANTITIES: [&dyn Quantity; 11] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
@@ -391,6 +393,7 @@ pub static QUANTITIES: [&dyn Quantity; 10] = [
     &BECKMANN_REFLECTION,
     &EonSingle,
     &RefractedWidth,
+    &GgxCoat,
 ];
 
 /// The quantity of a name.

@@ -1,6 +1,6 @@
 //! What the bake found out, for the report.
 
-use super::pictures::{Exact, averages};
+use super::pictures::Exact;
 use crate::approximate::{Dropped, Fit, Region};
 use crate::data::{Smith, Source, Use};
 use crate::effects::context::Context;
@@ -14,6 +14,7 @@ use crate::report::{
     self, ApproximationFinding, AverageFinding, Field, Findings, Furnace, Marked, Ruler, StudySeries,
     TableFinding,
 };
+use lobefit_truth::quantity::{GgxAverage, Quantity};
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;
@@ -131,7 +132,11 @@ fn average_finding(
     context: &Context,
 ) -> Result<Option<AverageFinding>, BakeError> {
     let ours: Vec<&Fit> = fits.iter().filter(|f| f.approximation.quantity == "ggx-average").collect();
-    if ours.is_empty() { Ok(None) } else { averages(smith, region, &ours, context).map(Some) }
+    if ours.is_empty() {
+        return Ok(None);
+    }
+    let of = (&GgxAverage as &dyn Quantity, "E_avg", smith.into());
+    page::over_roughness(of, (region, &[]), &ours, context).map(Some)
 }
 
 fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFinding> {

@@ -1,26 +1,20 @@
 //! Samples for the report's pictures: the truth and every approximation over a grid of roughness
 //! and mu.
 
-use crate::approximate::{Fit, FitStageError, Region};
+use crate::approximate::{Fit, Region};
 use crate::data::Smith;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
 use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, LookupPoints, error_map};
 use crate::effects::{Albedo, BakeError};
-use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
+use crate::report::{Field, FitCurve, FurnaceRow};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::reflection::TOLERANCE;
-use lobefit_truth::points;
-use lobefit_truth::quantity::{GgxAverage, Quantity};
 
 /// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];
 
 /// Roughness of the furnace's spheres.
 const SPHERES: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
-
-/// Roughnesses of the curves of the average.
-const AVERAGES: usize = 49;
 
 /// A grid with its truth.
 pub struct Exact {
@@ -135,29 +129,4 @@ impl Exact {
     fn row(&self, name: &str, values: Vec<f64>) -> FurnaceRow {
         FurnaceRow { name: name.into(), of: name.into(), factors: self.grid.by_roughness(&values) }
     }
-}
-
-/// E_avg and its fits over the roughness of a region, even steps.
-pub fn averages(
-    smith: Smith,
-    region: &Region,
-    fits: &[&Fit],
-    context: &Context,
-) -> Result<AverageFinding, BakeError> {
-    let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], AVERAGES);
-    let mut points = points::Points::default();
-    roughness.values.iter().for_each(|r| region.push(&mut points, *r, 1.0));
-    context.memo.add(points.len());
-    let [truth] = GgxAverage.truth(&smith.into(), &points, &["E_avg"], TOLERANCE)?.arrays();
-    let fit = |f: &&Fit| {
-        let values = f.values(&points).map_err(FitStageError::from)?;
-        let values = values.into_iter().map(f64::from).collect();
-        Ok(AverageFit { name: f.approximation.name.clone(), values })
-    };
-    Ok(AverageFinding {
-        name: "E_avg".into(),
-        truth,
-        fits: fits.iter().map(fit).collect::<Result<_, BakeError>>()?,
-        roughness,
-    })
 }

@@ -4,7 +4,7 @@
 use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
 use crate::integrate::IntegrateError;
 use crate::integrate::aniso::check as check_aniso;
-use crate::integrate::glass::{Side, check as check_glass};
+use crate::integrate::glass::{SMALLEST_MU, Side, check as check_glass};
 use crate::optics::Smith;
 use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
@@ -54,6 +54,21 @@ pub fn glass(
     };
     let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
     let means = replicas(run, |x| one_of_glass(smith, alpha, eta, view, x));
+    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+}
+
+/// Averages of `ggx-coat` at alpha in [1e-4, 1] and ior in [1, 4]: what is reflected from outside, what
+/// is transmitted, what is reflected from inside. The third coordinate draws the cosine, mu^2 uniform.
+pub fn coat(smith: Smith, alpha: f64, ior: f64, run: Run) -> Result<[Sampled; 3], IntegrateError> {
+    check_glass(alpha, 1.0, ior)?;
+    check_positive("ggx-coat", &[("alpha", alpha)])?;
+    check_samples(run)?;
+    let means = replicas(run, |x| {
+        let mu = x[2].sqrt().max(SMALLEST_MU);
+        let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
+        let [r, t, _] = one_of_glass(smith, alpha, 1.0 / ior, view, x);
+        [r, t, one_of_glass(smith, alpha, ior, view, x)[0]]
+    });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 

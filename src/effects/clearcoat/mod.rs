@@ -1,0 +1,136 @@
+//! The effect `clearcoat`: how a dielectric coat, smooth or rough, darkens the base below it by internal
+//! reflection. Quantity `ggx-coat`.
+
+use super::context::Context;
+use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
+use super::effect::Note;
+use super::value::{Around, IOR_WIDTH_MIN, ValueFits};
+use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
+use crate::approximate::target::Target;
+use crate::approximate::{Entry, Fit, own, published};
+use crate::scene::limits::EXACT_IOR;
+use crate::scene::{Material, Scene};
+use lobefit_shade::Source;
+use lobefit_shade::code::{CodeError, Language};
+use lobefit_truth::quantity::{ESCAPE, GgxCoat, Quantity};
+
+/// The effect.
+pub struct Clearcoat;
+
+/// The share of diffuse light from inside that leaves, of roughness and ior, by rising cost.
+pub const HYPOTHESES: [Entry; 5] =
+    own!["coat_escape_4", "coat_escape_8", "coat_escape_11", "coat_escape_13", "coat_escape_17"];
+
+/// 1 - K as published: measured and reported, not emitted.
+pub const PUBLISHED: [Entry; 3] = published![
+    "coat_escape_materialx" by "MaterialX 1.39, open_pbr_surface",
+    "coat_escape_egan" by "Egan and Hilgeman 1973, of a smooth surface",
+    "coat_escape_kulla" by "Kulla and Conty 2017, of a smooth surface",
+];
+
+/// Least alpha of a job; below it is the smooth coat's value within 4e-6.
+const ALPHA_MIN: f64 = 4e-4;
+
+/// What is made of a fit's value, in WGSL, and its functions.
+const TEXT: &str = include_str!("coat.wgsl");
+const NAMES: [&str; 2] = ["coat_base_scale", "coat_diffuse"];
+
+const FITS: ValueFits = ValueFits {
+    quantity: &GgxCoat,
+    side: None,
+    column: "escape",
+    own: &HYPOTHESES,
+    published: &PUBLISHED,
+    role: "coat_escape",
+    of: "coats",
+    field: "coat",
+    because: "with a coat",
+    caption: "",
+    curves: &[],
+    shown_at: &[("ior", 1.5)],
+    seconds: [1.0, 0.3],
+    table: None,
+    around: Some(Around {
+        print: functions,
+        then: Some(NAMES[0]),
+        calling: &[],
+        said: |_| {
+            Ok("coat_base_scale makes of it what the base keeps, coat_diffuse a reciprocal diffuse base."
+                .into())
+        },
+    }),
+};
+
+/// The functions about a fit, in a language.
+fn functions(language: Language, _: &Fit) -> Result<String, BakeError> {
+    let source = Source::parse("coat.wgsl", TEXT).map_err(CodeError::from)?;
+    let print = |name| Ok(format!("\n{}", source.print_documented(language, name)?));
+    NAMES.into_iter().map(print).collect()
+}
+
+impl Effect for Clearcoat {
+    fn name(&self) -> &'static str {
+        "clearcoat"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        let least = scene.alpha.roughness(ALPHA_MIN);
+        let demand = |(of, material): (usize, &Material)| {
+            let coat = material.coat.as_ref()?;
+            let [low, high] = coat.roughness;
+            let range = [low.max(least), high.max(least + ROUGHNESS_WIDTH_MIN)];
+            let mut demand = FITS.demand(scene, of, range, coat.goals.clone());
+            demand.spans.insert("ior", Span::at_least(coat.ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
+            Some(demand)
+        };
+        scene.materials.iter().enumerate().filter_map(demand).collect()
+    }
+
+    fn left_out(&self, _: &Scene) -> String {
+        "no material has a coat".into()
+    }
+
+    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        FITS.expects(jobs)
+    }
+
+    fn formulas(&self) -> Vec<&'static Entry> {
+        HYPOTHESES.iter().chain(&PUBLISHED).collect()
+    }
+
+    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
+        let suits = target.quantity.name() == GgxCoat.name() && target.used_as == ESCAPE;
+        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        NAMES.map(String::from).into()
+    }
+
+    fn prefixes(&self) -> &'static [&'static str] {
+        &[FITS.role]
+    }
+
+    fn sources(&self) -> Vec<&'static str> {
+        self.formulas().into_iter().map(|entry| entry.source).chain([TEXT]).collect()
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        ggx(scene)
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[(
+            &[FITS.role],
+            &[
+                "`coat_escape` is 1 - K: the share of a diffuse base's light that leaves a coat from inside, (1 - E_avg)/ior^2 with E_avg the coat's",
+                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain. The error is relative. The coat is taken for one",
+                "that loses nothing between facets.",
+            ],
+        )]
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        FITS.bake(called, context)
+    }
+}

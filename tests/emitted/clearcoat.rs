@@ -1,0 +1,133 @@
+//! The effect clearcoat: the emitted share in WGSL against sums over facets, what a white base sends back
+//! below a coat in a furnace, the files of four languages before their compilers, and the formulas beside
+//! what is published.
+#![allow(clippy::disallowed_methods)]
+
+use super::dielectric::reflected;
+use crate::emit_support;
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+use emit_support::example::{baked, certified, compiled, text};
+use lobefit::bake::Baked;
+use lobefit::data::Smith;
+use lobefit::effects::clearcoat::{HYPOTHESES, PUBLISHED};
+use lobefit_math::gauss::Gauss;
+use lobefit_shade::code::Language;
+use lobefit_shade::{Source, Tape};
+use lobefit_truth::quantity::{GgxCoat, Quantity};
+
+const SCENE: &str = include_str!("../../examples/lacquer.json");
+
+/// Every formula of the share over the indices of refraction of the example.
+static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
+    // Without a lobe below the coat, which has fits of its own.
+    let smooth = SCENE.replace(r#""roughness": [0.3, 0.6]"#, r#""roughness": 0"#);
+    baked(&smooth.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1))
+});
+
+/// One index of refraction, at the error that the furnace keeps.
+const PAINT: &str = r#"{ "schema_version": 1, "name": "paint", "reports": false, "languages": ["wgsl"], "materials": [
+    { "name": "coat", "kind": "dielectric", "ior": 1.5, "roughness": 0, "coat": { "roughness": [0.1, 1], "max_error": 0.001 } }] }"#;
+
+/// Cosines of lights and views.
+const NODES: usize = 12;
+
+/// 2 int f mu dmu over the hemisphere.
+fn average(f: impl Fn(f64) -> f64) -> f64 {
+    Gauss::new(NODES).integrate(0.0, 1.0, |mu| 2.0 * mu * f(mu))
+}
+
+/// The albedo of a coat's lobe by facets.
+fn lobe(roughness: f64, mu: f64, ior: f64) -> f64 {
+    reflected(Smith::Correlated, [roughness * roughness, mu, ior], 1 << 11)
+}
+
+#[test]
+fn the_emitted_share_is_that_of_facets_within_its_promise() {
+    let mut places = Vec::new();
+    for roughness in [0.05, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0] {
+        places.extend([1.1, 1.2, 1.33, 1.5, 1.8, 2.2, 2.5].map(|ior| [roughness, 1.0, ior]));
+    }
+    let share =
+        |[roughness, _, ior]: &[f64; 3]| (1.0 - average(|mu| lobe(*roughness, mu, *ior))) / (ior * ior);
+    let truths: Vec<f64> = places.iter().map(share).collect();
+    certified(&LACQUER, HYPOTHESES.len(), (&places, &truths), 5e-4, 0.6);
+}
+
+/// A function of an emitted text, its first channel where that has several.
+fn function(source: &Source, name: &str) -> impl Fn(&[(&str, f64)]) -> f64 + use<> {
+    let tape: Tape = source.tape(name, 0).expect("a function");
+    move |given| {
+        let of = |input: &String| {
+            let found = given.iter().find(|(name, _)| input.starts_with(name));
+            found.unwrap_or_else(|| panic!("{input} is not given")).1 as f32
+        };
+        f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+    }
+}
+
+/// The reciprocal base and the coat's own lobe send back all light within 1e-3. The base that is scaled keeps
+/// what the lobe leaves, to rounding.
+#[test]
+fn a_white_base_is_white_below_a_coat() {
+    let paint = baked(PAINT);
+    let source = Source::parse("lobefit.wgsl", &text(&paint, Language::Wgsl)).expect("it parses");
+    let of = |name: &str| function(&source, name);
+    let (share, scale, diffuse) = (of("coat_escape"), of("coat_base_scale"), of("coat_diffuse"));
+    let mut worst = 0.0_f64;
+    for roughness in [0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0] {
+        let escape = share(&[("roughness", roughness), ("ior", 1.5)]);
+        for mu in [0.02, 0.1, 0.3, 0.6, 1.0] {
+            let e_v = lobe(roughness, mu, 1.5);
+            let sent = average(|mu_l| {
+                let e_l = lobe(roughness, mu_l, 1.5);
+                let given = [("albedo", 1.0), ("ior", 1.5), ("e_v", e_v), ("e_l", e_l), ("escape", escape)];
+                PI * diffuse(&given)
+            });
+            worst = worst.max((e_v + sent - 1.0).abs());
+            let kept = scale(&[("albedo", 1.0), ("e_v", e_v), ("escape", escape)]);
+            assert!((e_v + kept - 1.0).abs() < 1e-6, "{roughness} {mu}: {kept}");
+            let grey = scale(&[("albedo", 0.5), ("e_v", 0.0), ("escape", escape)]);
+            assert!((grey - escape / (1.0 - 0.5 * (1.0 - escape))).abs() < 1e-6, "{roughness}: {grey}");
+        }
+    }
+    println!("{worst:e}");
+    assert!(worst < 1e-3, "{worst}");
+}
+
+#[test]
+fn compilers_take_the_files() {
+    compiled(&LACQUER);
+}
+
+/// The table of docs/scene.md.
+#[test]
+fn ours_beat_what_is_published() {
+    let page = include_str!("../../docs/scene.md");
+    let (mut ours, mut theirs) = (f64::INFINITY, f64::INFINITY);
+    for fit in &LACQUER.fits {
+        let a = &fit.approximation;
+        let (ops, error) = (a.cost.ops, a.certificate.max_abs);
+        let [max, rms] = [error, a.certificate.rms].map(|error| lobefit_shade::round_up(error, 4));
+        let row = format!("| `{}` | {ops} | {max} | {rms} |", a.name);
+        println!("{row}");
+        assert!(page.contains(&row), "docs/scene.md has no row {row}");
+        let least = if fit.emitted { &mut ours } else { &mut theirs };
+        *least = least.min(error);
+    }
+    assert_eq!(LACQUER.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
+    assert!(ours < 0.05 * theirs, "{ours} {theirs}");
+}
+
+/// The truth on the page.
+#[test]
+fn the_page_states_the_truth() {
+    let page = include_str!("../../docs/scene.md");
+    for rough in [0.0, 0.2, 0.4, 0.7, 1.0_f64] {
+        let v = GgxCoat.at(&Smith::Correlated.into(), &[rough * rough, 1.5], 1e-6).expect("in the domain");
+        let row = format!("| {rough} | {:.3} | {:.3} |", v[0], v[3] / 2.25);
+        assert!(page.contains(&row), "docs/scene.md has no row {row}");
+    }
+}
