@@ -177,14 +177,12 @@ pub struct AxisEntry {
 /// Errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TableError {
-    /// Largest error of what it was made from and judged against: the worst difference from direct
-    /// integrals at a fixed sample, or the tolerance of integrals that are direct themselves. No
-    /// more than that is known of places between the samples.
+    /// Largest error of what it was made from and judged against: the worst difference from direct integrals
+    /// at a fixed sample, of which places between them may be more off, or the tolerance of direct integrals.
     pub integration: f64,
     /// Largest change of a texel by rounding to the format.
     pub quantisation: f64,
-    /// Bilinear lookup, or trilinear where there are slices, of the quantised texels against the
-    /// truth, f32 weights.
+    /// Lookup (bilinear, of slices trilinear) of the quantised texels against the truth, f32 weights.
     pub lookup: LookupEntry,
     /// The same with weights of 8 fractional bits.
     pub lookup_8_bit_weights: LookupEntry,
@@ -272,8 +270,7 @@ pub struct AnyF0Entry {
     pub looked_at: String,
 }
 
-/// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the
-/// best width in every cell.
+/// Total variation of a fit, and of the best width in every cell, over cells that are not saturated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VariationEntry {
     /// Where the shading point is nearer than the probe, rho < 1; none without such cells.
@@ -435,13 +432,12 @@ impl TableEntry {
 
     /// The entry of a table that lies in these files.
     pub fn in_files(self, files: Vec<String>) -> TableEntry {
-        let file = files.first().cloned().unwrap_or_default();
-        TableEntry { file, files, ..self }
+        TableEntry { file: files.first().cloned().unwrap_or_default(), files, ..self }
     }
 
     /// The entry of a table with this lookup.
     pub fn read_by(self, function: &str, inputs: &[&str]) -> TableEntry {
-        let inputs = inputs.iter().map(ToString::to_string).collect();
+        let inputs = inputs.iter().map(|name| (*name).into()).collect();
         TableEntry { function: function.into(), inputs, ..self }
     }
 }
