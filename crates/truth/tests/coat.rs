@@ -10,7 +10,7 @@ use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo::sobol;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GgxCoat, GgxGlass, Quantity, Variant};
+use lobefit_truth::quantity::{GGX_REFLECTION, GgxCoat, GgxGlass, Quantity, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -42,12 +42,15 @@ fn outside(smith: Smith, [alpha, ior, mu]: [f64; 3]) -> [f64; 2] {
     [v[0], v[1]]
 }
 
-/// A layered surface: alpha and ior of the coat, albedo of the base.
+/// A layered surface: alpha and ior of the coat, and the base.
 #[derive(Clone, Copy, Debug)]
 struct Layers {
     alpha: f64,
     ior: f64,
+    /// Of Lambert's lobe, or the reflectance of facets.
     albedo: f64,
+    /// Alpha of a base of facets.
+    metal: Option<f64>,
 }
 
 /// What a facet does with a ray.
@@ -127,7 +130,17 @@ impl Layers {
         }
     }
 
-    /// What the base sends up of a ray.
+    /// What the base sends up of light from w, and its weight but for the albedo.
+    fn base(&self, w: Vector, random: &mut Pcg64) -> Option<(Vector, f64)> {
+        let Some(alpha) = self.metal else { return Some((Layers::diffuse(random), 1.0)) };
+        let facets = Layers { alpha, ..*self };
+        let normal = facets.visible_normal(w, random);
+        let light = [0, 1, 2].map(|i| 2.0 * dot(w, normal) * normal[i] - w[i]);
+        let of_view = facets.lambda(w[2]);
+        (light[2] > 0.0).then(|| (light, (1.0 + of_view) / (1.0 + of_view + facets.lambda(light[2]))))
+    }
+
+    /// Light in proportion to its cosine.
     fn diffuse(random: &mut Pcg64) -> Vector {
         let (u, turn): (f64, f64) = (random.random(), TAU * random.random::<f64>());
         let s = u.sqrt();
@@ -138,20 +151,24 @@ impl Layers {
     fn walk(&self, w: Vector, is_single: bool, random: &mut Pcg64) -> f64 {
         let (mut w, mut weight, mut is_above) = (w, 1.0, true);
         while weight > 1e-5 {
-            let leaves_above = if is_single {
+            let (leaves_above, ray) = if is_single {
                 let eta = if is_above { 1.0 / self.ior } else { self.ior };
                 let Some((met, kept)) = self.single(w, eta, random) else { return 0.0 };
                 weight *= kept;
-                matches!(met, Met::Reflected(_)) == is_above
+                let is_reflected = matches!(met, Met::Reflected(_));
+                let (Met::Reflected(ray) | Met::Refracted(ray)) = met;
+                (is_reflected == is_above, if is_above { ray } else { scaled(ray, -1.0) })
             } else {
-                // The base's light is mirrored, so that its own side is above.
-                self.multiple(w, is_above, random).1
+                let (ray, leaves_above) = self.multiple(w, is_above, random);
+                (leaves_above, ray)
             };
             if leaves_above {
                 return weight;
             }
-            weight *= self.albedo;
-            (w, is_above) = (Layers::diffuse(random), false);
+            let Some((light, kept)) = self.base(scaled(ray, -1.0), random) else { return 0.0 };
+            weight *= self.albedo * kept;
+            // The ray's own side is above: there it comes from where it goes.
+            (w, is_above) = (light, false);
         }
         0.0
     }
@@ -187,7 +204,7 @@ fn a_layered_walk_of_single_scattering_agrees() {
     let mut seen = 0;
     for alpha in [0.02, 0.2, 0.6, 1.0] {
         for (ior, albedo) in [(1.1, 0.5), (1.5, 0.2), (1.5, 1.0), (2.4, 0.9)] {
-            let layers = Layers { alpha, ior, albedo };
+            let layers = Layers { alpha, ior, albedo, metal: None };
             for mu in [0.1, 0.5, 1.0] {
                 let [found, error] = layers.albedo(mu, true, 1 << 13);
                 let [model, _] = layers.models(mu);
@@ -208,7 +225,7 @@ fn the_model_that_loses_nothing_is_near_a_walk_on_facets() {
     let mut worst = (0.0, String::new());
     for alpha in [0.1, 0.4, 1.0] {
         for (ior, albedo) in [(1.1, 0.5), (1.5, 0.2), (1.5, 0.8), (2.0, 0.2), (2.5, 0.5)] {
-            let layers = Layers { alpha, ior, albedo };
+            let layers = Layers { alpha, ior, albedo, metal: None };
             for mu in [0.1, 0.3, 1.0] {
                 let [found, error] = layers.albedo(mu, false, 1 << 13);
                 let [single, model] = layers.models(mu);
@@ -225,9 +242,31 @@ fn the_model_that_loses_nothing_is_near_a_walk_on_facets() {
         }
     }
     println!("{worst:?}");
-    let white = Layers { alpha: 1.0, ior: 2.5, albedo: 1.0 };
+    let white = Layers { alpha: 1.0, ior: 2.5, albedo: 1.0, metal: None };
     let (walked, [single, _]) = (white.albedo(1.0, false, 1 << 8)[0], white.models(1.0));
     assert!((walked - 1.0).abs() < 1e-12 && (0.16..0.17).contains(&single), "{walked} {single}");
+}
+
+/// Seen face on a metal below a nearly smooth coat keeps more of what it sends back bare than a diffuse base
+/// of its albedo, so that a scene has no coat of metals: the figures of `docs/scene.md`.
+#[test]
+fn a_metal_keeps_more_than_a_diffuse_base() {
+    let of = |metal: Option<f64>| {
+        let layers = Layers { alpha: 1e-3, ior: 1.5, albedo: 0.6, metal };
+        let [found, error] = layers.albedo(1.0, false, 1 << 16);
+        let [r, _] = outside(Smith::Correlated, [layers.alpha, layers.ior, 1.0]);
+        assert!(error < 2e-3, "{metal:?}: {error}");
+        let e = |alpha: f64| GGX_REFLECTION.at(&Smith::Correlated.into(), &[alpha, 1.0], 1e-6).expect("E")[0];
+        (found - r) / (layers.albedo * metal.map_or(1.0, e))
+    };
+    for (roughness, kept) in [(0.2, 0.94), (0.4, 0.84), (0.6, 0.66)] {
+        let found = of(Some(roughness * roughness));
+        println!("{roughness}: {found}");
+        assert!((found - kept).abs() < 0.02, "{roughness}: {found}");
+    }
+    let found = of(None);
+    println!("{found}");
+    assert!((found - 0.6).abs() < 0.02, "{found}");
 }
 
 /// F_avg of a smooth interface in closed form (Walsh 1926; Duntley 1942).
