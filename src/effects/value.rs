@@ -13,6 +13,7 @@ use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::{Arguments, Use};
+use crate::emit::call::{self, How};
 use crate::report::explore::Drawn;
 use crate::report::{ApproximationFinding, Findings};
 use crate::scene::{Goals, Scene};
@@ -63,8 +64,8 @@ pub struct ValueFits<'a> {
 pub struct Around {
     /// Their text in a language.
     pub print: fn(Language, &Fit) -> Result<String, BakeError>,
-    /// The function that takes the value of the fit, where no function calls the fit itself.
-    pub then: Option<&'static str>,
+    /// The functions that take the value of the fit, the one to take first.
+    pub taking: &'static [&'static str],
     /// The functions that call the fit.
     pub calling: &'static [&'static str],
     /// What the card of the fit says of them; empty where there are none.
@@ -156,7 +157,12 @@ impl ValueFits<'_> {
         self.explored(&mut made, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
         if let Some((of, fit)) = around {
-            made.part.entries.calls.iter_mut().for_each(|call| call.then = of.then.map(String::from));
+            let others =
+                || of.taking.iter().skip(1).map(|name| call::Around::new(name.to_string(), How::TakesValue));
+            for call in &mut made.part.entries.calls {
+                call.then = of.taking.first().map(ToString::to_string);
+                call.around.extend(others());
+            }
             made.called_within(fit.hypothesis.name(), of.calling.iter().map(ToString::to_string));
         }
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;

@@ -52,7 +52,7 @@ const FITS: ValueFits = ValueFits {
     table: None,
     around: Some(Around {
         print: functions,
-        then: Some(NAMES[0]),
+        taking: &NAMES,
         calling: &[],
         said: |_| {
             Ok("coat_base_scale makes of it what the base keeps, coat_diffuse a reciprocal diffuse base."

@@ -39,7 +39,7 @@ const FITS: ValueFits = ValueFits {
     shown_at: &[],
     seconds: [0.3, 0.1],
     table: None,
-    around: Some(Around { print: lobe::in_language, then: None, calling: &[lobe::BRDF], said: lobe::said }),
+    around: Some(Around { print: lobe::in_language, taking: &[], calling: &[lobe::BRDF], said: lobe::said }),
 };
 
 /// The base's roughness, if it is rough and sends back light.

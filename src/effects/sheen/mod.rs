@@ -39,7 +39,7 @@ const FITS: ValueFits = ValueFits {
     table: None,
     around: Some(Around {
         print: scale,
-        then: Some(BASE_SCALE),
+        taking: &[BASE_SCALE],
         calling: &[],
         said: |_| Ok("sheen_base_scale makes of it what the layers below keep.".into()),
     }),
