@@ -67,7 +67,8 @@ impl<'a> Prepared<'a> {
     /// What a result for a formula depends on.
     fn key(&self, kind: &'static str, hypothesis: &Hypothesis) -> Key {
         let target = format!("{:?} {:?} {:?}", self.target, hypothesis.float(), hypothesis.inputs());
-        Key::of(kind).with(&target).with(hypothesis.file()).with(hypothesis.source())
+        let texts = [hypothesis.file(), hypothesis.name(), hypothesis.source()];
+        texts.into_iter().fold(Key::of(kind).with(&target), Key::with)
     }
 
     /// Coefficients that are proven, and where they keep what they must.

@@ -17,6 +17,7 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
         tool: context.recipe.tool.clone(),
         scene: context.recipe.scene.clone(),
         made_from: serde_json::to_value(context.scene)?,
+        command: context.recipe.command.clone(),
         recipe: context.recipe.hash.clone(),
         effects: parts.iter().map(|part| part.finding.clone()).collect(),
         entries: Entries::default(),

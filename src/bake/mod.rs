@@ -18,7 +18,7 @@ use crate::approximate::{Fit, Memo};
 pub use crate::effects::BakeError;
 pub use crate::effects::context::{Context, Progress, Silent, UserHypothesis};
 pub use crate::effects::table::BakedTable;
-use crate::effects::{Called, Made, Part};
+use crate::effects::{Called, Made, Part, catalogue};
 use crate::emit::call::Call;
 use crate::emit::manifest::FitLeftOut;
 use crate::plan::Plan;
@@ -37,8 +37,8 @@ pub struct Baked {
     pub files: Files,
     /// Promises of the scene that were not kept, each a sentence.
     pub broken: Vec<String>,
-    /// Truths that were integrated, or interpolated from integrals for the texels of tables of
-    /// three axes.
+    /// Truths that were integrated, or interpolated from integrals for the texels of tables of three axes;
+    /// none of what a cache had.
     pub truths: u64,
     /// Tables, of the effects that were computed.
     pub tables: Vec<BakedTable>,
@@ -70,7 +70,7 @@ pub struct Selection<'a> {
     /// Parts of the others that are there already.
     pub kept: Vec<Part>,
     /// Where results that were made once are found, and new ones are put: fits, certificates, truths and
-    /// texels. The effects must be this package's: of others the code is not known.
+    /// texels. It is not looked at where an effect is not this package's, whose code is not known.
     pub cache: Option<&'a Cache>,
     /// Whether effects whose every input is as before are taken whole from the cache: their tables and
     /// fits are among the files then, and not in [`Baked::tables`] and [`Baked::fits`].
@@ -106,6 +106,8 @@ pub fn context<'a>(
     progress: &'a dyn Progress,
 ) -> Result<Context<'a>, BakeError> {
     names::check(plan, hypotheses)?;
+    // Of effects from outside the code is not known that results are named by.
+    let is_known = plan.effects.iter().all(|called| catalogue().contains(&called.by));
     let recipe = recipe(scene, plan, hypotheses)?;
     let effects = plan.effects.iter().map(|called| called.effect);
     let explore = plan.effects.iter().any(|called| called.by.is_explored()).then_some("explore");
@@ -114,7 +116,7 @@ pub fn context<'a>(
         .chain(effects)
         .map(|page| (page.into(), format!("{page}.html")));
     let pages = pages.collect();
-    Ok(Context { scene, hypotheses, recipe, memo: Memo::new(cache), pages, progress })
+    Ok(Context { scene, hypotheses, recipe, memo: Memo::new(cache.filter(|_| is_known)), pages, progress })
 }
 
 /// The work of effects. The end of each effect's work, where its own parts have run dry, overlaps

@@ -8,7 +8,7 @@ use crate::scene::Scene;
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
-/// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis,
+/// The recipe of a scene: the hash covers the tool's version, the command, the scene and every hypothesis,
 /// compiled in or the user's.
 pub fn recipe(
     scene: &Scene,
@@ -16,18 +16,6 @@ pub fn recipe(
     hypotheses: &[UserHypothesis],
 ) -> Result<Recipe, serde_json::Error> {
     let scene_hash = scene.hash()?;
-    let mut hasher = blake3::Hasher::new();
-    let mut add = |text: &str| {
-        hasher.update(&(text.len() as u64).to_le_bytes());
-        hasher.update(text.as_bytes());
-    };
-    add(TOOL);
-    add(&scene_hash);
-    plan.catalogue.iter().flat_map(|effect| effect.sources()).for_each(&mut add);
-    for hypothesis in hypotheses {
-        add(&hypothesis.file);
-        add(&hypothesis.source);
-    }
     let mut built_in = Scene::built_in().ok();
     built_in.iter_mut().for_each(|built_in| built_in.output.reports = scene.output.reports);
     let named = match &scene.made_of {
@@ -35,10 +23,19 @@ pub fn recipe(
         made_of => format!(" {}", made_of.as_deref().unwrap_or("SCENE.json")),
     };
     let pages = if scene.output.reports { "" } else { " --no-reports" };
-    Ok(Recipe {
-        command: format!("lobefit bake{named}{pages}"),
-        tool: TOOL.into(),
-        scene: scene_hash,
-        hash: hasher.finalize().to_hex().to_string(),
-    })
+    let command = format!("lobefit bake{named}{pages}");
+    let mut hasher = blake3::Hasher::new();
+    let mut add = |text: &str| {
+        hasher.update(&(text.len() as u64).to_le_bytes());
+        hasher.update(text.as_bytes());
+    };
+    add(TOOL);
+    add(&command);
+    add(&scene_hash);
+    plan.catalogue.iter().flat_map(|effect| effect.sources()).for_each(&mut add);
+    for hypothesis in hypotheses {
+        add(&hypothesis.file);
+        add(&hypothesis.source);
+    }
+    Ok(Recipe { command, tool: TOOL.into(), scene: scene_hash, hash: hasher.finalize().to_hex().to_string() })
 }

@@ -11,8 +11,8 @@ Examples:
   lobefit cache         where the cache is, and what it holds
   lobefit cache clear   remove everything in it
 
-`lobefit bake` keeps what each effect made, by a hash of all that determines it: scene, formulas, the code of lobefit itself. Files are the
-same with the cache and without (--no-cache). It lies in the folder that LOBEFIT_CACHE names, else in lobefit/ among the system's caches,
+`lobefit bake` keeps what each effect made, and its fits, certificates, truths and texels, each by a hash of all that determines it: the code
+of lobefit itself among it. Files are the same with the cache and without (--no-cache). It lies in the folder that LOBEFIT_CACHE names, else in lobefit/ among the system's caches,
 and holds 1 GiB at most; what was read longest ago goes first.";
 
 /// Options of `cache`.

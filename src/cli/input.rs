@@ -150,7 +150,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     };
     let text = text(path, &option.textures)?;
     let mut scene = parsed(&text)?;
-    scene.made_of = text.is_foreign.then(|| in_command(path, &option.textures));
+    scene.made_of = text.ending.map(|ending| in_command(path, ending, &option.textures));
     let Text { name, folder, notes, .. } = text;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
@@ -172,8 +172,8 @@ pub(super) struct Text {
     pub name: String,
     /// Where the files are that it names.
     folder: PathBuf,
-    /// Whether it was made from a foreign file.
-    pub is_foreign: bool,
+    /// How names of such files end, where it was made from a foreign one.
+    pub ending: Option<&'static str>,
     /// What that file says that the scene does not hold.
     pub notes: Vec<Note>,
 }
@@ -197,25 +197,24 @@ pub(super) fn text(path: &Path, images: &TexturesOption) -> Result<Text, CliErro
         if images.textures {
             return Err(no_images(&name));
         }
-        return Ok(Text { bytes, name, folder, is_foreign: false, notes: Vec::new() });
+        return Ok(Text { bytes, name, folder, ending: None, notes: Vec::new() });
     };
     let files = Beside { path, bytes: &bytes, folder: &folder };
     let mut textures = images.textures.then(|| Textures::new(&files, images.quantile.unwrap_or(0.0)));
     let Imported { json, notes } = format.read(&bytes, &name, textures.as_mut())?;
-    Ok(Text { bytes: json.into_bytes(), name, folder, is_foreign: true, notes })
+    let ending = Some(format.ending(&bytes));
+    Ok(Text { bytes: json.into_bytes(), name, folder, ending, notes })
 }
 
 /// A foreign file as the header of a baked file names it in its command: without its folder, with the
 /// options that change what is read of it.
-fn in_command(path: &Path, images: &TexturesOption) -> String {
+fn in_command(path: &Path, ending: &str, images: &TexturesOption) -> String {
     // Headers are lines of comments, and a shell reads the command.
     let plain = |name: &&str| {
         !name.starts_with('-') && name.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
     };
     let name = path.file_name().and_then(|name| name.to_str()).filter(plain);
-    let ending = path.extension().and_then(|ending| ending.to_str()).filter(plain);
-    let mut command =
-        name.map_or_else(|| format!("SCENE.{}", ending.unwrap_or("glb")), |name| name.to_string());
+    let mut command = name.map_or_else(|| format!("SCENE.{ending}"), |name| name.to_string());
     if images.textures {
         command += " --textures";
     }
@@ -315,12 +314,12 @@ mod tests {
             TexturesOption { textures: false, quantile: None },
             TexturesOption { textures: true, quantile: Some(0.01) },
         );
-        let named = |path: &str, images| in_command(Path::new(path), images);
+        let named = |path: &str, images| in_command(Path::new(path), "gltf", images);
         assert_eq!(named("art/room-2.glb", &plain), "room-2.glb");
         assert_eq!(named("room.mtlx", &images), "room.mtlx --textures --quantile 0.01");
         for hostile in ["a\nb.gltf", "-x.gltf", "a;b.gltf", "a b.gltf", "ä.gltf"] {
             assert_eq!(named(hostile, &plain), "SCENE.gltf");
         }
-        assert_eq!(named("-", &plain), "SCENE.glb");
+        assert_eq!(in_command(Path::new("-"), "mtlx", &plain), "SCENE.mtlx");
     }
 }

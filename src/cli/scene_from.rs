@@ -30,7 +30,7 @@ pub(super) struct Options {
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let text = input::text(&options.file, &options.textures)?;
-    if !text.is_foreign {
+    if text.ending.is_none() {
         return Err(CliError::Usage(format!("{}: {ENDINGS} is called for", text.name)));
     }
     // It is one that every verb takes.

@@ -143,17 +143,17 @@ impl Made {
         let text = self.part.code.values().next().map_or("", String::as_str);
         let declared = |function: &str| include::call(text, function).map(|declared| declared.arguments);
         for call in &mut calls {
-            let unknown = || BakeError::Internal(format!("{} is no function of the manifest", call.function));
+            let unknown = || BakeError::Internal(format!("{} is not declared in fits/", call.function));
             let own = self.part.entries.arguments(&call.function);
             call.arguments = own.or_else(|| declared(&call.function)).ok_or_else(unknown)?;
             // Of a compensation the function of colours and that of the factor.
             let takers = call.then.iter().flat_map(|then| [then.clone(), format!("{then}_factor")]);
-            call.around.extend(takers.map(|function| Around::new(function, How::TakesValue)));
+            call.around.splice(..0, takers.map(|function| Around::new(function, How::TakesValue)));
             call.around.retain_mut(|around| {
                 // Effects share the compensations.
                 let shared = || compensation::arguments(&around.function);
                 let arguments = declared(&around.function).or_else(shared);
-                arguments.map(|arguments| around.arguments = arguments).is_some()
+                arguments.map(|arguments| around.signed(arguments)).is_some()
             });
         }
         self.part.entries.calls = calls;

@@ -19,7 +19,7 @@ use crate::report::{ApproximationFinding, Findings};
 use crate::scene::{Goals, Scene};
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::{Choice, Quantity, Variant};
+use lobefit_truth::quantity::{Choice, Quantity, Residual, Variant};
 
 /// Narrowest range of the index of refraction of a job: over less, constants are hardly told apart.
 pub(super) const IOR_WIDTH_MIN: f64 = 0.4;
@@ -56,12 +56,12 @@ pub struct ValueFits<'a> {
     /// Tables beside the fits.
     pub table: Option<ValueTable<'a>>,
     /// What the include files have beside the fits: functions of the most accurate one.
-    pub around: Option<Around>,
+    pub around: Option<Functions>,
 }
 
 /// Functions about a fit.
 #[derive(Clone, Copy)]
-pub struct Around {
+pub struct Functions {
     /// Their text in a language.
     pub print: fn(Language, &Fit) -> Result<String, BakeError>,
     /// The functions that take the value of the fit, the one to take first.
@@ -135,7 +135,8 @@ impl ValueFits<'_> {
         let FitSet { fits, dropped, nearest, .. } =
             approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.memo)?;
         let shown = self.shown(job)?;
-        let metric = format!("error of {} of the best fit", self.column);
+        let relative = if self.used_as().residual == Residual::Quotient { "relative " } else { "" };
+        let metric = format!("{relative}error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
         made.promised(job, (&fits, &nearest), self.of, self.used_as());
         if !made.broken.is_empty() {
@@ -230,12 +231,12 @@ impl ValueFits<'_> {
         let tables = made.tables.iter().map(|table| &table.approximation);
         let all = fits.iter().map(|fit| &fit.approximation);
         let drawn =
-            if shown.is_empty() { String::new() } else { format!(" Maps and curves are{}.", at_text(shown)) };
+            if shown.is_empty() { String::new() } else { format!("Curves and maps are{}.", at_text(shown)) };
         let chosen = selected(fits, self.column, self.used_as(), context);
         let found = Findings {
             effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),
-            caption: self.caption.to_string() + &drawn,
+            caption: format!("{} {drawn}", self.caption).trim().into(),
             approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
             ..Findings::new(context.origin())
         };

@@ -56,6 +56,9 @@ pub struct Around {
     pub function: String,
     /// The names of its arguments in order.
     pub arguments: Vec<String>,
+    /// The argument that takes the call's value, where it takes it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<String>,
     /// What it does with the call.
     pub how: How,
 }
@@ -63,15 +66,26 @@ pub struct Around {
 impl Around {
     /// One whose arguments are not known yet.
     pub fn new(function: String, how: How) -> Around {
-        Around { function, arguments: Vec::new(), how }
+        Around { function, arguments: Vec::new(), value: None, how }
+    }
+
+    /// Gives it its arguments.
+    pub fn signed(&mut self, arguments: Vec<String>) {
+        let takes = self.how == How::TakesValue;
+        let value = VALUES.into_iter().find(|name| takes && arguments.iter().any(|own| own == name));
+        (self.value, self.arguments) = (value.map(String::from), arguments);
     }
 }
+
+/// How functions name the argument that takes the value of a call, the first that is there: a coat's share
+/// stands beside the albedo of its lobe.
+const VALUES: [&str; 3] = ["escape", "e", "e_v"];
 
 /// What a function does with another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum How {
-    /// It takes its value: as `e`, or as `e_v`, with that for the light as `e_l`.
+    /// It takes its value.
     TakesValue,
     /// It calls it.
     Calls,

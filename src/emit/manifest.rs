@@ -23,7 +23,10 @@ pub struct Manifest {
     /// The scene, with every default filled in.
     #[serde(default)]
     pub made_from: Value,
-    /// Hash of tool version, scene and hypotheses.
+    /// The command that makes it again, which every header names.
+    #[serde(default)]
+    pub command: String,
+    /// Hash of tool version, command, scene and hypotheses.
     pub recipe: String,
     /// Effects baked: what called for them, ranges, expected and measured error.
     pub effects: Vec<EffectFinding>,

@@ -1,15 +1,18 @@
 //! Results that need not be made twice, each in a file named by the hash of what determines it.
 //!
 //! Entries are whole or not there: a file is renamed into place, and one whose own hash does not
-//! hold is as good as none. So processes may share the folder, and killing one of them harms none.
+//! hold is as good as none. So processes may share the folder, killing one of them harms none, and
+//! nobody waits for the disk.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
-use super::{Operation, StoreError, TEMP_SUFFIX, read, write};
+use super::write::place;
+use super::{Operation, StoreError, TEMP_SUFFIX, read};
 
 /// How the names of entries end.
 const ENDING: &str = ".entry";
@@ -20,6 +23,9 @@ const HASH: usize = 32;
 /// Most bytes of all entries together: beyond them the ones that were read longest ago go.
 const BYTES: u64 = 1 << 30;
 
+/// Bytes that are put there between two looks at how many there are.
+const STEP: u64 = 1 << 24;
+
 /// The variable of the environment that names the folder.
 pub const VARIABLE: &str = "LOBEFIT_CACHE";
 
@@ -28,6 +34,8 @@ pub const VARIABLE: &str = "LOBEFIT_CACHE";
 pub struct Cache {
     folder: PathBuf,
     failed: OnceLock<StoreError>,
+    /// Bytes that this process has put there.
+    added: AtomicU64,
 }
 
 /// What a folder of results holds.
@@ -49,7 +57,7 @@ impl Cache {
 
     /// In a folder, which is made when something is put there.
     pub fn at(folder: PathBuf) -> Cache {
-        Cache { folder, failed: OnceLock::new() }
+        Cache { folder, failed: OnceLock::new(), added: AtomicU64::new(0) }
     }
 
     /// The folder.
@@ -82,8 +90,14 @@ impl Cache {
         let io = |operation| StoreError::writing(&self.folder, operation);
         fs::create_dir_all(&self.folder).map_err(io(Operation::CreateFolder))?;
         let bytes = [blake3::hash(content).as_bytes(), content].concat();
-        write(&self.path(key), &bytes)?;
-        self.bound(BYTES).map_err(io(Operation::List))
+        place(&self.path(key), &bytes)?;
+        // The folder is listed now and then.
+        let more = bytes.len() as u64;
+        let before = self.added.fetch_add(more, Ordering::Relaxed);
+        match before == 0 || (before + more) / STEP > before / STEP {
+            true => self.bound(BYTES).map_err(io(Operation::List)),
+            false => Ok(()),
+        }
     }
 
     /// Why nothing could be put there, where that was so.

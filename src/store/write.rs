@@ -15,6 +15,17 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
     replace(&LocalDisk, path, bytes, PREFIX)
 }
 
+/// The same without waiting for the disk: a failure of the power may leave a file of fewer bytes.
+pub(super) fn place(path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
+    let folder = folder_of(path);
+    let temp = LocalDisk.create_temp(folder, PREFIX).and_then(|mut temp| {
+        write_all(&mut temp, bytes)?;
+        Ok(temp)
+    });
+    let temp = temp.map_err(StoreError::writing(folder, Operation::Write))?;
+    temp.rename(path).map_err(StoreError::writing(path, Operation::Rename))
+}
+
 /// A new folder for what another program is to read, removed with the value.
 pub fn temporary() -> Result<tempfile::TempDir, StoreError> {
     tempfile::tempdir().map_err(StoreError::writing(&std::env::temp_dir(), Operation::CreateFolder))

@@ -8,10 +8,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use lobefit::bake::{Selection, Silent, bake};
+use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::{Scene, SceneError};
-use lobefit::store::Files;
+use lobefit::store::{Cache, Files};
 use lobefit_truth::optics::kernel::Kernel;
 
 const SCENE: &str = r#"{"schema_version":1,"name":"all in little","pick":"all","formats":["exr","dds","ktx2","npy","raw"],"culling":{},"materials":[
@@ -27,16 +27,17 @@ const SCENE: &str = r#"{"schema_version":1,"name":"all in little","pick":"all","
 {"name":"hall","roughness":[0.3,0.6],"rho":[0.5,2],"mips":{"map":"linear","count":5},"max_ops":9,
  "lookups":[{"taps":3,"lobe":"fitted"},{"planes":8}]}]}"#;
 
-fn files(threads: usize) -> Files {
+fn baked(threads: usize, cache: Option<&Cache>) -> Baked {
     let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-    pool.install(|| bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)).expect("a bake").files
+    let selection = Selection { cache, ..Selection::default() };
+    pool.install(|| bake(&scene, &plan(&scene), &[], selection, &Silent)).expect("a bake")
 }
 
 /// The bake of one thread.
 fn one() -> &'static Files {
     static ONE: OnceLock<Files> = OnceLock::new();
-    ONE.get_or_init(|| files(1))
+    ONE.get_or_init(|| baked(1, None).files)
 }
 
 /// Every effect that the built-in scene or an example calls for.
@@ -54,18 +55,25 @@ fn called_for() -> BTreeSet<String> {
 }
 
 #[test]
-fn any_number_of_threads_gives_the_same_bytes() {
+fn any_number_of_threads_gives_the_same_bytes_with_a_cache_and_without() {
     let one = one();
     for effect in called_for() {
         assert!(one.contains_key(&format!("reports/{effect}.html")), "{effect} is not baked");
     }
     // More threads than most machines of CI have cores; what a bake takes that was not told a number
     // is compared with the committed files by `lobefit check`.
-    let other = files(7);
-    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
-    for (name, bytes) in one {
-        assert!(bytes == &other[name], "{name} differs between 1 and 7 threads");
+    let folder = tempfile::tempdir().expect("a folder");
+    let cache = Cache::at(folder.path().into());
+    let [cold, warm] = [7, 3].map(|threads| baked(threads, Some(&cache)));
+    for (other, how) in [(&cold, "and 7 threads"), (&warm, "and 3 threads, of which most comes from a cache")]
+    {
+        assert_eq!(one.keys().collect::<Vec<_>>(), other.files.keys().collect::<Vec<_>>());
+        for (name, bytes) in one {
+            assert!(bytes == &other.files[name], "{name} differs between 1 {how}");
+        }
     }
+    assert!(cache.failed().is_none(), "{:?}", cache.failed());
+    assert!(2 * warm.truths < cold.truths, "{} {}: fits and tables are known", warm.truths, cold.truths);
 }
 
 /// The committed files of a folder: those of the built-in scene's bake.

@@ -250,7 +250,8 @@ fn a_scene_from_a_file_is_the_files() {
     let printed = lobefit(folder.path(), &["scene-from", "p.glb"], b"");
     assert_eq!(printed.status.code(), Some(0));
     assert!(
-        stderr(&printed).contains("note: car paint: clear coat: this version has its darkening of the base"),
+        stderr(&printed)
+            .contains("note: car paint: clear coat: this version has its darkening of a diffuse base"),
         "{}",
         stderr(&printed)
     );

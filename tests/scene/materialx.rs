@@ -122,6 +122,13 @@ fn coats_have_their_roughness_and_index() {
     let mixed = [("clearcoat", "1"), ("clearcoat_roughness", "0.3"), ("metallic", "0.5")];
     assert_eq!(of("gltf_pbr", &mixed), Some([[0.3; 2], [1.5; 2]]));
     assert_eq!(of("UsdPreviewSurface", &[("clearcoat", "1")]), Some([[0.01; 2], [1.5; 2]]));
+    assert_eq!(of("UsdPreviewSurface", &[("clearcoat", "1"), ("ior", "1.8")]), Some([[0.01; 2], [1.8; 2]]));
+    for (ior, end) in [("4", 3.0), ("0.5", 1.0)] {
+        let coat = of("open_pbr_surface", &[("coat_weight", "1"), ("coat_ior", ior)]);
+        assert_eq!(coat, Some([[0.0; 2], [end; 2]]));
+    }
+    assert_eq!(of("open_pbr_surface", &[("coat_weight", "1"), ("coat_darkening", "0")]), None);
+    assert_eq!(of("open_pbr_surface", &[("coat_weight", "1"), ("base_color", "0, 0, 0")]), None);
     assert_eq!(of("open_pbr_surface", &[("coat_roughness", "0.5")]), None);
     assert_eq!(of("open_pbr_surface", &[("coat_weight", "1"), ("base_metalness", "1")]), None);
 }
@@ -136,7 +143,12 @@ fn what_a_scene_does_not_hold_is_said() {
             "{words}: {notes:?}"
         );
     };
-    said("open_pbr_surface", &[("coat_weight", "1")], About::Missing, "darkening of the base, and neither");
+    said(
+        "open_pbr_surface",
+        &[("coat_weight", "1")],
+        About::Missing,
+        "darkening of a diffuse base, and neither",
+    );
     said("open_pbr_surface", &[("thin_film_weight", "1")], About::Missing, "no film");
     said("open_pbr_surface", &[("subsurface_weight", "1")], About::Missing, "subsurface");
     said("standard_surface", &[("diffuse_roughness", "1")], About::Reading, "EON's");

@@ -61,6 +61,16 @@ impl Format {
         }
     }
 
+    /// How names of its files end, by the first bytes of one.
+    pub fn ending(self, bytes: &[u8]) -> &'static str {
+        match self {
+            Format::Gltf if bytes.starts_with(gltf::MAGIC) => "glb",
+            Format::Gltf => "gltf",
+            Format::MaterialX => "mtlx",
+            Format::Usd => "usd",
+        }
+    }
+
     /// The scene of a file, of which at least the first [`BYTES`] are given; without `textures` each
     /// texture may hold anything.
     ///

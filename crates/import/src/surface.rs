@@ -97,12 +97,18 @@ impl Surface {
             }
         }
         if let Some([roughness, ior]) = self.coat {
-            let coat = json!({ "roughness": span(roughness), "ior": span(ior) });
-            match parts.iter_mut().find(|part| part.kind == "dielectric") {
+            let range = ior.map(|ior| ior.clamp(1.0, GLASS_IOR));
+            if range != ior {
+                let [from, to] = ior.map(tidy);
+                said.missing(format!(
+                    "its coat's indices of refraction are [{from}, {to}]: coats end at 1 and 3"
+                ));
+            }
+            let coat = json!({ "roughness": span(roughness), "ior": span(range) });
+            let has_base = |part: &&mut Part| part.fields.iter().any(|(name, _)| *name == "base");
+            match parts.iter_mut().find(has_base) {
                 Some(part) => part.fields.push(("coat", coat)),
-                None => {
-                    said.missing("clear coat over no diffuse base: this version has none: it is left out")
-                }
+                None => said.missing("clear coat over no diffuse base: its darkening is left out"),
             }
         }
         Parts { parts, said }

@@ -1,4 +1,4 @@
-//! Who made a bake, and from what: tool and recipe, which every file names, and the names of a
+//! Who made a bake, and from what: tool, command and recipe, which every file names, and the names of a
 //! scene. The hash of the scene stays where more than names changed: it is another scene.
 
 use std::borrow::Cow;
@@ -13,6 +13,8 @@ use crate::store::{Files, MANIFEST};
 #[derive(Deserialize)]
 struct Provenance {
     tool: String,
+    #[serde(default)]
+    command: String,
     recipe: String,
     scene: String,
     made_from: Value,
@@ -36,7 +38,7 @@ impl Restated {
         if !renamed(&old.made_from, &new.made_from, &mut names) {
             names.clear();
         }
-        let mut pairs = vec![(old.recipe, new.recipe)];
+        let mut pairs = vec![(old.recipe, new.recipe), (old.command, new.command)];
         // Headers name the tool with its version, the data of the report its version alone.
         if let (Some((_, a)), Some((_, b))) = (old.tool.split_once(' '), new.tool.split_once(' ')) {
             pairs.push((format!("\"tool\": \"{a}\""), format!("\"tool\": \"{b}\"")));

@@ -4,7 +4,7 @@
 use super::context::Context;
 use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Note;
-use super::value::{Around, IOR_WIDTH_MIN, ValueFits};
+use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, Fit, own, published};
@@ -50,7 +50,7 @@ const FITS: ValueFits = ValueFits {
     shown_at: &[("ior", 1.5)],
     seconds: [1.0, 0.3],
     table: None,
-    around: Some(Around {
+    around: Some(Functions {
         print: functions,
         taking: &NAMES,
         calling: &[],
@@ -124,8 +124,8 @@ impl Effect for Clearcoat {
             &[FITS.role],
             &[
                 "`coat_escape` is 1 - K: the share of a diffuse base's light that leaves a coat from inside, (1 - E_avg)/ior^2 with E_avg the coat's",
-                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain. The error is relative. The coat is taken for one",
-                "that loses nothing between facets.",
+                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain, and any roughness down to 0, a smooth coat.",
+                "The error is relative. The coat is taken for one that loses nothing between facets.",
             ],
         )]
     }

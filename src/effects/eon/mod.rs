@@ -5,7 +5,7 @@ mod lobe;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
-use super::value::{Around, ValueFits};
+use super::value::{Functions, ValueFits};
 use super::who::{about, named, reasons, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::Target;
@@ -39,7 +39,12 @@ const FITS: ValueFits = ValueFits {
     shown_at: &[],
     seconds: [0.3, 0.1],
     table: None,
-    around: Some(Around { print: lobe::in_language, taking: &[], calling: &[lobe::BRDF], said: lobe::said }),
+    around: Some(Functions {
+        print: lobe::in_language,
+        taking: &[],
+        calling: &[lobe::BRDF],
+        said: lobe::said,
+    }),
 };
 
 /// The base's roughness, if it is rough and sends back light.

@@ -6,7 +6,7 @@ use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::table::ValueTable;
-use super::value::{Around, ValueFits};
+use super::value::{Functions, ValueFits};
 use super::who::{about, reasons, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::Target;
@@ -37,7 +37,7 @@ const FITS: ValueFits = ValueFits {
     shown_at: &[],
     seconds: [2.0, 0.15],
     table: None,
-    around: Some(Around {
+    around: Some(Functions {
         print: scale,
         taking: &[BASE_SCALE],
         calling: &[],

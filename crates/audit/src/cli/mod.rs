@@ -117,7 +117,7 @@ struct Options {
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
     /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`, or of roughness, alpha =
-    /// roughness^2 unless the axis alpha^(1/4) is stated
+    /// roughness^2 unless the axis alpha^(1/4) is stated; of both, where both hold
     #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
     pub domain: Vec<(Ranged, [f64; 2])>,
     /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use
@@ -241,6 +241,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
     let refused = match &said {
         Some(said) => refusal::of_stated(said, options.limit),
+        None if done.fit == audit::Fit::Whole => refusal::refusal(&done, options.limit),
         None => refusal::refusal(&done, options.limit) + &sidecar::missing(options),
     };
     publish(options, folder, &found, &refused)

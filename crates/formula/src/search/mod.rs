@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 use crate::fitting::catalogue::{self, CatalogueFit};
 use crate::fitting::{Demand, FittingError};
-use lobefit::approximate::target::{Sampled, Target, TargetError, TargetSpec};
+use lobefit::approximate::target::{Target, TargetSpec};
 use lobefit::approximate::{Memo, Places, closer};
 use lobefit::data::{Certificate, Model, Vendor, WeightsError};
 use lobefit_fit::FitError;
@@ -113,6 +113,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
     };
     let memo = Memo::default();
     let measured = Arc::new(target.measured(&memo)?);
+    let places = Places { target: &target, measured: &measured, memo: &memo };
     let mut points: Vec<Point> = Vec::new();
     for form in found {
         let coefficients: Vec<f32> = form.hypothesis.parameters().iter().map(|p| p.start).collect();
@@ -124,7 +125,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
             // domain.
             continue;
         }
-        let certificate = certified(&form.hypothesis, &coefficients, &target, &measured)?;
+        let certificate = closer(&form.hypothesis, &coefficients, &places, Precision::F32)?;
         let beaten = points.iter().any(|p| p.certificate.max_abs <= certificate.max_abs);
         if !beaten {
             let price = model
@@ -175,13 +176,4 @@ fn unused(formula: Hypothesis, points: &[Point]) -> Result<Hypothesis, ShadeErro
     let name = format!("{}_{}", formula.name(), again + 1);
     let source = formula.source().replace(&format!("fn {}(", formula.name()), &format!("fn {name}("));
     Hypothesis::parse(&format!("{name}.wgsl"), &source)
-}
-
-fn certified(
-    hypothesis: &Hypothesis,
-    coefficients: &[f32],
-    target: &Target,
-    measured: &Sampled,
-) -> Result<Certificate, TargetError> {
-    closer(hypothesis, coefficients, &Places { target, measured, memo: &Memo::default() }, Precision::F32)
 }

@@ -60,7 +60,7 @@ impl Inputs<'_, '_, '_, '_, '_> {
             return Ok(None);
         }
         self.said.missing(COAT);
-        let ior = name.map_or(Ok([ior; 2]), |name| self.ior(name, ior))?;
+        let ior = name.map_or(Ok([ior; 2]), |name| self.number::<NotNegative>(name, ior, GLASS_IOR))?;
         Ok(Some([self.unit(roughness, default)?, ior]))
     }
 
@@ -107,6 +107,13 @@ fn open_pbr(of: &mut Inputs) -> Result<Surface, SceneError> {
         of.said.missing("fuzz: this version has the Charlie sheen, another lobe, of the same roughness");
     }
     let coat = of.coat("coat_weight", ("coat_roughness", 0.0), (Some("coat_ior"), 1.6))?;
+    // Without darkening the base is as bright as without a coat.
+    let [darkest, darkening] = of.unit("coat_darkening", 1.0)?;
+    if coat.is_some() && darkest < 1.0 {
+        of.said
+            .missing("coat_darkening below 1: this version has the whole darkening, to be blended with none");
+    }
+    let coat = coat.filter(|_| darkening > 0.0);
     of.lacks(&[("thin_film_weight", FILM), ("subsurface_weight", SUBSURFACE)])?;
     Ok(Surface {
         metalness,
@@ -223,7 +230,7 @@ fn usd_preview(of: &mut Inputs) -> Result<Surface, SceneError> {
     let ior = of.ior("ior", 1.5)?;
     let opacity = of.unit("opacity", 1.0)?;
     let is_cut_out = of.has("opacityThreshold")?;
-    let coat = of.coat("clearcoat", ("clearcoatRoughness", 0.01), (None, 1.5))?;
+    let coat = of.coat("clearcoat", ("clearcoatRoughness", 0.01), (Some("ior"), 1.5))?;
     Ok(Surface {
         metalness: if has_f0 { [0.0; 2] } else { of.unit("metallic", 0.0)? },
         f0: colour,

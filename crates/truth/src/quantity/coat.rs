@@ -132,8 +132,8 @@ fn by(smith: Smith, [alpha, ior]: [f64; 2], nodes: usize) -> Result<[f64; 3], In
     ])
 }
 
-/// Nodes of the interpolant of E_avg over ln(alpha) and sqrt(ior - 1), and the bound of its error: measured
-/// 4e-8 over the whole domain (`crates/truth/tests/many.rs` holds it).
+/// Nodes of the interpolant of E_avg over ln(alpha) and sqrt(ior - 1), and the bound of its error: 4e-8
+/// where it was measured, at random places up to an index of 2 (`crates/truth/tests/many.rs`).
 const GRID: usize = 24;
 const QUICK: f64 = 1e-6;
 
