@@ -20,9 +20,9 @@
 //! | floor | module | purpose |
 //! |---|---|---|
 //! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
+//! | 1 | [`store`] | the only module that touches the file system |
 //! | 2 | [`approximate`] | one formula for one quantity, from target to certificate; knows no effect |
 //! | 2 | [`scene`] | bytes to a validated scene; owns all limits on input |
-//! | 2 | [`store`] | the only module that touches the file system |
 //! | 3 | [`emit`] | tables, fits, lookups and the manifest to bytes, one file per format; knows no effect |
 //! | 4 | [`report`] | results to plots, renders and pages; knows no effect |
 //! | 5 | [`effects`] | the catalogue: each effect declares its callers, fits, tables, code and page |
