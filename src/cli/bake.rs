@@ -75,6 +75,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?.with(&options.pages);
     let plan = plan::plan(&input.scene);
     refuse_uncalled(&options.only, &plan)?;
+    refuse_to_empty(&options.output.out, &input, &plan)?;
     // Before the work: an output that cannot be written is known now, not after it.
     let (out, quiet) = (&options.output.out, options.output.quiet || options.output.json);
     let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
@@ -94,6 +95,19 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     drop(progress);
     say_failed(cache.as_ref());
     finish(baked, (&input.scene, &plan), folder, &options.output)
+}
+
+/// A scene that calls for nothing would remove all that lies in a folder of another bake: an empty list is
+/// more often a mistake of what wrote it.
+fn refuse_to_empty(out: &Path, input: &Input, plan: &Plan) -> Result<(), CliError> {
+    if !plan.is_empty() || !out.join(MANIFEST).is_file() {
+        return Ok(());
+    }
+    Err(CliError::Usage(format!(
+        "{}: it calls for nothing, and {} holds a bake, of which nothing would stay: remove it by hand, or name another folder",
+        input.name,
+        out.display()
+    )))
 }
 
 /// Says why a cache could not be written.

@@ -26,7 +26,7 @@ pub struct Input {
     /// The scene.
     pub scene: Scene,
     /// Its file, as the user named it.
-    name: String,
+    pub(super) name: String,
     /// What the file says that the scene does not hold: of a foreign file.
     pub notes: Vec<Note>,
     /// Its hypothesis files, in order of first mention; each parses.

@@ -71,8 +71,7 @@ impl Around {
 
     /// Gives it its arguments.
     pub fn signed(&mut self, arguments: Vec<String>) {
-        let takes = self.how == How::TakesValue;
-        let value = VALUES.into_iter().find(|name| takes && arguments.iter().any(|own| own == name));
+        let value = value(&arguments).filter(|_| self.how == How::TakesValue);
         (self.value, self.arguments) = (value.map(String::from), arguments);
     }
 }
@@ -80,6 +79,11 @@ impl Around {
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.
 const VALUES: [&str; 3] = ["escape", "e", "e_v"];
+
+/// Of the arguments of a function about a call the one that takes the call's value.
+pub fn value(arguments: &[String]) -> Option<&'static str> {
+    VALUES.into_iter().find(|name| arguments.iter().any(|own| own == name))
+}
 
 /// What a function does with another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

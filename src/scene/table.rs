@@ -227,7 +227,10 @@ impl OpenTable {
 fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
     let name = layout.name();
     match (lobe, layout) {
-        (Lobe::Isotropic, Layout::Optimised | Layout::PathTracer | Layout::Azimuth) => Err(format!(
+        (Lobe::Isotropic, Layout::Azimuth) => Err(format!(
+            "`{name}` is for anisotropic materials; give `anisotropy`, or one of `homogeneous`, `plain`, `plain-squared`"
+        )),
+        (Lobe::Isotropic, Layout::Optimised | Layout::PathTracer) => Err(format!(
             "`{name}` is for anisotropic materials and for glass; give `anisotropy`, or one of `homogeneous`, `plain`, \
              `plain-squared`"
         )),

@@ -72,6 +72,17 @@ fn folder() -> TempDir {
     folder
 }
 
+/// An empty list of materials is more often a mistake of what wrote it than a wish to remove all.
+#[test]
+fn a_scene_that_calls_for_nothing_removes_no_bake() {
+    let folder = folder();
+    let before = files(folder.path());
+    let (code, said) = bake(folder.path(), r#"{"schema_version":1,"materials":[]}"#, &[]);
+    assert_eq!(code, 2, "{said}");
+    assert!(said.contains("it calls for nothing, and . holds a bake"), "{said}");
+    assert!(files(folder.path()) == before);
+}
+
 #[test]
 fn containers_come_with_their_sidecars_and_go_with_a_bake_without_them() {
     let folder = tempfile::tempdir().expect("a folder");

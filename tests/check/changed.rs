@@ -87,7 +87,8 @@ fn a_renamed_material_passes_by_its_values() {
     let text = std::fs::read_to_string(&manifest).expect("a manifest");
     std::fs::write(&manifest, text.replace("\"of\": \"a\"", "\"of\": \"b\"")).expect("written");
     assert_eq!(check(&renamed), Some(1), "a name that is none of the scene's");
-    // A figure in a comment may be off; a constant is exact, in code and in the manifest.
+    // A figure in a comment may be off, but no error may be stated smaller than it is; a constant is exact, in
+    // code and in the manifest.
     let edit = |file: &str, old: &str, after: &str, new: &str| {
         let path = folder.path().join(file);
         let text = std::fs::read_to_string(&path).expect("text");
@@ -98,6 +99,11 @@ fn a_renamed_material_passes_by_its_values() {
     let checked = || lobefit(folder.path(), &["check", "-", "--values", "10"], scene.as_bytes());
     edit("fits/lobefit.h", "max 0.", ": ", "max 2.");
     assert_eq!(checked().status.code(), Some(0));
+    edit("fits/lobefit.h", "max 2.", ": ", "max 0.00");
+    edit("manifest.json", ": 0.", "\"max_abs\"", ": 0.0");
+    let said = String::from_utf8(checked().stdout).expect("text");
+    let smaller = said.lines().filter(|line| line.contains("; a smaller error than is true, by ")).count();
+    assert!(smaller == 2 && said.contains("2 of "), "{said}");
     edit("fits/lobefit.h", " (0.", "return 1.0f", " (0.0");
     edit("manifest.json", ": 0.", "\"coefficients\": {", ": 0.0");
     let said = String::from_utf8(checked().stdout).expect("text");

@@ -1,6 +1,7 @@
 //! Text files: lines, and within them numbers against numbers.
 
 use super::{Difference, Kind};
+use crate::store::MANIFEST;
 
 /// The lines of an include file that are no comments.
 pub fn code(bytes: &[u8]) -> Vec<&[u8]> {
@@ -21,8 +22,8 @@ impl Pair {
     }
 }
 
-/// How two texts differ: by a constant of a function, which no tolerance forgives; else by the largest
-/// difference of their numbers if all else is equal, else by their first differing line, else by the
+/// How two texts differ: by a constant of a function or an error that is stated smaller than it is, which
+/// no tolerance forgives; else by the largest difference of their numbers if all else is equal, else by their first differing line, else by the
 /// first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
@@ -32,17 +33,24 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let pairs = pairs(expected, found).unwrap_or_default();
     let constants = constants(file, expected);
     let constant = pairs.iter().find(|pair| pair.gap() != 0.0 && constants[pair.line - 1]);
+    let promises = promises(file, expected);
+    let broken = pairs.iter().find(|pair| pair.have < pair.want && promises[pair.line - 1]);
     // NaN is the largest difference there is.
     let worst = pairs.iter().min_by(|a, b| b.gap().total_cmp(&a.gap()));
-    match constant.or(worst) {
+    match constant.or(broken).or(worst) {
         Some(pair @ Pair { line, want, have }) => {
             let (gap, place) = (pair.gap(), format!("line {line}"));
-            let size = match constant {
-                Some(_) => format!("a constant of a function, {gap:e} off: no tolerance holds for constants"),
-                None => format!("max abs difference {gap:e}"),
+            let size = match (constant, broken) {
+                (Some(_), _) => {
+                    format!("a constant of a function, {gap:e} off: no tolerance holds for constants")
+                }
+                (None, Some(_)) => {
+                    format!("a smaller error than is true, by {gap:e}: no tolerance holds for promises")
+                }
+                (None, None) => format!("max abs difference {gap:e}"),
             };
             difference.detail = format!("{place}: {have} where the recipe gives {want}; {size}");
-            difference.max_abs = constant.is_none().then_some(gap);
+            difference.max_abs = constant.or(broken).is_none().then_some(gap);
             difference.at = Some(place);
         }
         None => {
@@ -68,6 +76,18 @@ fn constants(file: &str, text: &str) -> Vec<bool> {
         inside || is_code && !line.starts_with("//")
     };
     text.lines().map(|line| holds(line.trim())).collect()
+}
+
+/// Keys of the manifest whose numbers are errors.
+const ERRORS: [&str; 5] = ["\"max\":", "\"max_abs\":", "\"max_rel\":", "\"max_error\":", "\"rms\":"];
+
+/// Whether each line states an error: of the manifest by its key, of an include file in a comment.
+fn promises(file: &str, text: &str) -> Vec<bool> {
+    let states = |line: &str| match file {
+        MANIFEST => ERRORS.iter().any(|key| line.starts_with(key)),
+        _ => file.starts_with("fits/") && line.starts_with("//") && line.contains("max "),
+    };
+    text.lines().map(|line| states(line.trim())).collect()
 }
 
 /// The numbers that differ, with their lines, if nothing else does.

@@ -1,6 +1,7 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
 use super::{SCREEN, figures, words};
+use crate::emit::call as around;
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -198,16 +199,13 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             let mut lines = vec![format!("{file}: {parameters}")];
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             // Of two calls the second is a comment, so that what is copied compiles.
-            let line = if calls.is_empty() {
-                call.clone()
-            } else {
-                comment(language.comment(), std::slice::from_ref(&call))
-            };
-            calls.push((call.clone(), comment(language.comment(), &lines) + &line));
+            let line =
+                if calls.is_empty() { call.clone() } else { comment(NOTE, std::slice::from_ref(&call)) };
+            calls.push((call.clone(), comment(NOTE, &lines) + &line));
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
         let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
-        code.extend(then.map(|then| comment(language.comment(), &[with_value(&then.call)])));
+        code.extend(then.map(|then| comment(NOTE, &[with_value(&then)])));
         found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);
@@ -216,12 +214,16 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
     (shown, found.into_iter().map(|(language, (_, code))| (language.title().to_string(), code)).collect())
 }
 
-/// What takes the value: an albedo of the view alone, or of the light as well.
-fn with_value(call: &str) -> String {
-    let call = call.split_once(" = ").map_or(call, |(_, call)| call).trim_end_matches(';');
-    match call.contains("e_l") {
-        true => format!("then {call}: e_v is this value, e_l the same with n_dot_l"),
-        false => format!("then {call}: e is this value"),
+/// How comments of a snippet begin, in every language: it stands within a function.
+const NOTE: &str = "//";
+
+/// What takes the value: an albedo of the view alone, or of the light as well, or a share.
+fn with_value(then: &Called) -> String {
+    let call = then.call.split_once(" = ").map_or(then.call.as_str(), |(_, call)| call).trim_end_matches(';');
+    match around::value(&then.arguments) {
+        Some("e_v") => format!("then {call}: e_v is this value, e_l the same with n_dot_l"),
+        Some(value) => format!("then {call}: {value} is this value"),
+        None => format!("then {call}"),
     }
 }
 

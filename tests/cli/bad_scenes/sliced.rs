@@ -14,7 +14,7 @@ fn not_a_sliced_table() -> Vec<Case> {
         ),
         case(
             tables(r#""kind":"metal","f0":1,"roughness":1,"anisotropy":0"#, "[{\"layout\":\"azimuth\"}]"),
-            "wants.tables[0].layout: `azimuth` is for anisotropic materials and for glass",
+            "wants.tables[0].layout: `azimuth` is for anisotropic materials; give `anisotropy`",
         ),
         case(
             tables(GLASS, "[{\"layout\":\"plain\"}]"),

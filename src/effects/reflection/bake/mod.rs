@@ -15,6 +15,7 @@ use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
+use crate::scene::Lobe;
 use lobefit_shade::code::CodeError;
 use lobefit_truth::quantity::Specular;
 
@@ -69,6 +70,10 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
     for fit in fits.iter().filter(|fit| fit.emitted) {
         for demand in &job.demands {
             let Some(material) = context.scene.materials.get(demand.of) else { continue };
+            // Its tables are of its lobe; functions know one width.
+            if material.lobe() == Lobe::Anisotropic && !material.wants.tables.is_empty() {
+                continue;
+            }
             let want = material.wants.fit.as_ref();
             let file = fit.hypothesis.file();
             let of_user = context.hypotheses.iter().any(|user| user.file == file);
