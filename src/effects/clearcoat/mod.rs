@@ -124,7 +124,7 @@ impl Effect for Clearcoat {
             &[FITS.role],
             &[
                 "`coat_escape` is 1 - K: the share of a diffuse base's light that leaves a coat from inside, (1 - E_avg)/ior^2 with E_avg the coat's",
-                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain, and any roughness down to 0, a smooth coat.",
+                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain, and of a smoother coat the least roughness there.",
                 "The error is relative. The coat is taken for one that loses nothing between facets.",
             ],
         )]
