@@ -69,14 +69,15 @@ impl<'a> Memo<'a> {
         if let Some(known) = self.truths.lock().unwrap_or_else(PoisonError::into_inner).get(&name) {
             return Ok(Truth { evaluations: 0, ..known.clone() });
         }
-        let evaluated = AtomicU64::new(0);
+        // None of what is known.
+        let mut evaluated = 0;
         let make = || {
             let Truth { columns, error, evaluations } = make()?;
-            evaluated.store(evaluations, Ordering::Relaxed);
+            evaluated = evaluations;
             Ok((columns, error))
         };
         let (columns, error) = if lasts { self.kept(key, make) } else { make() }?;
-        let truth = Truth { columns, error, evaluations: evaluated.into_inner() };
+        let truth = Truth { columns, error, evaluations: evaluated };
         self.truths.lock().unwrap_or_else(PoisonError::into_inner).insert(name, truth.clone());
         Ok(truth)
     }

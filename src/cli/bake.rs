@@ -15,6 +15,7 @@ use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
 use crate::effects::{PATH_TRACER, PATH_TRACER_CONVENTIONS, rule};
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
+use crate::emit::manifest::Manifest;
 use crate::plan::{self, Plan};
 use crate::report::without_absent;
 use crate::scene::Scene;
@@ -98,9 +99,14 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 }
 
 /// A scene that calls for nothing would remove all that lies in a folder of another bake: an empty list is
-/// more often a mistake of what wrote it.
+/// more often a mistake of what wrote it. A folder whose bake has no effects has nothing to lose.
 fn refuse_to_empty(out: &Path, input: &Input, plan: &Plan) -> Result<(), CliError> {
-    if !plan.is_empty() || !out.join(MANIFEST).is_file() {
+    if !plan.is_empty() {
+        return Ok(());
+    }
+    let bytes = store::read(&out.join(MANIFEST), FILE_BYTES).ok();
+    let old = bytes.and_then(|bytes| serde_json::from_slice::<Manifest>(&bytes).ok());
+    if old.is_none_or(|manifest| manifest.effects.is_empty()) {
         return Ok(());
     }
     Err(CliError::Usage(format!(

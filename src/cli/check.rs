@@ -32,7 +32,7 @@ Examples:
 
 With --values TOL texels, and figures of the reports, the manifest and comments, may be TOL off. Another version of lobefit, another
 recipe or another name of a material is no difference then; pages are not compared. Constants of functions, in fits/ and in the
-manifest's coefficients, must be equal, and a table whose texels break the error that its manifest states
+manifest's coefficients, must be equal, no error may be stated smaller than it is, and a table whose texels break its stated error
 is never accepted, whatever --values says. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of

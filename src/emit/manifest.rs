@@ -180,8 +180,7 @@ pub struct AxisEntry {
 /// Errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TableError {
-    /// Largest error of what it was made from and judged against: the worst difference from direct integrals
-    /// at a fixed sample, of which places between them may be more off, or the tolerance of direct integrals.
+    /// Largest error of its truths: the tolerance of direct integrals, or the worst at a fixed sample.
     pub integration: f64,
     /// Largest change of a texel by rounding to the format.
     pub quantisation: f64,
@@ -222,8 +221,7 @@ pub struct FitEntry {
     pub alpha_map: String,
     /// Function in the emitted code: numbers to a number.
     pub function: String,
-    /// The function 1 + f0 (N - 1) of a normalisation N, for an f0 of three channels, which is its
-    /// last argument; none where no metal calls for it.
+    /// 1 + f0 (N - 1) of a normalisation N, for a last argument f0 of three channels; if a metal calls it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rgb: Option<String>,
     /// What its arguments are, in order.

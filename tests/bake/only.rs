@@ -81,6 +81,11 @@ fn a_scene_that_calls_for_nothing_removes_no_bake() {
     assert_eq!(code, 2, "{said}");
     assert!(said.contains("it calls for nothing, and . holds a bake"), "{said}");
     assert!(files(folder.path()) == before);
+    // Where nothing lies, nothing is removed: the second time as the first.
+    let empty = tempfile::tempdir().expect("a folder");
+    for _ in 0..2 {
+        assert_eq!(bake(empty.path(), r#"{"schema_version":1,"materials":[]}"#, &[]), (0, String::new()));
+    }
 }
 
 #[test]
