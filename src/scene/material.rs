@@ -115,6 +115,16 @@ impl Material {
         }
     }
 
+    /// The diffuse base, where it sends back light and its lobe is Lambert's.
+    pub fn lit_base(&self) -> Option<&Base> {
+        self.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())
+    }
+
+    /// Whether its lobe is asked for with the exact Fresnel term, and not with Schlick's.
+    pub fn is_exact(&self) -> bool {
+        self.wants.exact_fresnel.is_some() && self.wants.fit.is_none() && self.wants.tables.is_empty()
+    }
+
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);

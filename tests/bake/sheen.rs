@@ -84,18 +84,20 @@ fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
     };
     let metal = format!(r#"{{"name": "metal", "kind": "metal", "f0": 0.9, {wants}}}"#);
     let others = ["normalised", "compensated", "single"].map(dielectric).join(",");
+    let brushed = r#"{"name": "brushed", "kind": "metal", "f0": 0.9, "anisotropy": 0.5, "roughness": 0.5, "wants": {"fit": {}}}"#;
     let json = format!(
-        r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [{metal}, {others}]}}"#
+        r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [{metal}, {others}, {brushed}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
     let selection = Selection { only: vec!["reflection".into()], ..Selection::default() };
     let baked = bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake");
     let found = callers(&baked.calls);
     let coloured = "ggx_energy_compensation_rgb (or ggx_albedo then ggx_compensate_reflection)";
-    let expected: [(&[&str], &str); 3] = [
+    let expected: [(&[&str], &str); 4] = [
         (&["metal", "compensated"], coloured),
         (&["normalised"], "ggx_energy_compensation (or ggx_albedo then f/E)"),
         (&["single"], "ggx_albedo"),
+        (&["brushed"], "ggx_energy_compensation_rgb, anisotropy left out"),
     ];
     let found: Vec<(&[&str], &str)> = found.iter().map(|row| (&row.names[..], &row.calls[0][..])).collect();
     assert_eq!(found, expected);

@@ -1,7 +1,7 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
-use super::{SCREEN, figures, words};
-use crate::emit::call as around;
+use super::{SCREEN, figures, index::some, words};
+use crate::emit::call::Call;
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -190,7 +190,6 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
         let text = String::from_utf8_lossy(text);
-        let then = own().filter_map(|one| one.then.as_ref()).find_map(|name| call(&text, name));
         let mut calls: Vec<Lines> = Vec::new();
         for function in forms {
             let Some(Called { call, parameters, .. }) = call(&text, function) else { continue };
@@ -205,7 +204,8 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
         let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
-        code.extend(then.map(|then| comment(NOTE, &[with_value(&then)])));
+        let uses = uses(&own().collect::<Vec<_>>(), &text);
+        code.extend((!uses.is_empty()).then(|| comment(NOTE, &uses)));
         found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);
@@ -217,11 +217,32 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
 /// How comments of a snippet begin, in every language: it stands within a function.
 const NOTE: &str = "//";
 
+/// What takes the value of calls, as a language has it: of materials that differ in that with their names.
+fn uses(calls: &[&Call], text: &str) -> Vec<String> {
+    let mut uses: Vec<(&str, &Call, Vec<&str>)> = Vec::new();
+    for &one in calls {
+        let Some(then) = &one.then else { continue };
+        match uses.iter_mut().find(|(known, ..)| known == then) {
+            Some((.., names)) => names.push(&one.of),
+            None => uses.push((then, one, vec![&one.of])),
+        }
+    }
+    let is_one = uses.len() < 2;
+    let of = |names: &[&str]| if is_one { String::new() } else { format!("{}: ", some(names)) };
+    uses.iter().map(|(then, one, names)| of(names) + &with_value(then, one, text)).collect()
+}
+
 /// What takes the value: an albedo of the view alone, or of the light as well, or a share.
-fn with_value(then: &Called) -> String {
-    let call = then.call.split_once(" = ").map_or(then.call.as_str(), |(_, call)| call).trim_end_matches(';');
-    match around::value(&then.arguments) {
-        Some("e_v") => format!("then {call}: e_v is this value, e_l the same with n_dot_l"),
+fn with_value(then: &str, of: &Call, text: &str) -> String {
+    let Some(taker) = of.around.iter().find(|around| around.function == then) else {
+        return format!("then {then}: E is this value, f the lobe");
+    };
+    let found = call(text, then).map_or_else(|| taker.signature(), |found| found.call);
+    let call = found.split_once(" = ").map_or(found.as_str(), |(_, call)| call).trim_end_matches(';');
+    match taker.value.as_deref() {
+        Some("e_v") if taker.arguments.iter().any(|name| name == "e_l") => {
+            format!("then {call}: e_v is this value, e_l the same with n_dot_l")
+        }
         Some(value) => format!("then {call}: {value} is this value"),
         None => format!("then {call}"),
     }

@@ -38,6 +38,7 @@ const CALLS: [(&str, bool); 9] = [
 
 pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
+    called_for.blocks.extend(called_for::notes(&manifest.notes));
     if manifest.effects.is_empty() {
         return vec![called_for];
     }
@@ -165,7 +166,7 @@ fn calls(manifest: &Manifest) -> Block {
 }
 
 /// The first names, and how many more there are: [`of_callers`] has all.
-fn some(names: &[&str]) -> String {
+pub(super) fn some(names: &[&str]) -> String {
     match names.len().saturating_sub(NAMED) {
         0 => names.join(", "),
         more => format!("{} and {more} more", names[..NAMED].join(", ")),

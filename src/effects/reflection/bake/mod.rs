@@ -95,7 +95,7 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
                 Use::VALUE if want.is_some_and(|want| want.average) => name.into(),
                 _ => continue,
             };
-            made.called_by(vec![demand.name.clone()], &function, (&a, price), None);
+            made.called_by(vec![demand.caller()], &function, (&a, price), None);
         }
     }
     Ok(())
