@@ -135,7 +135,7 @@ fn bake_job(
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
-            let judge = judge.closer((&table, spec.decode()), i, &context.memo)?;
+            let judge = judge.closer((&table, spec.decode()), (family, i), &context.memo)?;
             let baked = finish(&spec, &table, made, judge)?;
             let wanted_by = job.wanted_by.clone();
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
