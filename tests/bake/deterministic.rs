@@ -17,7 +17,7 @@ use lobefit_truth::optics::kernel::Kernel;
 const SCENE: &str = r#"{"schema_version":1,"name":"all in little","pick":"all","formats":["exr","dds","ktx2","npy","raw"],"culling":{},"materials":[
 {"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"base":{"albedo":0.5,"max_ops":11},"wants":{
  "tables":[{"size":[16,16],"serves":"split-sum"}],"fit":{"max_ops":11,"average":true},"exact_fresnel":{"max_ops":46}},"coat":{"roughness":[0,0.4],"max_ops":8}},
-{"name":"felt","kind":"dielectric","f0":0.04,"roughness":[0.5,0.7],"base":{"roughness":[0.2,0.5],"max_ops":6},"sheen":{"roughness":[0.3,0.6],"max_ops":11},
+{"name":"felt","kind":"dielectric","f0":0.04,"roughness":[0.5,0.7],"base":{"roughness":[0.2,0.5],"max_ops":6},"sheen":{"roughness":[0.3,0.6],"max_ops":8},
  "wants":{"fit":{"max_ops":11}}},
 {"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"tables":[{"max_error":0.01}]}},
 {"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[

@@ -14,8 +14,9 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::sync::OnceLock;
 
+use crate::baked_support::shared;
 use lobefit::approximate::{Fit, Memo, Region, certification};
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::{Baked, Silent, bake};
 use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
@@ -52,7 +53,7 @@ pub fn baked() -> &'static (Baked, Job) {
         let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
-        let baked = pool.install(|| bake(&scene, &plan, &[], Selection::default(), &Silent));
+        let baked = pool.install(|| bake(&scene, &plan, &[], shared(), &Silent));
         (baked.expect("the built-in scene bakes"), fit)
     })
 }

@@ -1,6 +1,7 @@
 //! The effect diffuse-coupling: from the scene to the bytes, and nothing of it where the scene does
 //! not ask.
 
+use crate::baked_support::shared;
 use crate::emit_support;
 
 use std::sync::LazyLock;
@@ -36,7 +37,7 @@ fn dielectric(name: &str, f0: &str, base: &str) -> String {
 
 fn baked(scene: &Scene) -> Baked {
     let only = vec!["diffuse-coupling".to_string()];
-    let selection = Selection { only, ..Selection::default() };
+    let selection = Selection { only, ..shared() };
     bake(scene, &plan(scene), &[], selection, &Silent).expect("a bake")
 }
 

@@ -3,9 +3,10 @@
 use crate::emit_support::compilers::includes_in_cpp;
 use crate::emit_support::languages::{FAMILY, compile};
 use crate::emit_support::programs::compile_library;
-use crate::lookup_support::{EMITTED, Emitted, RHO, found, text};
+use crate::lookup_support::{EMITTED, Emitted, Job, RHO, found, text};
 use lobefit_math::vector::length;
 use lobefit_shade::code::Language;
+use rayon::prelude::*;
 
 #[test]
 fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
@@ -16,12 +17,12 @@ fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
         assert!(compile(language, &text(language)).is_none_or(|functions| functions > EMITTED.len()));
     }
     includes_in_cpp(&text(Language::C));
-    let points: Vec<_> = EMITTED.iter().map(|emitted| emitted.points()).collect();
-    let jobs: Vec<_> = EMITTED.iter().zip(&points).map(|(emitted, points)| (emitted, &points[..])).collect();
+    let jobs: Vec<Job> = EMITTED.par_iter().map(Emitted::job).collect();
+    let asked: Vec<_> = jobs.iter().map(|job| (job.emitted, &job.points[..])).collect();
     for language in FAMILY.into_iter().chain([Language::Rust]) {
-        let Some(found) = found(language, &jobs) else { continue };
-        for ((emitted, points), found) in jobs.iter().zip(&found) {
-            emitted.agrees(language.name(), points, found);
+        let Some(found) = found(language, &asked) else { continue };
+        for (job, found) in jobs.iter().zip(&found) {
+            job.agrees(language.name(), found);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use clap::Parser;
-use lobefit::bake::{Baked, Selection, Silent};
+use lobefit::bake::{Baked, Silent};
 use lobefit::cli::cost::{Beside, Options};
 use lobefit::cli::input::{Input, load};
 use lobefit::data::{Model, Vendor};
@@ -16,6 +16,7 @@ use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use serde_json::Value;
 
+use crate::baked_support::shared;
 use crate::common::{lobefit, stderr};
 use crate::texts::{assert_rows, assert_valid, blocks, find, json, number, pages, read, root};
 
@@ -64,7 +65,7 @@ fn errors(entry: &Value) -> String {
 /// The example that asks for every formula, as `lobefit cost` reads it, and its bake.
 static EVERY: LazyLock<(Input, Baked)> = LazyLock::new(|| {
     let input = load(&page_of_costs().scene).expect("a scene");
-    let baked = input.bake(&plan(&input.scene), Selection::default(), &Silent).expect("a bake");
+    let baked = input.bake(&plan(&input.scene), shared(), &Silent).expect("a bake");
     (input, baked)
 });
 

@@ -1,5 +1,7 @@
 //! The sources, the README and the pages in `docs/` themselves.
 
+#[path = "../baked_support/mod.rs"]
+mod baked_support;
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -30,7 +30,7 @@ impl Quantity for Minnaert {
         &[]
     }
     fn tolerance(&self, _: &Variant) -> f64 {
-        1e-7
+        1e-5
     }
     fn smallest_alpha(&self) -> f64 {
         1e-4

@@ -134,12 +134,15 @@ fn best_widths_of_a_table_are_those_of_its_lobe() {
 /// The width of least squared distance over ln R, by trying widths 0.1 % apart on a rule of its
 /// own.
 fn brute(alpha: f64, rho: f64) -> f64 {
+    // The energy without within_power's power of each radius, which no width changes.
+    let at = |k: i32| {
+        let radius = exp(0.02 * f64::from(k));
+        (within_power(alpha, radius / rho), -log(1.0 + radius * radius))
+    };
+    let rule: Vec<(f64, f64)> = (-700..700).map(at).collect();
     let distance = |width: f64| {
-        let at = |k: i32| {
-            let radius = exp(0.02 * f64::from(k));
-            within_power(alpha, radius / rho) - within_power(width, radius)
-        };
-        (-700..700).map(at).map(|d| d * d).sum::<f64>()
+        let half = 0.5 * (power(width) + 1.0);
+        rule.iter().map(|(target, log)| target - (1.0 - exp(half * log))).map(|d| d * d).sum::<f64>()
     };
     let widths = (0..4000).map(|k| alpha * rho * exp(0.001 * f64::from(k - 2000))).filter(|w| *w < 1.0);
     widths.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(1.0)

@@ -326,25 +326,41 @@ impl Emitted {
         if self.lookup.taps == 1 { 4 } else { 5 * self.lookup.taps as usize }
     }
 
+    /// What is expected at each of its points: of any language the same.
+    pub fn job(&self) -> Job<'_> {
+        let points = self.points();
+        let expected = points.iter().map(|point| self.all_expected(point)).collect();
+        Job { emitted: self, points, expected }
+    }
+}
+
+/// A lookup with its points, and what is expected there.
+pub struct Job<'a> {
+    pub emitted: &'a Emitted,
+    pub points: Vec<Point>,
+    expected: Vec<Option<Vec<Expected>>>,
+}
+
+impl Job<'_> {
     /// Checks what a language returned: directions with widths, or with levels of a linear chain;
     /// then weights.
-    pub fn agrees(&self, language: &str, points: &[Point], found: &[f32]) {
-        let (numbers, taps) = (self.numbers(), self.lookup.taps as usize);
-        assert_eq!(found.len(), numbers * points.len(), "{language}: {}", self.name());
+    pub fn agrees(&self, language: &str, found: &[f32]) {
+        let Job { emitted, points, expected } = self;
+        let (numbers, taps) = (emitted.numbers(), emitted.lookup.taps as usize);
+        assert_eq!(found.len(), numbers * points.len(), "{language}: {}", emitted.name());
         let (mut compared, mut worst) = (0, 0.0_f64);
-        for (point, found) in points.iter().zip(found.chunks_exact(numbers)) {
-            let text = || format!("{language}: {} at {point:?}: {found:?}", self.name());
+        for ((point, expected), found) in points.iter().zip(expected).zip(found.chunks_exact(numbers)) {
+            let text = || format!("{language}: {} at {point:?}: {found:?}", emitted.name());
             assert!(found.iter().all(|x| x.is_finite()), "{}", text());
             let weights: Vec<f32> = if taps == 1 { vec![1.0] } else { found[4 * taps..].to_vec() };
             assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{}", text());
-            let expected = self.all_expected(point);
             compared += usize::from(expected.is_some());
             for (i, weight) in weights.iter().enumerate() {
                 let [x, y, z, w] = [0, 1, 2, 3].map(|k| f64::from(found[4 * i + k]));
                 assert!((length([x, y, z]) - 1.0).abs() < 1e-5, "{}", text());
-                let width = if self.entry["gives"] == "mip" { (w / 6.0) * (w / 6.0) } else { w };
+                let width = if emitted.entry["gives"] == "mip" { (w / 6.0) * (w / 6.0) } else { w };
                 assert!((0.0..=1.0 + 1e-6).contains(&width), "{}", text());
-                let Some(expected) = &expected else { continue };
+                let Some(expected) = expected else { continue };
                 let Expected { towards, width: wanted, weight: share, allowed } = expected[i];
                 let gap = (f64::from(*weight) - share).abs();
                 assert!(gap < 1e-5 + 4.0 * allowed, "{}: weight {i} {share}, {allowed:e}", text());
@@ -368,7 +384,7 @@ impl Emitted {
         // next to nothing wide
         let least = if taps == 1 { 8 } else { 6 };
         assert!(compared * 10 > points.len() * least, "{language}: {compared} of {} compared", points.len());
-        assert!(worst > 1e-3, "{language}: {}: the tolerance says nothing: {worst}", self.name());
+        assert!(worst > 1e-3, "{language}: {}: the tolerance says nothing: {worst}", emitted.name());
     }
 }
 

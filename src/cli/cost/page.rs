@@ -8,6 +8,7 @@ use super::super::output::{Outcome, print};
 use super::super::progress::Bar;
 use super::from::{bake_in, counts_in, times_in};
 use super::{Options, origin};
+use crate::approximate::Memo;
 use crate::bake::{BakeError, Baked, Selection};
 use crate::effects::reflection::bake::findings::reported;
 use crate::emit::manifest::Manifest;
@@ -75,7 +76,7 @@ impl Beside {
             origin.pages = bar_from("").map_err(BakeError::from)?;
             origin = origin.with_figures("../manifest.json");
         }
-        let studies = reported(input.scene.smith)?;
+        let studies = reported(input.scene.smith, &Memo::default())?;
         let (tables, times) = (self.manifest.entries.tables, self.times);
         Ok(cost_page(&Costs { origin, units, jobs, tables, times, studies }).map_err(BakeError::from)?)
     }

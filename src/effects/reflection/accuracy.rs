@@ -6,6 +6,7 @@ use multiversion::multiversion;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::data::Smith;
 use lobefit_math::lanes::{self, F8, LANES};
@@ -15,10 +16,10 @@ use lobefit_truth::integrate::{IntegrateError, PanelRule};
 use lobefit_truth::optics::ggx;
 
 /// Error against evaluations at one point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Study {
     /// What the point is: `easy`, `hard`.
-    pub name: &'static str,
+    pub name: String,
     /// GGX width.
     pub alpha: f64,
     /// Cosine of the view.
@@ -30,10 +31,10 @@ pub struct Study {
 }
 
 /// One integrator.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// Its name.
-    pub name: &'static str,
+    pub name: String,
     /// (integrand evaluations, error): for the random ones the standard error,
     /// else |value - truth|.
     pub points: Vec<(f64, f64)>,
@@ -41,7 +42,7 @@ pub struct Series {
 
 /// The setting of the path tracer at this point: 500 000 dispatches of 20 samples, each mean added
 /// to an f32.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sources {
     /// Samples.
     pub samples: f64,
@@ -74,14 +75,14 @@ const FLOOR: f64 = 1e-16;
 
 /// The studies of all [`POINTS`], in order.
 pub fn studies(smith: Smith) -> Result<Vec<Study>, IntegrateError> {
-    let study = |(name, alpha, mu): (&'static str, f64, f64)| -> Result<Study, IntegrateError> {
+    let study = |(name, alpha, mu): (&str, f64, f64)| -> Result<Study, IntegrateError> {
         let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
         let mut series = Vec::new();
         for (name, points, draw) in SAMPLERS {
-            series.push(Series { name, points: sampled(smith, alpha, mu, points, draw)? });
+            series.push(Series { name: name.into(), points: sampled(smith, alpha, mu, points, draw)? });
         }
         series.extend(quadrature(smith, alpha, mu, truth));
-        Ok(Study { name, alpha, mu, series, sources: sources(smith, alpha, mu) })
+        Ok(Study { name: name.into(), alpha, mu, series, sources: sources(smith, alpha, mu) })
     };
     POINTS.into_par_iter().map(study).collect()
 }
@@ -109,8 +110,8 @@ fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [Series; 2] {
     let whole = WHOLE.map(|n| point(albedo_work(smith, alpha, mu, &PanelRule::new(n), false)));
     let graded = [0, 1].map(|i| point(albedo_work(smith, alpha, mu, &Effort::ladder()[i].outer, true)));
     [
-        Series { name: "quadrature, one panel", points: whole.to_vec() },
-        Series { name: "quadrature, graded panels (as shipped)", points: graded.to_vec() },
+        Series { name: "quadrature, one panel".into(), points: whole.to_vec() },
+        Series { name: "quadrature, graded panels (as shipped)".into(), points: graded.to_vec() },
     ]
 }
 

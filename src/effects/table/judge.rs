@@ -1,6 +1,6 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use super::lookup::Variable;
@@ -170,34 +170,25 @@ fn judged(decode: Decode) -> Judged {
     if decode.has_bias() { Judged::Either } else { Judged::E }
 }
 
-/// Points among which the worst are looked for first: where the table has many cells, they are there.
-const FIRST: usize = 1 << 12;
+/// Points that are sorted at a time: the worst of some cells are among the worst of all.
+const SORTED: usize = 1 << 12;
 
 /// The worst points of which no two lie in one cell of the table.
 fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Vec<Point> {
     let before = |a: &usize, b: &usize| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b));
-    let of_cells = |among: &[usize]| {
-        let mut worst = BTreeMap::new();
-        for i in among {
-            let cell = lookup.position(&points[*i]).map(|x| x.floor() as i64);
-            let known = worst.entry(cell).or_insert(*i);
-            if before(i, known).is_lt() {
-                *known = *i;
-            }
-        }
-        let mut worst: Vec<usize> = worst.into_values().collect();
-        worst.sort_unstable_by(before);
-        worst
-    };
     let mut order: Vec<usize> = (0..points.len()).collect();
-    if FIRST < order.len() {
-        order.select_nth_unstable_by(FIRST, before);
+    let (mut rest, mut cells, mut worst) = (&mut order[..], BTreeSet::new(), Vec::new());
+    while worst.len() < places && !rest.is_empty() {
+        if SORTED < rest.len() {
+            rest.select_nth_unstable_by(SORTED, before);
+        }
+        let (next, others) = rest.split_at_mut(SORTED.min(rest.len()));
+        next.sort_unstable_by(before);
+        let first = |i: &&usize| cells.insert(lookup.position(&points[**i]).map(|x| x.floor() as i64));
+        worst.extend(next.iter().filter(first).map(|i| points[*i]).take(places - worst.len()));
+        rest = others;
     }
-    let mut worst = of_cells(&order[..FIRST.min(order.len())]);
-    if worst.len() < places && FIRST < order.len() {
-        worst = of_cells(&order);
-    }
-    worst.into_iter().take(places).map(|i| points[i]).collect()
+    worst
 }
 
 /// Points even in the coordinates of a table. Those of a region are even in its inputs: none of

@@ -131,7 +131,22 @@ impl Instance {
     }
 }
 
+/// Every element times the n-th power of a factor of its own. Eight powers rise side by side: one waits for
+/// every product.
+pub(super) fn multiply(column: &mut [f64], factor: &[f64], n: u8) {
+    let (mut blocks, factors) = (column.chunks_exact_mut(8), factor.chunks_exact(8));
+    let rest = factors.remainder();
+    for (block, x) in blocks.by_ref().zip(factors) {
+        let mut powers = [1.0; 8];
+        for _ in 0..n {
+            powers.iter_mut().zip(x).for_each(|(power, x)| *power *= x);
+        }
+        block.iter_mut().zip(powers).for_each(|(c, power)| *c *= power);
+    }
+    blocks.into_remainder().iter_mut().zip(rest).for_each(|(c, x)| *c *= raised(*x, n));
+}
+
 /// x^n by multiplication.
-pub(super) fn raised(x: f64, n: u8) -> f64 {
+fn raised(x: f64, n: u8) -> f64 {
     (0..n).fold(1.0, |product, _| product * x)
 }

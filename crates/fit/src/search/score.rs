@@ -1,7 +1,7 @@
 //! The smallest largest residual of a form, by linear programs.
 
 use super::form::{Form, Term};
-use super::helper::raised;
+use super::helper::multiply;
 use super::space::{SearchSamples, Space};
 use crate::rational::{Columns, Descent};
 
@@ -99,7 +99,7 @@ impl<'a> Data<'a> {
         let mut column = vec![1.0; self.samples.len()];
         let factors = self.samples.axes.iter().chain(helpers);
         for (factor, power) in factors.zip(term).filter(|(_, power)| **power > 0) {
-            column.iter_mut().zip(factor).for_each(|(c, x)| *c *= raised(*x, *power));
+            multiply(&mut column, factor, *power);
         }
         column
     }

@@ -4,7 +4,7 @@ use crate::emit_support::compilers::{Target, glslang};
 use crate::emit_support::say;
 use crate::gpu_support::device::WORKGROUP;
 use crate::gpu_support::gpu;
-use crate::lookup_support::{EMITTED, Emitted, bytes, literal, text};
+use crate::lookup_support::{EMITTED, Emitted, Job, bytes, literal, text};
 use lobefit_shade::code::Language;
 
 /// Numbers of a point, without its last.
@@ -107,9 +107,10 @@ void main() {{
 #[test]
 fn lookups_fetch_on_a_device_what_those_of_the_study_do() {
     let Some(gpu) = gpu() else { return };
+    let jobs: Vec<Job> = EMITTED.iter().map(Emitted::job).collect();
     for language in [Language::Wgsl, Language::Hlsl, Language::Glsl] {
-        for emitted in EMITTED.iter() {
-            let points = emitted.points();
+        for job in &jobs {
+            let Job { emitted, points, .. } = job;
             let source = shader(language, emitted, points.len());
             let module = match language {
                 Language::Wgsl => gpu.module(&source),
@@ -118,11 +119,11 @@ fn lookups_fetch_on_a_device_what_those_of_the_study_do() {
                     None => continue,
                 },
             };
-            let buffer = gpu.buffer(&bytes(&points));
+            let buffer = gpu.buffer(&bytes(points));
             let resources = [buffer.as_entire_binding()];
             let count = points.len() * emitted.numbers();
             let found = gpu.run(&module, "main", &resources, points.len(), count);
-            emitted.agrees(language.name(), &points, &found);
+            job.agrees(language.name(), &found);
         }
         say(&format!("{} on {}: {} lookups", language.name(), gpu.name, EMITTED.len()));
     }

@@ -131,4 +131,28 @@ impl PanelRule {
     pub fn panels(&self, cuts: &[f64], f: &impl Fn(&F8) -> F8) -> f64 {
         cuts.windows(2).map(|cut| self.panel(cut[0], cut[1], f)).sum()
     }
+
+    /// Integrals over all panels between the `cuts` of two functions that share most of their work.
+    #[inline(always)]
+    pub fn panels_of_both(&self, cuts: &[f64], f: &impl Fn(&F8) -> [F8; 2]) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for cut in cuts.windows(2) {
+            let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
+            let mut totals = [0.0; 2];
+            for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
+                let mut x = [0.0; LANES];
+                for i in 0..LANES {
+                    x[i] = middle + half * nodes[i];
+                }
+                for (mut y, total) in f(&x).into_iter().zip(&mut totals) {
+                    for i in 0..LANES {
+                        y[i] *= weights[i];
+                    }
+                    *total += lanes::sum(&y);
+                }
+            }
+            sums = [0, 1].map(|k| sums[k] + half * totals[k]);
+        }
+        sums
+    }
 }

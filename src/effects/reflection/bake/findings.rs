@@ -1,7 +1,7 @@
 //! What the bake found out, for the report.
 
 use super::pictures::Exact;
-use crate::approximate::{Dropped, Fit, Region};
+use crate::approximate::{Dropped, Fit, Memo, Region};
 use crate::data::{Smith, Source, Use};
 use crate::effects::context::Context;
 use crate::effects::reflection::{Study, studies};
@@ -14,6 +14,7 @@ use crate::report::{
     self, ApproximationFinding, AverageFinding, Field, Findings, Furnace, Marked, Ruler, StudySeries,
     TableFinding,
 };
+use crate::store::Key;
 use lobefit_truth::quantity::{GgxAverage, Quantity};
 
 /// How often the furnace's departure from white is amplified.
@@ -67,7 +68,7 @@ pub fn findings(
     found.tables =
         tables.iter().filter_map(|t| table(t, &made.part, context).transpose()).collect::<Result<_, _>>()?;
     found.approximations = approximations(tables, fits);
-    found.studies = reported(smith)?;
+    found.studies = reported(smith, &context.memo)?;
     Ok(found)
 }
 
@@ -168,25 +169,26 @@ pub fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static s
     }
 }
 
-/// The studies of accuracy as pages show them.
+/// The studies of accuracy as pages show them: twenty million samples, the same of every scene.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
-pub fn reported(smith: Smith) -> Result<Vec<report::Study>, BakeError> {
-    Ok(studies(smith)?.iter().map(study).collect())
+pub fn reported(smith: Smith, memo: &Memo) -> Result<Vec<report::Study>, BakeError> {
+    let studies = memo.kept(Key::of("studies").with(smith.name()), || studies(smith))?;
+    Ok(studies.iter().map(study).collect())
 }
 
 fn study(study: &Study) -> report::Study {
     let sources = &study.sources;
     report::Study {
-        name: study.name.into(),
+        name: study.name.clone(),
         alpha: study.alpha,
         mu: study.mu,
         series: study
             .series
             .iter()
             .map(|s| StudySeries {
-                name: s.name.into(),
+                name: s.name.clone(),
                 evaluations: s.points.iter().map(|p| p.0 as u64).collect(),
                 error: s.points.iter().map(|p| p.1).collect(),
             })

@@ -1,6 +1,7 @@
 //! The smallest largest residual of a sum, by Lawson's rounds of weighted least squares, in a basis
 //! that is orthonormal under the weights of the sum that it was grown from.
 
+use multiversion::multiversion;
 use nalgebra::{DMatrix, DVector};
 
 /// Columns, orthonormal under weights whose sum is 1, and what they leave of a target.
@@ -40,7 +41,7 @@ impl Frame {
             let across = frame.across(column)?;
             let weighted: Vec<f64> = weights.iter().zip(&across).map(|(w, x)| w * x).collect();
             let along = product(&weighted, &frame.rest);
-            frame.rest.iter_mut().zip(&across).for_each(|(r, x)| *r -= along * x);
+            take(&mut frame.rest, along, &across);
             frame.weighted.push(weighted);
             frame.basis.push(across);
         }
@@ -55,7 +56,7 @@ impl Frame {
             self.basis.iter().zip(&self.weighted).chain(self.basis.iter().zip(&self.weighted))
         {
             let along = product(weighted, &column);
-            column.iter_mut().zip(own).for_each(|(x, q)| *x -= along * q);
+            take(&mut column, along, own);
         }
         let length = dot(&self.weights, &column, &column).sqrt();
         if length.is_nan() || length <= DEPENDENT * whole {
@@ -125,7 +126,7 @@ impl Frame {
         let coefficients = squares.cholesky()?.solve(&sides);
         let mut residuals = self.rest.clone();
         for (column, c) in columns.iter().zip(&coefficients) {
-            residuals.iter_mut().zip(*column).for_each(|(r, x)| *r -= c * x);
+            take(&mut residuals, *c, column);
         }
         Some(residuals)
     }
@@ -146,7 +147,15 @@ fn dot(weights: &[f64], a: &[f64], b: &[f64]) -> f64 {
     weights.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum()
 }
 
-/// The sum of products, in eight sums side by side: one sum waits for every addition.
+/// Takes so much of a column away. Every form of it does the same operations in the same order.
+#[multiversion(targets("x86_64+avx+avx2"))]
+fn take(from: &mut [f64], along: f64, column: &[f64]) {
+    from.iter_mut().zip(column).for_each(|(x, q)| *x -= along * q);
+}
+
+/// The sum of products, in eight sums side by side: one sum waits for every addition. Every form of it does
+/// the same operations in the same order.
+#[multiversion(targets("x86_64+avx+avx2"))]
 fn product(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
     let (left, right) = (a.chunks_exact(8), b.chunks_exact(8));

@@ -2,7 +2,7 @@
 //! Horner tree in which each costs a multiply-add.
 
 use super::super::form::Term;
-use super::super::helper::{Helper, raised};
+use super::super::helper::{Helper, multiply};
 use super::super::space::{SLOTS, Space};
 
 /// What monomials are multiplied by to give others: the arguments, a reciprocal, and products of
@@ -136,7 +136,7 @@ pub(super) fn column(axes: &[Vec<f64>], inverse: &[f64], scale: &[f64], term: &T
     let mut column = scale.to_vec();
     for (factor, power) in axes.iter().map(Vec::as_slice).chain([inverse]).zip(term) {
         if *power > 0 {
-            column.iter_mut().zip(factor).for_each(|(c, x)| *c *= raised(*x, *power));
+            multiply(&mut column, factor, *power);
         }
     }
     column

@@ -2,9 +2,9 @@
 //! tan(b), over one quadrant (E is even about both axes). The variable spreads the dip at the short
 //! axis, so that the rule converges geometrically.
 
-use super::Rules;
 use super::rays::Rays;
 use super::view::View;
+use crate::integrate::PanelRule;
 use crate::optics::Smith;
 use lobefit_math::ops;
 
@@ -12,14 +12,14 @@ use lobefit_math::ops;
 /// exp(-4 strip count).
 const NODES: f64 = 14.0;
 
-/// E and loss, averaged over the azimuth; finer rules have more azimuths in proportion.
-pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rules: &Rules) -> [f64; 2] {
+/// E and loss, averaged over the azimuth; a finer rule has more azimuths in proportion.
+pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rule: &PanelRule) -> [f64; 2] {
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
     let root = (alpha[0] / alpha[1]).sqrt();
     // The integrand's strip of analyticity in b has half width atanh(sqrt(min/max)) (numerics:
     // 14/(4 atanh)).
     let strip = if ratio > 1.0 { atanh((1.0 / ratio).sqrt()) } else { f64::INFINITY };
-    let count = ((NODES / (4.0 * strip)).ceil().max(2.0) as usize) * (rules.azimuth.nodes() / 8);
+    let count = ((NODES / (4.0 * strip)).ceil().max(2.0) as usize) * (rule.nodes() / 8);
     let mut total = [0.0; 2];
     for i in 0..count {
         let b = 0.5 * std::f64::consts::PI * (i as f64 + 0.5) / count as f64;
@@ -29,7 +29,7 @@ pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rules: &Rules) -> [f6
         let length = length2.sqrt();
         // d phi / d b = root / (cos^2 b + root^2 sin^2 b)
         let weight = root / length2;
-        let value = Rays::new(View::towards(smith, alpha, mu, [x / length, y / length])).integrate(rules);
+        let value = Rays::new(View::towards(smith, alpha, mu, [x / length, y / length])).integrate(rule);
         total[0] += weight * value[0];
         total[1] += weight * value[1];
     }

@@ -37,20 +37,6 @@ pub struct Aniso {
     pub loss_error: f64,
 }
 
-/// Nodes per panel, along rays and over their azimuth.
-#[derive(Clone, Debug)]
-pub struct Rules {
-    ray: PanelRule,
-    azimuth: PanelRule,
-}
-
-impl Rules {
-    /// `n` nodes per panel in both, a multiple of eight.
-    pub fn new(n: usize) -> Rules {
-        Rules { ray: PanelRule::new(n), azimuth: PanelRule::new(n) }
-    }
-}
-
 /// Integrates E and the loss at alpha_x, alpha_y in [1e-4, 4] (or both 0: the mirror), mu in [0, 1]
 /// and the azimuth phi of the view from the alpha_x axis, radians; without phi, the mean over it.
 pub fn aniso(
@@ -64,15 +50,16 @@ pub fn aniso(
     if alpha == [0.0, 0.0] {
         return Ok(Aniso { e: 1.0, loss: 0.0, error: 0.0, loss_error: 0.0 });
     }
-    let mut reached = f64::INFINITY;
-    for n in [8, 16] {
-        let value = at(smith, alpha, mu, phi, &Rules::new(n), &Rules::new(2 * n))?;
-        reached = value.error;
+    let (mut coarse, mut reached) = (values(smith, alpha, mu, phi, 8), f64::INFINITY);
+    for n in [16, 32] {
+        let fine = values(smith, alpha, mu, phi, n);
+        let value = bounded(coarse, fine).ok_or_else(|| not_finite(alpha, mu))?;
         if value.error <= tolerance {
             return Ok(value);
         }
+        (coarse, reached) = (fine, value.error);
     }
-    let place = format!("alpha_x = {}, alpha_y = {}, mu = {mu}", alpha[0], alpha[1]);
+    let place = place(alpha, mu);
     Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
 }
 
@@ -110,36 +97,33 @@ pub fn with_nodes(
     n: usize,
 ) -> Result<Aniso, IntegrateError> {
     check(alpha, mu, Some(phi))?;
-    let rules = Rules::new(n);
-    at(smith, alpha, mu, Some(phi), &rules, &rules)
+    let values = values(smith, alpha, mu, Some(phi), n);
+    bounded(values, values).ok_or_else(|| not_finite(alpha, mu))
 }
 
-/// Values of the finer rules with bounds from the pair.
-pub fn at(
-    smith: Smith,
-    alpha: [f64; 2],
-    mu: f64,
-    phi: Option<f64>,
-    coarse: &Rules,
-    fine: &Rules,
-) -> Result<Aniso, IntegrateError> {
-    let values = |rules: &Rules| match phi {
-        Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).integrate(rules),
-        None => average::mean(smith, alpha, mu, rules),
-    };
-    let (a, b) = (values(coarse), values(fine));
-    let e = Estimate::from_slow_pair(a[0], b[0], 1.0).with_rounding(FLOOR, 1.0);
-    let scale = if b[1] > 0.0 { b[1] } else { 1.0 };
-    let loss = Estimate::from_slow_pair(a[1], b[1], scale).with_rounding(FLOOR, scale);
-    let value = Aniso {
-        e: e.value,
-        loss: loss.value,
-        error: e.error.max(loss.error),
-        loss_error: loss.error / scale,
-    };
-    if value.e.is_finite() && value.loss.is_finite() {
-        return Ok(value);
+/// E and the loss by rules of `n` nodes a panel, along rays and over their azimuth.
+fn values(smith: Smith, alpha: [f64; 2], mu: f64, phi: Option<f64>, n: usize) -> [f64; 2] {
+    let rule = PanelRule::new(n);
+    match phi {
+        Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).integrate(&rule),
+        None => average::mean(smith, alpha, mu, &rule),
     }
-    let place = format!("alpha_x = {}, alpha_y = {}, mu = {mu}", alpha[0], alpha[1]);
-    Err(IntegrateError::NotFinite { quantity: QUANTITY, place })
+}
+
+/// Values of the finer rules with bounds from the pair, where they are finite.
+fn bounded(coarse: [f64; 2], fine: [f64; 2]) -> Option<Aniso> {
+    let e = Estimate::from_slow_pair(coarse[0], fine[0], 1.0).with_rounding(FLOOR, 1.0);
+    let scale = if fine[1] > 0.0 { fine[1] } else { 1.0 };
+    let loss = Estimate::from_slow_pair(coarse[1], fine[1], scale).with_rounding(FLOOR, scale);
+    let error = e.error.max(loss.error);
+    let value = Aniso { e: e.value, loss: loss.value, error, loss_error: loss.error / scale };
+    (value.e.is_finite() && value.loss.is_finite()).then_some(value)
+}
+
+fn not_finite(alpha: [f64; 2], mu: f64) -> IntegrateError {
+    IntegrateError::NotFinite { quantity: QUANTITY, place: place(alpha, mu) }
+}
+
+fn place(alpha: [f64; 2], mu: f64) -> String {
+    format!("alpha_x = {}, alpha_y = {}, mu = {mu}", alpha[0], alpha[1])
 }

@@ -2,6 +2,8 @@
 //! sinh(v), g the effective alpha along the ray. In v the distribution is one unit wide, with its
 //! poles at +-i pi/2.
 
+use multiversion::multiversion;
+
 use super::view::View;
 use crate::integrate::PanelRule;
 use lobefit_math::lanes::{self, F8, LANES};
@@ -43,14 +45,13 @@ impl<'a> Ray<'a> {
         if to > 0.0 {
             panels::towards_end(&mut cuts, 0.0, to, LONGEST, self.scale(horizon, q));
         }
-        let e = rule.panels(&cuts, &|v| self.kept(v));
-        let above = rule.panels(&cuts, &|v| self.shadowed(v));
+        let [e, above] = above(self, &cuts, rule);
         let beyond = ops::asinh(2.0 * end / self.g);
         let mut cuts = vec![to];
         if beyond > to {
             panels::towards_end(&mut cuts, to, beyond, LONGEST, 1.0);
         }
-        let below = rule.panels(&cuts, &|v| self.below(v));
+        let below = below(self, &cuts, rule);
         let area = 1.0 / (self.g * self.g);
         [e * area, (above + below) * area]
     }
@@ -93,40 +94,14 @@ impl<'a> Ray<'a> {
         ]
     }
 
-    #[inline(always)]
-    fn kept(&self, v: &F8) -> F8 {
-        let view = self.view;
-        self.along(v, |mu_l, spread| {
-            let mu_l = mu_l.max(0.0);
-            let s_l = (mu_l * mu_l + spread).sqrt();
-            view.smith.shadowing_over_cosine(view.mu, view.s_v, mu_l, s_l)
-        })
-    }
-
-    #[inline(always)]
-    fn shadowed(&self, v: &F8) -> F8 {
-        let view = self.view;
-        self.along(v, |mu_l, spread| {
-            let mu_l = mu_l.max(0.0);
-            let s_l = (mu_l * mu_l + spread).sqrt();
-            view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, spread / (s_l + mu_l))
-        })
-    }
-
-    #[inline(always)]
-    fn below(&self, v: &F8) -> F8 {
-        let masking = 2.0 / (self.view.mu + self.view.s_v);
-        self.along(v, |_, _| masking)
-    }
-
-    /// The integrand in v, with a geometry factor of the light's cosine and alpha_x^2
+    /// The integrands in v, with geometry factors of the light's cosine and alpha_x^2
     /// l_x^2 + alpha_y^2 l_y^2.
     #[inline(always)]
-    fn along(&self, v: &F8, geometry: impl Fn(f64, f64) -> f64) -> F8 {
+    fn along<const N: usize>(&self, v: &F8, geometry: impl Fn(f64, f64) -> [f64; N]) -> [F8; N] {
         let view = self.view;
         let e = lanes::exp(v);
         let inverse_g2 = 1.0 / (self.g * self.g);
-        let mut out = [0.0; LANES];
+        let mut out = [[0.0; LANES]; N];
         for i in 0..LANES {
             let inverse = 1.0 / e[i];
             let x = 0.25 * self.g * (e[i] - inverse);
@@ -137,8 +112,43 @@ impl<'a> Ray<'a> {
             let light = self.light(cos_t, sin_t);
             let (lx, ly) = (view.alpha[0] * light[0], view.alpha[1] * light[1]);
             let d = cos_t * cos_t + sin_t * sin_t * inverse_g2;
-            out[i] = sin_t * vh * geometry(light[2], lx * lx + ly * ly) / (d * d) * slope * length2;
+            let factors = geometry(light[2], lx * lx + ly * ly);
+            for k in 0..N {
+                out[k][i] = sin_t * vh * factors[k] / (d * d) * slope * length2;
+            }
         }
         out
     }
+}
+
+/// What is kept and what shadowing takes where the light is above its horizon, compiled for the instructions
+/// that the processor has. Every form does the same operations in the same order (nothing is contracted), so
+/// all give the same bits.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn above(ray: &Ray, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
+    let view = ray.view;
+    rule.panels_of_both(cuts, &|v| {
+        ray.along(v, |mu_l, spread| {
+            let mu_l = mu_l.max(0.0);
+            let s_l = (mu_l * mu_l + spread).sqrt();
+            let lift = spread / (s_l + mu_l);
+            [
+                view.smith.shadowing_over_cosine(view.mu, view.s_v, mu_l, s_l),
+                view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, lift),
+            ]
+        })
+    })
+}
+
+/// What is lost where it is below, as [`above`].
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn below(ray: &Ray, cuts: &[f64], rule: &PanelRule) -> f64 {
+    let masking = 2.0 / (ray.view.mu + ray.view.s_v);
+    rule.panels(cuts, &|v| ray.along(v, |_, _| [masking])[0])
 }

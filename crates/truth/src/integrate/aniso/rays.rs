@@ -6,9 +6,9 @@
 
 use std::f64::consts::PI;
 
-use super::Rules;
 use super::ray::Ray;
 use super::view::View;
+use crate::integrate::PanelRule;
 use lobefit_math::{ops, panels};
 
 /// Longest panel over the azimuth.
@@ -26,13 +26,13 @@ impl Rays {
         Rays { view, cuts }
     }
 
-    /// E and loss.
-    pub fn integrate(&self, rules: &Rules) -> [f64; 2] {
+    /// E and loss, by a rule along the rays and over their azimuth.
+    pub fn integrate(&self, rule: &PanelRule) -> [f64; 2] {
         let mut total = [0.0; 2];
         for cut in self.cuts.windows(2) {
-            rules.azimuth.each(cut[0], cut[1], |psi, weight| {
+            rule.each(cut[0], cut[1], |psi, weight| {
                 let (sin_psi, cos_psi) = ops::sincos(psi);
-                let value = Ray::new(&self.view, [cos_psi, sin_psi]).integrate(&rules.ray);
+                let value = Ray::new(&self.view, [cos_psi, sin_psi]).integrate(rule);
                 total[0] += weight * value[0];
                 total[1] += weight * value[1];
             });

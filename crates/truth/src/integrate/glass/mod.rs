@@ -70,13 +70,15 @@ pub fn glass(
         let r = interface.fresnel(mu);
         return Ok(Glass { r, t: 1.0 - r, e: 1.0, loss: 0.0, error: f64::EPSILON, loss_error: 0.0 });
     }
-    let mut reached = f64::INFINITY;
-    for n in [8, 16] {
-        let value = at(smith, alpha, mu, interface, &PanelRule::new(n), &PanelRule::new(2 * n))?;
-        reached = value.error;
+    let values = |n| sweep::energies(smith, alpha, mu, interface, &PanelRule::new(n));
+    let (mut coarse, mut reached) = (values(8), f64::INFINITY);
+    for n in [16, 32] {
+        let fine = values(n);
+        let value = bounded(coarse, fine).ok_or_else(|| not_finite(alpha, mu, ior))?;
         if value.error <= tolerance {
             return Ok(value);
         }
+        (coarse, reached) = (fine, value.error);
     }
     let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}, {}", side.name());
     Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
@@ -110,24 +112,16 @@ pub fn with_nodes(
     n: usize,
 ) -> Result<Glass, IntegrateError> {
     check(alpha, mu, ior)?;
-    let rule = PanelRule::new(n);
-    at(smith, alpha, mu, Interface::new(ior, side), &rule, &rule)
+    let values = sweep::energies(smith, alpha, mu, Interface::new(ior, side), &PanelRule::new(n));
+    bounded(values, values).ok_or_else(|| not_finite(alpha, mu, ior))
 }
 
-/// Values of the finer rule with bounds from the pair.
-fn at(
-    smith: Smith,
-    alpha: f64,
-    mu: f64,
-    interface: Interface,
-    coarse: &PanelRule,
-    fine: &PanelRule,
-) -> Result<Glass, IntegrateError> {
-    let [a, b] = [coarse, fine].map(|rule| sweep::energies(smith, alpha, mu, interface, rule));
+/// Values of the finer rule with bounds from the pair, where they are finite.
+fn bounded(coarse: [f64; 3], fine: [f64; 3]) -> Option<Glass> {
     let estimate =
-        |i: usize, scale: f64| Estimate::from_slow_pair(a[i], b[i], scale).with_rounding(4.0, scale);
+        |i: usize, scale: f64| Estimate::from_slow_pair(coarse[i], fine[i], scale).with_rounding(4.0, scale);
     let (r, t) = (estimate(0, 1.0), estimate(1, 1.0));
-    let scale = if b[2] > 0.0 { b[2] } else { 1.0 };
+    let scale = if fine[2] > 0.0 { fine[2] } else { 1.0 };
     let loss = estimate(2, scale);
     let value = Glass {
         r: r.value,
@@ -137,9 +131,10 @@ fn at(
         error: (r.error + t.error).max(loss.error),
         loss_error: loss.error / scale,
     };
-    if [value.e, value.loss, value.error].iter().all(|x| x.is_finite()) {
-        return Ok(value);
-    }
-    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {:?}", interface.ior);
-    Err(IntegrateError::NotFinite { quantity: QUANTITY, place })
+    [value.e, value.loss, value.error].iter().all(|x| x.is_finite()).then_some(value)
+}
+
+fn not_finite(alpha: f64, mu: f64, ior: f64) -> IntegrateError {
+    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}");
+    IntegrateError::NotFinite { quantity: QUANTITY, place }
 }

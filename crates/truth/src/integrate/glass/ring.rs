@@ -8,6 +8,8 @@
 //! D depends on h_z alone, with 1 - h_z = 2 sin^2((theta_d - theta)/2) + 2 sin(theta) sin(theta_d)
 //! sin^2(psi/2) free of cancellation. tan(psi/4) = r sinh(v) puts the pole of D at v = i pi/2.
 
+use multiversion::multiversion;
+
 use super::interface::Facet;
 use crate::integrate::PanelRule;
 use crate::optics::Smith;
@@ -106,23 +108,7 @@ impl<'a> Ring<'a> {
         let scales = [from, to].map(|v| self.scale(height, v));
         let mut cuts = vec![from];
         panels::towards_both(&mut cuts, from, to, LONGEST, scales);
-        let view = self.view;
-        let kept = rule.panels(&cuts, &|v| {
-            self.along(v, |half| {
-                let mu_l = height.at(half).max(0.0);
-                let s_l = ggx::stretched_length(view.alpha, mu_l.min(1.0));
-                view.smith.shadowing_over_cosine(view.mu, view.s_v, mu_l, s_l)
-            })
-        });
-        let taken = rule.panels(&cuts, &|v| {
-            self.along(v, |half| {
-                let mu_l = height.at(half).clamp(0.0, 1.0);
-                let s_l = ggx::stretched_length(view.alpha, mu_l);
-                let spread = view.alpha * view.alpha * ((1.0 - mu_l) * (1.0 + mu_l));
-                view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, spread / (s_l + mu_l))
-            })
-        });
-        [kept, taken]
+        lit(self, height, &cuts, rule)
     }
 
     fn dark(&self, from: f64, to: f64, rule: &PanelRule) -> f64 {
@@ -131,8 +117,7 @@ impl<'a> Ring<'a> {
         }
         let mut cuts = vec![from];
         panels::towards_end(&mut cuts, from, to, LONGEST, 1.0);
-        let masking = 2.0 / (self.view.mu + self.view.s_v);
-        rule.panels(&cuts, &|v| self.along(v, |_| masking))
+        dark(self, &cuts, rule)
     }
 
     /// Scale in v on which the shadowing varies at an end where the light is near its horizon; 1
@@ -152,12 +137,12 @@ impl<'a> Ring<'a> {
         (layer / slope).clamp(1e-12, 1.0)
     }
 
-    /// D times a geometry factor of sin^2(psi/2), over both halves of the ring, in v.
+    /// D times geometry factors of sin^2(psi/2), over both halves of the ring, in v.
     #[inline(always)]
-    fn along(&self, v: &F8, geometry: impl Fn(f64) -> f64) -> F8 {
+    fn along<const N: usize>(&self, v: &F8, geometry: impl Fn(f64) -> [f64; N]) -> [F8; N] {
         let a2 = self.view.alpha * self.view.alpha;
         let e = lanes::exp(v);
-        let mut out = [0.0; LANES];
+        let mut out = [[0.0; LANES]; N];
         for i in 0..LANES {
             let inverse = 1.0 / e[i];
             let tau = 0.5 * self.r * (e[i] - inverse);
@@ -168,10 +153,46 @@ impl<'a> Ring<'a> {
             let depth = self.low + 2.0 * self.reach * half;
             let sin2 = depth * (2.0 - depth);
             let d = sin2 + a2 * (1.0 - sin2);
-            out[i] = 2.0 * a2 / (std::f64::consts::PI * d * d) * geometry(half) * 4.0 * slope * length2;
+            let lobe = 2.0 * a2 / (std::f64::consts::PI * d * d);
+            let factors = geometry(half);
+            for k in 0..N {
+                out[k][i] = lobe * factors[k] * 4.0 * slope * length2;
+            }
         }
         out
     }
+}
+
+/// [kept, lost] where the light is above its horizon, compiled for the instructions that the processor has.
+/// Every form does the same operations in the same order (nothing is contracted), so all give the same bits.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn lit(ring: &Ring, height: Height, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
+    let view = ring.view;
+    rule.panels_of_both(cuts, &|v| {
+        ring.along(v, |half| {
+            let above = height.at(half).max(0.0);
+            let mu_l = above.min(1.0);
+            let s_l = ggx::stretched_length(view.alpha, mu_l);
+            let lift = view.alpha * view.alpha * ((1.0 - mu_l) * (1.0 + mu_l)) / (s_l + mu_l);
+            [
+                view.smith.shadowing_over_cosine(view.mu, view.s_v, above, s_l),
+                view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, lift),
+            ]
+        })
+    })
+}
+
+/// What is lost where it is below, as [`lit`].
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn dark(ring: &Ring, cuts: &[f64], rule: &PanelRule) -> f64 {
+    let masking = 2.0 / (ring.view.mu + ring.view.s_v);
+    rule.panels(cuts, &|v| ring.along(v, |_| [masking])[0])
 }
 
 impl Height {
