@@ -55,7 +55,8 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         ("for", Left),
     ];
     let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
-    let own = rows.iter().map(|(call, _)| [format!("  {}", call.signature()), String::new()]);
+    let own =
+        rows.iter().map(|(call, _)| [format!("  {}", call.signature()), of_layers(&call.function, calls)]);
     let all: Vec<[String; 2]> = own.chain(around(calls)).collect();
     lines.extend(columns::lines([("arguments", Left), ("", Left)], &all));
     if rows.iter().any(|(_, names)| names.len() > NAMED) {
@@ -65,6 +66,17 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         );
     }
     lines
+}
+
+/// Whose roughness a function takes: `of the coat`; nothing where that is of the specular lobe alone.
+fn of_layers(function: &str, calls: &[Call]) -> String {
+    let own = calls.iter().filter(|call| call.function == function);
+    let layers: BTreeSet<&str> = own.map(|call| call.layer.as_deref().unwrap_or("lobe")).collect();
+    if layers.iter().all(|layer| *layer == "lobe") {
+        return String::new();
+    }
+    let named: Vec<String> = layers.iter().map(|layer| format!("the {layer}")).collect();
+    format!("of {}", named.join(" and of "))
 }
 
 /// A row for each function about calls: what it does with which.

@@ -90,8 +90,9 @@ pub(super) fn verb(materials: &[&Material], plural: &str) -> String {
 
 /// The first names, and how many more there are.
 pub(super) fn named(materials: &[&Material]) -> String {
-    let first: Vec<String> = materials.iter().take(NAMED).map(|m| format!("`{}`", m.name)).collect();
-    match materials.len().saturating_sub(NAMED) {
+    let shown = if materials.len() == NAMED + 1 { NAMED + 1 } else { NAMED };
+    let first: Vec<String> = materials.iter().take(shown).map(|m| format!("`{}`", m.name)).collect();
+    match materials.len().saturating_sub(shown) {
         0 => first.join(", "),
         more => format!("{} and {more} more", first.join(", ")),
     }

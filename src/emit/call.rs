@@ -33,7 +33,7 @@ pub struct Call {
     pub arguments: Vec<String>,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
-    /// The function that takes its value, or `f/E` where the lobe f is divided by it.
+    /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// Functions of the include files about it: that take its value, or that call it.
@@ -93,6 +93,12 @@ impl Around {
 fn signature(function: &str, arguments: &[String]) -> String {
     format!("{function}({})", arguments.join(", "))
 }
+
+/// What is made of an albedo E and the lobe f where no function does it: the lobe over it.
+pub const OVER: &str = "f/E";
+
+/// What is made of a normalisation N and the lobe f: their product.
+pub const TIMES: &str = "f*N";
 
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.
@@ -188,6 +194,9 @@ pub struct MaskLookup {
     pub cost: CostEntry,
 }
 
+/// The layers of a material that functions are of, from the inside out.
+const LAYERS: [&str; 3] = ["base", "coat", "sheen"];
+
 /// Most callers that the row of a function names: more stand with all that they call.
 pub const NAMED: usize = 3;
 
@@ -205,6 +214,11 @@ impl Call {
     /// The call with its arguments.
     pub fn signature(&self) -> String {
         signature(&self.function, &self.arguments)
+    }
+
+    /// ` of the coat`, of what takes the roughness of a layer.
+    pub fn of_layer(&self) -> String {
+        self.layer.as_ref().map_or_else(String::new, |layer| format!(" of the {layer}"))
     }
 
     /// Whether a material or probe has a choice between it and another.
@@ -248,7 +262,10 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
     }
     let mut sets: Vec<Callers> = Vec::new();
     let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
-    for (name, choices) in each {
+    for (name, mut choices) in each {
+        // From the inside out.
+        choices
+            .sort_by_key(|choice| LAYERS.iter().position(|layer| choice[0].layer.as_deref() == Some(layer)));
         let calls: Vec<String> = choices.iter().map(|choice| worded(choice)).collect();
         let place = *places.entry(calls.clone()).or_insert(sets.len());
         match sets.get_mut(place) {
@@ -263,7 +280,10 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
 /// said once.
 fn worded(choice: &[&Call]) -> String {
     let then = |call: &Call| {
-        let then = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
+        let value = call.around.iter().find(|around| call.then.as_ref() == Some(&around.function));
+        let value = value.and_then(|around| around.value.as_ref());
+        let value = value.map_or_else(String::new, |value| format!(" as {value}"));
+        let then = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}{value}"));
         let within = call.around.iter().find(|around| around.how == How::Calls);
         let within = within.map_or_else(String::new, |around| format!(" in {}", around.function));
         let without = call.without.as_ref().map_or_else(String::new, |what| format!(", {what} left out"));
@@ -274,12 +294,7 @@ fn worded(choice: &[&Call]) -> String {
     let (mut all, others): (Vec<&Call>, Vec<&Call>) = choice.iter().partition(|call| call.recommended);
     all.extend(others);
     let own = |call: &Call| if is_shared { String::new() } else { then(call) };
-    // Functions of a layer are named after it, but for those that stand for another's.
-    let of = |call: &Call| {
-        let layer = call.layer.as_ref().filter(|layer| !call.function.contains(layer.as_str()));
-        call.function.clone() + &layer.map_or_else(String::new, |layer| format!(" of the {layer}"))
-    };
-    let mut words = all.iter().map(|call| of(call) + &own(call));
+    let mut words = all.iter().map(|call| call.function.clone() + &call.of_layer() + &own(call));
     let first = words.next().unwrap_or_default();
     let rest: Vec<String> = words.collect();
     let or = if rest.is_empty() { String::new() } else { format!(" (or {})", rest.join(", ")) };

@@ -333,7 +333,9 @@ fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Resul
                 .map_err(|e| about("ior", format!("{e}, where a dielectric's lies")))?;
             Ok(Some([f0_of_ior(n); 3]))
         }
-        (Kind::Glass, Some(_), _) => Err("`f0` is for metals and dielectrics; give the glass's `ior`".into()),
+        (Kind::Glass, Some(_), _) => {
+            Err("`f0` is for metals and dielectrics; of glass give `ior` alone".into())
+        }
         (Kind::Glass, None, None) => Err("glass needs `ior`".into()),
         (Kind::Glass, None, Some(range)) => {
             for n in range {

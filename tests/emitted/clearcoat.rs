@@ -148,7 +148,7 @@ fn a_base_below_the_exact_term_is_one_below_a_coat() {
         .flat_map(|(name, value)| [None, Some("coat")].map(|layer| (name, layer, scale, value)));
     assert_eq!(called.collect::<BTreeSet<_>>(), expected.collect::<BTreeSet<_>>());
     let worded = &callers(&baked.calls)[0].calls;
-    let coat = "ggx_dielectric_albedo of the coat then coat_base_scale";
+    let coat = "ggx_dielectric_albedo of the coat then coat_base_scale as e_v";
     assert!(worded.iter().any(|call| call == coat), "{worded:?}");
 }
 

@@ -36,6 +36,7 @@ impl fmt::Display for Note {
         let named = self.of.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
         match self.of.len() {
             0 => f.write_str(&self.text),
+            n if n == NAMED + 1 => write!(f, "{}: {}", self.of.join(", "), self.text),
             n if n > NAMED => write!(f, "{named} and {} more: {}", n - NAMED, self.text),
             _ => write!(f, "{named}: {}", self.text),
         }

@@ -62,7 +62,7 @@ const FITS: ValueFits = ValueFits {
 const OF_COATS: ValueFits = ValueFits {
     field: "coat",
     layer: Some("coat"),
-    because: "with a coat, whose base takes the albedo of its lobe,",
+    because: "with a coat whose base takes the albedo of its lobe",
     ..FITS
 };
 
