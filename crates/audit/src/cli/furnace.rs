@@ -10,7 +10,7 @@ use super::origin::quoted;
 use super::words::setting;
 use crate::audit::Grade;
 use crate::foreign::{self, ShaderFunction};
-use crate::furnace::{self, Asked, FurnaceFindings, Role};
+use crate::furnace::{self, Allowance, Asked, FurnaceFindings, Role};
 use lobefit::cli::CliError;
 use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{self, Outcome, print};
@@ -28,7 +28,7 @@ Arguments are known by their names: a normal, view, light or half vector, tangen
 a roughness or alpha, colours and F0, which are white. --role says what a name does not: n, v, l, h, t, b, a cosine as n.l, roughness or white.
 
 Exit codes:
-  0  without --limit: whatever the verdict is; with --limit: no energy is above 1 + X, and f(l, v) within X of f(v, l)
+  0  without --limit: whatever the verdict is; with --limit: no energy is above 1 + X, and without --one-way f(l, v) within X of f(v, l)
   1  with --limit: an energy is above 1 + X or its error bars hold 1 + X, f is not reciprocal, or has values that are no numbers
   2  options, or a file or function that cannot be read
   3  --out, or standard output, cannot be written";
@@ -71,6 +71,9 @@ struct Options {
     /// Largest energy above 1, and largest difference of f(l, v) and f(v, l) as a share, that is accepted
     #[arg(long, value_name = "X", value_parser = not_negative)]
     pub limit: Option<f64>,
+    /// Accept a function that is not reciprocal: --limit is on energy alone
+    #[arg(long)]
+    pub one_way: bool,
     /// Folder for NAME.furnace.html and NAME.furnace.json
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -117,7 +120,8 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     let found = options.threads.install(|| Ok(furnace::furnace(&function, &asked)?))?;
     drop(progress);
     let name = options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
-    let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, options.limit);
+    let allowance = Allowance { limit: options.limit, one_way: options.one_way };
+    let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, allowance);
     let passed = options.limit.is_none() || judgement.grade == Grade::Pass;
     let found = FurnaceFindings {
         origin: origin(options, &bytes, &name),
@@ -176,6 +180,7 @@ fn origin(options: &Options, bytes: &[u8], name: &str) -> Origin {
     let cosine = options.cosine.and_then(|c| c.to_possible_value());
     cosine.iter().for_each(|c| add("--cosine", c.get_name().into()));
     options.limit.iter().for_each(|l| add("--limit", l.to_string()));
+    words.extend(options.one_way.then(|| "--one-way".to_string()));
     Origin {
         scene: String::new(),
         recipe: blake3::hash(bytes).to_hex().to_string(),

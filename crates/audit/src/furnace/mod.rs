@@ -11,4 +11,4 @@ mod words;
 pub use measure::{Asked, Broken, Cell, Cosine, Energy, Furnace, Unusable, furnace, is_brdf};
 pub use page::{FurnaceFindings, furnace_page};
 pub use roles::{Role, Roles, role};
-pub use words::{Judgement, judgement};
+pub use words::{Allowance, Judgement, judgement};

@@ -24,15 +24,26 @@ const ALLOWED: f64 = 5e-3;
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
 
-/// The verdict on a function; without a limit `ALLOWED` is.
-pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
+/// What a function may do.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Allowance {
+    /// The largest energy above 1, and the largest difference of f(l, v) and f(v, l); `ALLOWED` where it
+    /// is not given.
+    pub limit: Option<f64>,
+    /// Whether it may differ for directions that are exchanged, by whatever much.
+    pub one_way: bool,
+}
+
+/// The verdict on a function.
+pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement {
+    let limit = allowance.limit;
     let allowed = limit.unwrap_or(ALLOWED);
     let (cell, channel) = &found.most;
     let most = cell.energy[*channel];
     let broken = &found.reciprocity;
     let gains = most.value - most.error > 1.0 + allowed;
     let open = most.value + most.error > 1.0 + allowed;
-    let one_way = broken.share > allowed;
+    let one_way = broken.share > allowed && !allowance.one_way;
     let unusable = found.unusable.is_some();
     let grade = match (gains || one_way || unusable, open) {
         (true, _) => Grade::Fail,
@@ -50,10 +61,10 @@ pub fn judgement(name: &str, found: &Furnace, limit: Option<f64>) -> Judgement {
     if unusable {
         wrong.push("has values that are no reflectance");
     }
-    let what = if wrong.is_empty() {
-        "neither gains energy nor prefers a direction".into()
-    } else {
-        wrong.join(" and ")
+    let what = match (wrong.is_empty(), allowance.one_way) {
+        (true, false) => "neither gains energy nor prefers a direction".into(),
+        (true, true) => "gains no energy".into(),
+        (false, _) => wrong.join(" and "),
     };
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
