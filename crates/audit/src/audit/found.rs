@@ -3,6 +3,7 @@
 use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
+use super::encoded::Encoding;
 use super::errors::TexelErrors;
 use super::lobe::Lobe;
 use super::lookup::LookupErrors;
@@ -50,6 +51,8 @@ pub struct Furnace {
 pub enum Other {
     /// Another quantity, judged as that.
     Quantity(Box<Audit>),
+    /// The same as the channel of this name.
+    Same(String),
     /// Nothing that is known.
     Unknown,
 }
@@ -124,6 +127,8 @@ pub struct Audit {
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
+    /// What its values were decoded from.
+    pub encoding: Option<&'static Encoding>,
     /// Of a function: the published formula whose values it has, in a sentence.
     pub published: Option<String>,
     /// What else is to be said of it, in sentences.
