@@ -8,6 +8,7 @@ use super::errors::TexelErrors;
 use super::lobe::Lobe;
 use super::lookup::LookupErrors;
 use super::plain::Plain;
+use super::published::Published;
 use super::table::Source;
 use super::two_lobes::TwoLobes;
 use super::verdict::Verdict;
@@ -129,8 +130,8 @@ pub struct Audit {
     pub truth_error: f64,
     /// What its values were decoded from.
     pub encoding: Option<&'static Encoding>,
-    /// Of a function: the published formula whose values it has, in a sentence.
-    pub published: Option<String>,
+    /// Of a function: the published formula whose values it has.
+    pub published: Option<Published>,
     /// What else is to be said of it, in sentences.
     pub remarks: Vec<String>,
 }

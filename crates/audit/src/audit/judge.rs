@@ -8,7 +8,7 @@ use super::axis::{AxisReading, Input};
 use super::convention::{Fixed, Misfit};
 use super::sample::{Candidate, Fitted, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::screen::best;
-use super::truth::{Truth, Values};
+use super::truth::{Truth, Truths, Values};
 
 /// Least values that tables clamp alpha and mu to.
 const FLOORS: [f64; 7] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2];
@@ -41,9 +41,6 @@ pub(super) fn quickly(
 ) -> Result<Judgement, AuditError> {
     judged_by(truth, sample, axes, lobe, Truth::quick)
 }
-
-/// Values of a lobe at every combination of inputs.
-type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
 fn judged_by<'a>(
     truth: &Truth<'a>,

@@ -51,6 +51,7 @@ pub use lobe::{FORMS, Form, Lobe};
 pub use lookup::LookupErrors;
 pub use page::findings;
 pub use plain::Plain;
+pub use published::Published;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use two_lobes::TwoLobes;
 pub(crate) use verdict::place;
@@ -166,6 +167,13 @@ pub fn audit(
     }
     scan::through(&truth, &table, &live, &mut done)?;
     done.published = published::named(&table, &done);
+    if let Some(known) = done.published.as_ref().filter(|_| done.fit == Fit::None && fixed.form.is_none()) {
+        let of = |form| {
+            let fixed = Fixed { form: Some(form), ..fixed.clone() };
+            audit(audited, quantity, &fixed, progress).map(|audit| audit.worst())
+        };
+        done.remarks.extend(published::held(known, quantity, of)?);
+    }
     apart::with_others(done, &case, quantity)
 }
 

@@ -25,6 +25,9 @@ pub(super) use spec::{MOST_IOR, Spec, averaged, spec, with_azimuth};
 /// What columns are made of at every combination of the inputs given, the first input fastest.
 pub(super) type Values = Vec<Base>;
 
+/// Values of a lobe at every combination of inputs.
+pub(super) type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
+
 /// The values of a lobe of a quantity, or of its averages, at so many knots.
 type AtKnots = ((&'static str, bool, usize, Lobe), Arc<Values>);
 
@@ -228,12 +231,7 @@ impl<'a> Truth<'a> {
 
     /// Of a lobe of both sides the values of each, put together along the index, which is the first
     /// input; none of every other lobe.
-    fn halves(
-        &self,
-        lobe: usize,
-        at: &[&[f64]],
-        values: fn(&Self, usize, &[&[f64]]) -> Result<Values, AuditError>,
-    ) -> Option<Result<Values, AuditError>> {
+    fn halves(&self, lobe: usize, at: &[&[f64]], values: Truths<'a>) -> Option<Result<Values, AuditError>> {
         let own = self.lobes[lobe];
         let of = |side| self.lobes.iter().position(|l| *l == Lobe { side: Some(side), both: false, ..own });
         let sides = own.both.then(|| Some([of(Side::Inside)?, of(Side::Outside)?])).flatten()?;

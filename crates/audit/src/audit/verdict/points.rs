@@ -28,7 +28,9 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
     errors.extend(audit.remarks.iter().cloned());
-    let named = audit.published.iter().cloned();
+    let named = audit.published.iter().map(|known| {
+        format!("It has the values of a published formula, `{}`: {}.", known.name, known.publication)
+    });
     let convention: Vec<String> = [opening(audit)].into_iter().chain(named).chain(idle(audit)).collect();
     Verdict {
         grade: grade(audit, limit),
@@ -42,7 +44,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
 }
 
 fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
-    let unfit = audit.fit == Fit::None && audit.two_lobes.is_none();
+    let unfit = audit.fit == Fit::None && audit.two_lobes.is_none() && audit.published.is_none();
     let sound = |d: &Defect| advice::mending(d, &audit.axes, audit.source).is_none();
     let read = audit.plain.as_ref().is_none_or(|plain| is_usual(audit.best(), &plain.convention));
     let plain = read && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
@@ -96,8 +98,13 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
     let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
     let (max, at) = (number(worst.max) + &of, place(&worst.at));
     if audit.fit == Fit::None && audit.two_lobes.is_none() {
-        let found =
-            if audit.source == Source::Table { "fits no convention" } else { "is no approximation of it" };
+        let found = match (audit.source, &audit.published) {
+            (Source::Table, _) => "fits no convention".into(),
+            (Source::Function, None) => "is no approximation of it".into(),
+            (Source::Function, Some(known)) => {
+                format!("is `{}` ({}), no approximation of it", known.name, known.publication)
+            }
+        };
         return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
     }
     let limit = of_another(audit) + &limit;
