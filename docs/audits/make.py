@@ -128,7 +128,8 @@ def reading(found):
         ("1 - " if a["reversed"] else "") + a["coordinate"] + (f" ({a['registration']})" if "registration" in a else "")
     )
     axes = ", ".join(f"{a['axis']}: {axis(a)}" for a in first["axes"])
-    return f"{axes}; {first['lobe']}" if first.get("lobe") else axes
+    decoded = f"; decoded from {found['encoding']}" if found.get("encoding") else ""
+    return (f"{axes}; {first['lobe']}" if first.get("lobe") else axes) + decoded
 
 
 def rows(artefact, found, compare):

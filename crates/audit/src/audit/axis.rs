@@ -70,6 +70,13 @@ pub enum Scale {
     IorOneAndHalf,
     /// ior = 1 + 2 x.
     IorTwo,
+    /// ior = 1.05 + 2 x: MoonRay's tables of transmission, as they are looked up.
+    IorFromTwo,
+    /// ior = 1.05 + 1.95 x: the same as their comment has it.
+    IorFromToThree,
+    /// Two halves: from inside with ior falling from 2.5 to 1, then from outside with ior rising from
+    /// 1 to 2.5 (Adobe's OpenPBR BSDF). Below 1 the input is 1/ior.
+    IorBothSides,
     /// ior = (1 + sqrt(F0))/(1 - sqrt(F0)) with F0 = x.
     F0,
     /// The same with F0 = x^2.
@@ -89,7 +96,7 @@ pub enum Scale {
 }
 
 /// Every scale; of those of an input the usual ones first.
-pub const SCALES: [Scale; 22] = [
+pub const SCALES: [Scale; 25] = [
     Scale::Roughness,
     Scale::Alpha,
     Scale::RoughnessFourth,
@@ -104,6 +111,9 @@ pub const SCALES: [Scale; 22] = [
     Scale::IorUnit,
     Scale::IorOneAndHalf,
     Scale::IorTwo,
+    Scale::IorFromTwo,
+    Scale::IorFromToThree,
+    Scale::IorBothSides,
     Scale::F0,
     Scale::RootF0,
     Scale::FourthRootF0,
@@ -137,6 +147,11 @@ impl Scale {
             Scale::IorUnit => (Ior, "ior-1", |x| 1.0 + x),
             Scale::IorOneAndHalf => (Ior, "(ior-1)/1.5", |x| 1.0 + 1.5 * x),
             Scale::IorTwo => (Ior, "(ior-1)/2", |x| 1.0 + 2.0 * x),
+            Scale::IorFromTwo => (Ior, "(ior-1.05)/2", |x| 1.05 + 2.0 * x),
+            Scale::IorFromToThree => (Ior, "(ior-1.05)/1.95", |x| 1.05 + 1.95 * x),
+            Scale::IorBothSides => {
+                (Ior, "1/ior..ior", |x| if x < 0.5 { 1.0 / (2.5 - 3.0 * x) } else { 3.0 * x - 0.5 })
+            }
             Scale::F0 => (Ior, "f0", |x| ior_of(x.sqrt())),
             Scale::RootF0 => (Ior, "sqrt(f0)", ior_of),
             Scale::FourthRootF0 => (Ior, "f0^(1/4)", |x| ior_of(x * x)),
@@ -163,6 +178,11 @@ impl Scale {
         self.facts().2(x)
     }
 
+    /// Whether it runs over both sides of a surface.
+    pub fn is_of_both_sides(self) -> bool {
+        self == Scale::IorBothSides
+    }
+
     /// What the name leaves open; may be empty.
     pub fn note(self) -> &'static str {
         match self {
@@ -171,6 +191,7 @@ impl Scale {
             Scale::F0 | Scale::RootF0 | Scale::FourthRootF0 => "f0 at normal incidence",
             Scale::Eta => "eta = 1/ior",
             Scale::Aspect => "aspect = sqrt(1 - 0.9 anisotropy)",
+            Scale::IorBothSides => "ior 2.5 falling to 1 from inside, then rising to 2.5 from outside",
             _ => "",
         }
     }
@@ -288,9 +309,14 @@ impl AxisReading {
         AxisReading { scale, registration, reversed, floor: 0.0 }
     }
 
-    /// Coordinate of texel i of n.
+    /// Coordinate of texel i of n; of an axis over both sides each half has ends of its own.
     pub fn coordinate(&self, i: usize, n: usize) -> f64 {
-        self.registration.coordinate(if self.reversed { n - 1 - i } else { i }, n)
+        let (i, half) = (if self.reversed { n - 1 - i } else { i }, n / 2);
+        match self.scale.is_of_both_sides() {
+            false => self.registration.coordinate(i, n),
+            true if i < half => 0.5 - 0.5 * self.registration.coordinate(half - 1 - i, half),
+            true => 0.5 + 0.5 * self.registration.coordinate(i - half, n - half),
+        }
     }
 
     /// The input at texel i of n.
@@ -300,7 +326,12 @@ impl AxisReading {
 
     /// Position in texels of a coordinate, with a registration of the reader's own.
     pub fn position(&self, x: f64, n: usize, registration: Registration) -> f64 {
-        let p = registration.position(x, n);
+        let half = n / 2;
+        let p = match self.scale.is_of_both_sides() {
+            false => registration.position(x, n),
+            true if x < 0.5 => (half - 1) as f64 - registration.position(1.0 - 2.0 * x, half),
+            true => half as f64 + registration.position(2.0 * x - 1.0, n - half),
+        };
         if self.reversed { (n - 1) as f64 - p } else { p }
     }
 
@@ -323,6 +354,20 @@ mod tests {
                 let mirrored = 1.0 - registration.mirrored().coordinate(8 - i, 9);
                 assert!((mirrored - registration.coordinate(i, 9)).abs() < 1e-15, "{registration:?} {i}");
             }
+        }
+    }
+
+    #[test]
+    fn halves_have_ends_of_their_own() {
+        let axis = |reversed| AxisReading::new(Scale::IorBothSides, Registration::Endpoint, reversed);
+        let nodes = [0, 15, 16, 31].map(|i| axis(false).node(i, 32));
+        assert_eq!(nodes, [0.4, 1.0, 1.0, 2.5]);
+        for (reversed, i) in [false, true].into_iter().flat_map(|r| (0..32).map(move |i| (r, i))) {
+            let own = axis(reversed);
+            let back = own.position(own.coordinate(i, 32), 32, Registration::Endpoint);
+            // Both halves have the index 1.
+            let same = (own.node(i, 32) - 1.0).abs() < 1e-12 && (back - i as f64).abs() < 1.0 + 1e-12;
+            assert!(same || (back - i as f64).abs() < 1e-12, "{reversed} {i}: {back}");
         }
     }
 

@@ -99,7 +99,7 @@ const WORTH_A_TRY: f64 = 1.2;
 
 /// Root mean square of a table, beside the spread of the truth, that leaves nothing to be explained
 /// by another shadowing: sampling noise and rounding leave less.
-const CLOSE: f64 = 4e-3;
+pub(super) const CLOSE: f64 = 4e-3;
 
 /// Root mean square of the errors of a candidate's worst channel beside the spread of its truth.
 pub(super) fn off(truth: &Truth, case: &Case, candidate: &Candidate) -> Result<f64, AuditError> {

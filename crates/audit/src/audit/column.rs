@@ -51,6 +51,14 @@ pub enum Column {
     AverageLoss,
     /// 1/E_avg.
     AverageInverse,
+    /// Cosine-weighted average of R + T of glass.
+    AverageRT,
+    /// 1 less that.
+    AverageLossRT,
+    /// Its inverse.
+    AverageInverseRT,
+    /// Cosine-weighted average of R of glass.
+    AverageR,
     /// E at normal incidence, which passes for an average.
     Normal,
     /// 1 - E at normal incidence.
@@ -87,6 +95,9 @@ pub const GLASS: [Column; 9] = [
 /// Columns of averages.
 pub const AVERAGE: [Column; 5] =
     [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
+/// Columns of averages of glass.
+pub const GLASS_MEAN: [Column; 4] =
+    [Column::AverageRT, Column::AverageLossRT, Column::AverageInverseRT, Column::AverageR];
 /// Columns of averages of a quantity of which there is no other.
 pub const MEAN: [Column; 3] = [Column::Average, Column::AverageLoss, Column::AverageInverse];
 
@@ -120,9 +131,10 @@ impl Column {
             Column::LossR => ("1-R", "what is not reflected"),
             Column::RadianceT => ("T/eta^2", "transmitted, scaled as radiance"),
             Column::Radiance => ("R+T/eta^2", "the albedo with T scaled as radiance"),
-            Column::Average => ("E_avg", "the cosine-weighted average"),
-            Column::AverageLoss => ("1-E_avg", "the loss"),
-            Column::AverageInverse => ("1/E_avg", "a normalisation"),
+            Column::Average | Column::AverageRT => ("E_avg", "the cosine-weighted average"),
+            Column::AverageLoss | Column::AverageLossRT => ("1-E_avg", "the loss"),
+            Column::AverageInverse | Column::AverageInverseRT => ("1/E_avg", "a normalisation"),
+            Column::AverageR => ("R_avg", "reflected, the cosine-weighted average"),
             Column::Normal => ("E(mu=1)", "E at normal incidence, no average"),
             Column::NormalLoss => ("1-E(mu=1)", "the loss"),
         }
@@ -142,7 +154,7 @@ impl Column {
     /// Its value.
     pub fn value(self, [first, second, scale]: Base) -> f64 {
         match self {
-            Column::E | Column::R | Column::Average => first,
+            Column::E | Column::R | Column::Average | Column::AverageR => first,
             Column::A => first - second,
             Column::B | Column::T | Column::Normal => second,
             Column::Loss | Column::AverageLoss => 1.0 - first,
@@ -150,9 +162,9 @@ impl Column {
             Column::Excess => 1.0 / first - 1.0,
             Column::Share => second / first,
             Column::At(percent) => second + f64::from(percent) / 100.0 * (first - second),
-            Column::RT => first + second,
-            Column::LossRT => 1.0 - first - second,
-            Column::InverseRT => 1.0 / (first + second),
+            Column::RT | Column::AverageRT => first + second,
+            Column::LossRT | Column::AverageLossRT => 1.0 - first - second,
+            Column::InverseRT | Column::AverageInverseRT => 1.0 / (first + second),
             Column::ShareR => first / (first + second),
             Column::NormalLoss => 1.0 - second,
             Column::LossR => 1.0 - first,
@@ -164,9 +176,15 @@ impl Column {
     /// The albedo that a value of this column stands for; none for those that are parts of one.
     pub fn albedo(self, value: f64) -> Option<f64> {
         match self {
-            Column::E | Column::RT | Column::Average | Column::Normal => Some(value),
-            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss => Some(1.0 - value),
-            Column::Inverse | Column::InverseRT | Column::AverageInverse => Some(1.0 / value),
+            Column::E | Column::RT | Column::Average | Column::AverageRT | Column::Normal => Some(value),
+            Column::Loss
+            | Column::LossRT
+            | Column::AverageLoss
+            | Column::AverageLossRT
+            | Column::NormalLoss => Some(1.0 - value),
+            Column::Inverse | Column::InverseRT | Column::AverageInverse | Column::AverageInverseRT => {
+                Some(1.0 / value)
+            }
             Column::Excess => Some(1.0 / (1.0 + value)),
             _ => None,
         }

@@ -3,6 +3,7 @@
 use super::AuditError;
 use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
+use super::encoded::Encoding;
 use super::lobe::{Form, Lobe};
 use super::truth::Truth;
 use lobefit_truth::integrate::glass::Side;
@@ -38,6 +39,10 @@ pub struct Fixed {
     pub column: Option<Column>,
     /// Least values that inputs were clamped to.
     pub floors: Vec<(Input, f64)>,
+    /// What the values are decoded from.
+    pub encoding: Option<&'static Encoding>,
+    /// Samples that each texel is the mean of.
+    pub samples: Option<u32>,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
@@ -48,9 +53,10 @@ pub struct Fixed {
 }
 
 impl Fixed {
-    /// Whether nothing but the column, and where it is judged, is given.
+    /// Whether nothing but the column, and where and how strictly it is judged, is given.
     pub fn is_free(&self) -> bool {
-        Fixed { column: None, inverse: false, domain: Vec::new(), ..self.clone() } == Fixed::default()
+        Fixed { column: None, inverse: false, samples: None, domain: Vec::new(), ..self.clone() }
+            == Fixed::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
@@ -138,7 +144,7 @@ impl Fixed {
     pub(super) fn lobes(&self, truth: &Truth) -> Vec<usize> {
         let fits = |l: &Lobe| {
             self.form.is_none_or(|form| l.form == form)
-                && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
+                && self.side.is_none_or(|s| !l.both && l.side.is_none_or(|own| own == s))
         };
         (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
     }
@@ -157,7 +163,10 @@ fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, boo
         (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
         (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
         (Input::Ior, Some(_)) => vec![(if inverse { Scale::Eta } else { Scale::Ior }, false)],
-        _ => input.scales().flat_map(|s| [(s, false), (s, true)]).collect(),
+        _ => {
+            let own = input.scales().filter(|s| !s.is_of_both_sides());
+            own.flat_map(|s| [(s, false), (s, true)]).collect()
+        }
     }
 }
 

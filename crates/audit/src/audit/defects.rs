@@ -3,7 +3,7 @@
 use super::FITS;
 use super::column::Column;
 use super::errors::Residuals;
-use super::table::{flat, place};
+use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
 use crate::foreign::Step;
 
@@ -22,6 +22,13 @@ pub enum Defect {
         range: Vec<[usize; 2]>,
         /// Size of the table.
         size: Vec<usize>,
+    },
+    /// A first or last line that was never filled, and is not judged.
+    Dead {
+        /// Axis, and index along it.
+        line: [usize; 2],
+        /// What all of its texels hold.
+        value: f64,
     },
     /// A part of the table is of the other shadowing form.
     OtherLobe(TwoLobes),
@@ -53,6 +60,15 @@ pub enum Defect {
         /// Root mean square of the error that rounding to it makes.
         rms: f64,
     },
+    /// What as many samples as the user states leave at a texel.
+    Sampled {
+        /// Samples of a texel.
+        samples: u32,
+        /// The largest error that they leave.
+        left: f64,
+        /// Texels that are off by more, and texels judged.
+        texels: [usize; 2],
+    },
     /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's
     /// tail.
     MissingLoss {
@@ -69,10 +85,37 @@ pub enum Defect {
 
 /// A part is reported where errors are this many times the median,
 const OFF: f64 = 30.0;
+/// above this share of the spread of the truth, a quarter of a step of 8 bits,
+const SEEN: f64 = 1e-3;
 /// make nearly all of the sum of squares,
 const PART_OF_SQUARES: f64 = 0.9;
-/// and are no more than this share of the texels.
+/// are no more than this share of the texels,
 const PART_OF_TEXELS: f64 = 0.45;
+/// and end at an edge: of errors a third as large there are at most this share as many. Those of a
+/// shift, of samples or of an optimiser fade.
+const FADING: f64 = 0.1;
+
+/// Steps of a format that a biased quantiser leaves at most: truncation a whole one, which is two of
+/// rounding, and a tenth for what it is decoded by.
+const BIASED_STEPS: f64 = 2.2;
+
+/// What errors come of without a defect: the format, and the samples that texels are means of, where
+/// the user states them.
+#[derive(Clone, Copy)]
+pub(super) struct Grain {
+    pub step: Step,
+    pub samples: Option<u32>,
+}
+
+impl Grain {
+    /// The largest error that these leave at a texel that holds a value. Samples of visible normals
+    /// weigh 0 to 1, so that their standard deviation is at most 1/2 (Popoviciu's inequality): four
+    /// standard errors of the mean of n are 2/sqrt(n).
+    pub(super) fn leaves(self, value: f64) -> f64 {
+        let sampled = self.samples.map_or(0.0, |n| 2.0 / f64::from(n).sqrt());
+        BIASED_STEPS * self.step.rounding(value) + sampled
+    }
+}
 
 /// Largest alpha of texels on which the loss is compared.
 const SMOOTH: f64 = 0.12;
@@ -81,10 +124,11 @@ const SMOOTH: f64 = 0.12;
 const ROUNDED: f64 = 1.5;
 
 /// Defects of a channel; `alpha` of a texel where the table has such an axis.
-pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
-    let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, step, alpha)).collect();
+pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
+    let step = grain.step;
+    let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
     if found.is_empty() {
-        found.extend(part(r).or_else(|| edge(r)));
+        found.extend(part(r, grain).or_else(|| edge(r, grain)));
     }
     let (noise, rms) = (noise(r), rms(r));
     let rounding = rounding(r, step);
@@ -93,8 +137,23 @@ pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Opt
     } else if noise > 0.5 * rms && rms > 1e-7 {
         found.push(Defect::Noise { rms: noise, share: noise / rms });
     }
+    if let Some(samples) = grain.samples {
+        let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r.values[**i])).count();
+        found.push(Defect::Sampled { samples, left: grain.leaves(0.0), texels: [over, r.judged.len()] });
+    }
     found.extend(bias(r, rms));
     found
+}
+
+/// The lines of a channel that were never filled.
+pub(super) fn dead<'a>(table: &'a AuditedTable, values: &'a [f64]) -> impl Iterator<Item = Defect> + 'a {
+    let lines =
+        table.dead.iter().enumerate().flat_map(|(axis, ends)| ends.iter().map(move |end| [axis, *end]));
+    lines.map(|line| {
+        let mut texel = vec![0; table.size.len()];
+        texel[line[0]] = line[1];
+        Defect::Dead { line, value: values[flat(&texel, &table.size)] }
+    })
 }
 
 /// Defects of a function: values that stand at a clamp, and a bias.
@@ -119,27 +178,27 @@ fn rms(r: &Residuals) -> f64 {
     (r.judged.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>() / r.judged.len() as f64).sqrt()
 }
 
-fn part(r: &Residuals) -> Option<Defect> {
-    let over = (OFF * r.median()).max(1e-4 * r.spread());
-    let off: Vec<usize> = r.judged.iter().copied().filter(|i| r.errors[*i].abs() > over).collect();
+fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
+    let over = (OFF * r.median()).max(SEEN * r.spread());
+    let beyond = |i: &usize, share: f64| r.errors[*i].abs() > share * over.max(grain.leaves(r.values[*i]));
+    let off: Vec<usize> = r.judged.iter().copied().filter(|i| beyond(i, 1.0)).collect();
     let squares = |list: &[usize]| list.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>();
     let small = off.is_empty() || off.len() as f64 > PART_OF_TEXELS * r.judged.len() as f64;
     if small || squares(&off) < PART_OF_SQUARES * squares(&r.judged) {
         return None;
     }
-    Some(these(r, &off, over))
+    let range = range(r, &off);
+    let whole = range.iter().zip(&r.sample.size).all(|(r, n)| *r == [0, n - 1]);
+    let inside = |i: &usize| !whole && r.texel(*i).iter().zip(&range).all(|(k, r)| (r[0]..=r[1]).contains(k));
+    let fading = r.judged.iter().filter(|i| !beyond(i, 1.0) && beyond(i, 1.0 / 3.0) && !inside(i)).count();
+    (fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
 }
 
 /// A first or last row, column or slice without which the rest fits: a clamp, or an end that was never
 /// filled.
-fn edge(r: &Residuals) -> Option<Defect> {
+fn edge(r: &Residuals, grain: Grain) -> Option<Defect> {
     let dims = r.sample.dims();
-    let fits = |list: &[usize]| {
-        let squares = list.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>();
-        let truths = || list.iter().map(|i| r.truth(*i));
-        let spread = truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min);
-        (squares / list.len() as f64).sqrt() <= FITS * spread
-    };
+    let fits = |list: &[usize]| r.misfit(list) <= FITS;
     if dims.contains(&1) || fits(&r.judged) {
         return None;
     }
@@ -148,21 +207,28 @@ fn edge(r: &Residuals) -> Option<Defect> {
         let (line, rest): (Vec<usize>, Vec<usize>) =
             r.judged.iter().partition(|i| place(**i, &dims)[axis] == end);
         let over = rest.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
-        let off: Vec<usize> = line.into_iter().filter(|i| r.errors[*i].abs() > over).collect();
+        let beyond = |i: &usize| r.errors[*i].abs() > over.max(grain.leaves(r.values[*i]));
+        let off: Vec<usize> = line.into_iter().filter(beyond).collect();
         (!off.is_empty() && !rest.is_empty() && fits(&rest)).then(|| these(r, &off, over))
     })
 }
 
 /// The part of these texels, which are off by more than `over`.
 fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
+    let range = range(r, off);
+    let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
+    Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() }
+}
+
+/// First and last index of texels along every axis.
+fn range(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
     let mut range = vec![[usize::MAX, 0]; r.sample.size.len()];
-    for i in off {
+    for i in texels {
         for (range, k) in range.iter_mut().zip(r.texel(*i)) {
             *range = [range[0].min(k), range[1].max(k)];
         }
     }
-    let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
-    Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() }
+    range
 }
 
 fn clamped(r: &Residuals) -> Option<Defect> {
@@ -217,15 +283,16 @@ fn bias(r: &Residuals, rms: f64) -> Option<Defect> {
     told.then_some(Defect::Bias { mean })
 }
 
-fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
+fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
     let loss = |value: f64| r.column.albedo(value).map(|e| 1.0 - e);
     let mut shares = Vec::new();
     for i in &r.judged {
         let texel = r.texel(*i);
         let Some(alpha) = alpha(&texel).filter(|a| *a <= SMOOTH) else { continue };
         let (Some(stored), Some(truth)) = (loss(r.values[*i]), loss(r.truth(*i))) else { continue };
-        // Below a few steps the format cannot hold a loss.
-        if truth > (8.0 * step.rounding(r.values[*i])).max(3e-4) {
+        // Below a few steps the format cannot hold a loss, nor do few samples come by it.
+        let rare = grain.samples.map_or(0.0, |n| 16.0 / f64::from(n));
+        if truth > (8.0 * grain.step.rounding(r.values[*i])).max(rare).max(3e-4) {
             shares.push((stored / truth, alpha, [stored, truth], texel));
         }
     }
@@ -242,7 +309,7 @@ fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f6
 
 /// What the values of a channel are rounded to: the file's word, or for a file that can hold more
 /// than was put into it the coarsest format that all values fit.
-pub(super) fn grain(step: Step, values: &[f64]) -> Step {
+pub(super) fn stored(step: Step, values: &[f64]) -> Step {
     if step != Step::None || values.len() < 16 {
         return step;
     }
@@ -255,6 +322,7 @@ pub(super) fn grain(step: Step, values: &[f64]) -> Step {
     let formats = [
         Step::Unorm8,
         Step::Decimals(3),
+        Step::Unorm10,
         Step::Half,
         Step::Decimals(4),
         Step::Unorm16,
@@ -263,6 +331,7 @@ pub(super) fn grain(step: Step, values: &[f64]) -> Step {
     ];
     let fits = |format: &Step| match format {
         Step::Unorm8 => multiples(255.0),
+        Step::Unorm10 => multiples(1023.0),
         Step::Unorm16 => multiples(65535.0),
         Step::Decimals(d) => multiples(decimals(*d)),
         _ => halves(),

@@ -2,12 +2,12 @@
 //! once that is undone.
 
 use super::best::off;
+use super::plain::Plain;
 use super::sample::Sample;
 use super::screen::screen;
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
-use super::verdict::{long, opening};
-use super::{Audit, AuditError, Case, FITS, Fit, Fixed, SIEVE, candidates, finish};
+use super::{Audit, AuditError, Case, FITS, Fit, Fixed, SIEVE, candidates};
 use crate::foreign::{Channel, Step};
 use lobefit_math::ops;
 
@@ -16,11 +16,14 @@ use lobefit_math::ops;
 const AXES: usize = 2;
 
 /// An encoding: a line of [`ENCODINGS`].
-struct Encoding {
+#[derive(Debug)]
+pub struct Encoding {
+    /// The word of `--encoding`.
+    pub word: &'static str,
     /// Its name.
-    name: &'static str,
+    pub name: &'static str,
     /// What to do about it.
-    remedy: &'static str,
+    pub remedy: &'static str,
     /// The value of a colour, 0 to 1, at a texel whose alpha is given.
     decode: fn(f64, f64) -> f64,
     /// Whether it takes the alpha beside three colours of 8 bits, which is no channel then.
@@ -28,32 +31,42 @@ struct Encoding {
 }
 
 /// Every encoding that is tried.
-static ENCODINGS: [Encoding; 4] = [
+pub static ENCODINGS: [Encoding; 4] = [
     Encoding {
+        word: "srgb",
         name: "sRGB",
-        remedy: "Its values were encoded for display: store them as they are, or sample it as an sRGB texture.",
+        remedy: "its values were encoded for display: store them as they are, or sample it as an sRGB texture",
         decode: |x, _| srgb(x),
         takes_alpha: false,
     },
     Encoding {
+        word: "rgbe",
         name: "RGBE",
-        remedy: "Decode it before it is filtered: the mean of two exponents is no exponent of the mean.",
+        remedy: "decode it before it is filtered: the mean of two exponents is no exponent of the mean",
         decode: |x, alpha| x * 255.0 / 256.0 * ops::pow(2.0, 255.0 * alpha - 128.0),
         takes_alpha: true,
     },
     Encoding {
+        word: "rgbd-2.2",
         name: "RGBD of gamma 2.2",
-        remedy: "Decode it before it is filtered: the mean of two divisors is no divisor of the mean.",
+        remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| ops::pow(x, 2.2) / alpha,
         takes_alpha: true,
     },
     Encoding {
+        word: "rgbd",
         name: "RGBD",
-        remedy: "Decode it before it is filtered: the mean of two divisors is no divisor of the mean.",
+        remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| x / alpha,
         takes_alpha: true,
     },
 ];
+
+impl PartialEq for Encoding {
+    fn eq(&self, other: &Encoding) -> bool {
+        self.word == other.word
+    }
+}
 
 impl Encoding {
     /// A table without the encoding; none of one that cannot have it.
@@ -71,64 +84,77 @@ impl Encoding {
         };
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite());
-        (finite && !channels.is_empty()).then(|| AuditedTable { channels, step: Step::None, ..table.clone() })
+        let held = table.channels.iter().flat_map(|c| &c.values).all(|v| (0.0..=1.0).contains(v));
+        let decoded = AuditedTable { channels, step: Step::None, ..table.clone() };
+        (finite && held && !decoded.channels.is_empty() && table.source == Source::Table).then_some(decoded)
+    }
+
+    /// The table that the user says is encoded so.
+    pub(super) fn decoded(&self, table: &AuditedTable) -> Result<AuditedTable, AuditError> {
+        let alpha = if self.takes_alpha { " beside an alpha of 8 bits above 0" } else { "" };
+        self.undone(table).ok_or_else(|| AuditError::Option {
+            option: "--encoding",
+            value: self.word.into(),
+            reason: format!("{} is not encoded so: colours from 0 to 1{alpha} are called for", table.what),
+        })
+    }
+
+    /// An audit of the decoded table, which nobody said to be encoded, with what it is as it is `stored`.
+    pub(super) fn beside(&'static self, read: Audit, stored: &Audit) -> Audit {
+        let told = read.plain.clone();
+        let all = read.size.iter().product();
+        let convention = told.as_ref().map_or(read.best(), |plain| &plain.convention).clone();
+        let (mut untold, mut options) =
+            told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
+        untold.push(format!("values encoded as {}", self.name));
+        options += &format!("--encoding {}", self.word);
+        let plain = Plain { convention, untold, options, texels: [all; 2], max: stored.worst() };
+        Audit { plain: Some(plain), fixed: stored.fixed, ..read }
     }
 }
 
-/// What is said of a table that fits nothing, but does when its values are decoded; none if it does
-/// not.
-pub(super) fn told(
+/// The encoding of a table that fits nothing as it is stored, but does when its values are decoded; none
+/// if it does not.
+pub(super) fn found(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
+    case: &Case,
     fixed: &Fixed,
     done: &Audit,
-) -> Result<Option<String>, AuditError> {
-    let values = || live.iter().flat_map(|k| &table.channels[*k].values);
-    let picture = table.source == Source::Table && table.size.len() <= AXES;
+) -> Result<Option<&'static Encoding>, AuditError> {
     let said = fixed.meanings.as_ref().map(Vec::len);
-    if done.fit != Fit::None || !picture || !values().all(|v| (0.0..=1.0).contains(v)) {
+    if done.fit != Fit::None || case.table.size.len() > AXES || fixed.encoding.is_some() {
         return Ok(None);
     }
     for encoding in &ENCODINGS {
-        let Some(linear) = encoding.undone(table) else { continue };
+        let Some(linear) = encoding.undone(case.table) else { continue };
         let Ok(live) = linear.live(said) else { continue };
         if said.is_some_and(|said| said != live.len()) {
             continue;
         }
         let case = Case { table: &linear, live: &live, fixed, progress: &|_| () };
-        let mut found = followed(truth, &case)?;
-        if found.is_none() && said.is_none() && live.len() > 2 {
+        if follows(truth, &case)? {
+            return Ok(Some(encoding));
+        }
+        if said.is_none() && live.len() > 2 {
             // A channel of another quantity does not condemn the others.
             let mut own = Vec::new();
             for k in &live {
-                own.extend(followed(truth, &Case { live: &[*k], ..case })?.map(|_| *k));
+                own.extend(follows(truth, &Case { live: &[*k], ..case })?.then_some(*k));
             }
-            if own.len() > 1 {
-                found = followed(truth, &Case { live: &own, ..case })?;
+            if own.len() > 1 && follows(truth, &Case { live: &own, ..case })? {
+                return Ok(Some(encoding));
             }
-        }
-        if let Some(linear) = found {
-            let (name, remedy) = (encoding.name, encoding.remedy);
-            let (reading, worst) = (opening(&linear), long(linear.worst()));
-            return Ok(Some(format!(
-                "But with its values decoded from {name} it is {reading} {remedy} So read it is off by at most {worst}."
-            )));
         }
     }
     Ok(None)
 }
 
-/// The audit of a table that follows a convention; none of any other.
-fn followed(truth: &Truth, case: &Case) -> Result<Option<Audit>, AuditError> {
+/// Whether a table follows a convention, as far as some of its texels tell.
+fn follows(truth: &Truth, case: &Case) -> Result<bool, AuditError> {
     let Case { table, live, fixed, .. } = *case;
     let few = Sample::new(table, live, SIEVE[0], true);
     let found = candidates(truth, case, screen(truth, &few, fixed, &fixed.lobes(truth))?)?;
-    if off(truth, case, &found[0])? > FITS {
-        return Ok(None);
-    }
-    let audit = finish(truth, table, live, fixed, &found, None)?;
-    Ok((audit.fit == Fit::Whole).then_some(audit))
+    Ok(off(truth, case, &found[0])? <= FITS)
 }
 
 /// The linear value of an sRGB one in [0, 1] (IEC 61966-2-1).

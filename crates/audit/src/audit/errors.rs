@@ -30,7 +30,7 @@ pub struct TexelErrors {
     pub truth: f64,
     /// Texels judged.
     pub judged: usize,
-    /// Texels in all.
+    /// Texels in all, but for lines that were never filled.
     pub all: usize,
     /// Texels that were not looked at, of a table of three axes with more than
     /// [`super::JUDGED_TEXELS`].
@@ -85,8 +85,33 @@ impl<'a> Residuals<'a> {
 
     /// Difference of the largest and the smallest truth: what errors are compared with.
     pub(super) fn spread(&self) -> f64 {
-        let truths = || self.judged.iter().map(|i| self.truth(*i));
+        self.spread_of(&self.judged)
+    }
+
+    fn spread_of(&self, texels: &[usize]) -> f64 {
+        let truths = || texels.iter().map(|i| self.truth(*i));
         truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Root mean square of the errors of some texels beside the spread of their truth; an error of an
+    /// albedo above 1 counts as a share of it.
+    pub(super) fn misfit(&self, texels: &[usize]) -> f64 {
+        let square = |i: &usize| {
+            let error = self.errors[*i] / if self.is_albedo() { self.truth(*i).max(1.0) } else { 1.0 };
+            error * error
+        };
+        let rms = (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt();
+        rms / self.bounded(texels)
+    }
+
+    /// The spread of some texels, of an albedo at most 1: what is above it has no bound at grazing view,
+    /// which excuses nothing elsewhere.
+    pub(super) fn bounded(&self, texels: &[usize]) -> f64 {
+        self.spread_of(texels).min(if self.is_albedo() { 1.0 } else { f64::INFINITY })
+    }
+
+    fn is_albedo(&self) -> bool {
+        self.column.albedo(0.5) == Some(0.5)
     }
 
     /// Median magnitude of the errors.
@@ -117,8 +142,8 @@ impl<'a> Residuals<'a> {
             value: self.values[worst],
             truth: self.truth(worst),
             judged: self.judged.len(),
-            all: self.sample.size.iter().product(),
-            unsampled: self.sample.size.iter().product::<usize>() - self.values.len(),
+            all: self.sample.texels,
+            unsampled: self.sample.texels.saturating_sub(self.values.len()),
         }
     }
 }

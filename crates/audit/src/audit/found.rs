@@ -3,10 +3,12 @@
 use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
+use super::encoded::Encoding;
 use super::errors::TexelErrors;
 use super::lobe::Lobe;
 use super::lookup::LookupErrors;
 use super::plain::Plain;
+use super::published::Published;
 use super::table::Source;
 use super::two_lobes::TwoLobes;
 use super::verdict::Verdict;
@@ -50,6 +52,8 @@ pub struct Furnace {
 pub enum Other {
     /// Another quantity, judged as that.
     Quantity(Box<Audit>),
+    /// The same as the channel of this name.
+    Same(String),
     /// Nothing that is known.
     Unknown,
 }
@@ -124,8 +128,10 @@ pub struct Audit {
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
-    /// Of a function: the published formula whose values it has, in a sentence.
-    pub published: Option<String>,
+    /// What its values were decoded from.
+    pub encoding: Option<&'static Encoding>,
+    /// Of a function: the published formula whose values it has.
+    pub published: Option<Published>,
     /// What else is to be said of it, in sentences.
     pub remarks: Vec<String>,
 }

@@ -13,7 +13,10 @@ use lobefit_truth::quantity::Quantity;
 const PLACES: [usize; 3] = [512, 128, 20];
 
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
-const BLENDS: [(f32, &str); 2] = [(0.0, "at f0 = 0"), (1.0, "at f0 = 1")];
+const BLENDS: [(f32, &str); 2] = [(0.0, "at f0 = 0"), (1.0, AT_ONE)];
+
+/// How the name of a channel at an f0 of 1 ends.
+pub(super) const AT_ONE: &str = "at f0 = 1";
 
 /// An F0 that every saturate(50 f0), by which engines take black for no mirror, leaves whole.
 const DIELECTRIC: f32 = 0.04;
@@ -110,6 +113,7 @@ fn of_feeds(
         source: Source::Function,
         channels,
         step: Step::None,
+        dead: Vec::new(),
     })
 }
 

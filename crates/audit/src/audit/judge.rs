@@ -5,10 +5,10 @@ use rayon::prelude::*;
 
 use super::AuditError;
 use super::axis::{AxisReading, Input};
-use super::convention::Fixed;
+use super::convention::{Fixed, Misfit};
 use super::sample::{Candidate, Fitted, Sample, View, fit_columns, judged, ranked, shared, steps};
 use super::screen::best;
-use super::truth::{Truth, Values};
+use super::truth::{Truth, Truths, Values};
 
 /// Least values that tables clamp alpha and mu to.
 const FLOORS: [f64; 7] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2];
@@ -41,9 +41,6 @@ pub(super) fn quickly(
 ) -> Result<Judgement, AuditError> {
     judged_by(truth, sample, axes, lobe, Truth::quick)
 }
-
-/// Values of a lobe at every combination of inputs.
-type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
 fn judged_by<'a>(
     truth: &Truth<'a>,
@@ -164,6 +161,12 @@ fn explains(clamped: &Candidate, before: &Candidate) -> bool {
     let (now, then) = (&clamped.fitted, &before.fitted);
     let max = |fitted: &Fitted| fitted.misfits.iter().flatten().map(|m| m.max).fold(0.0, f64::max);
     let worse = max(now) > 1.5 * max(then);
+    // What mends a single texel and leaves much of its error mends it by chance.
+    let rest = |fitted: &Fitted| {
+        let of = |m: &Misfit| (m.rms * m.rms * fitted.texels as f64 - m.max * m.max).max(0.0);
+        fitted.misfits.iter().flatten().map(of).fold(0.0, f64::max)
+    };
+    let worse = worse || rest(now) > 0.9 * rest(then) && max(now) > 0.2 * max(then);
     now.texels > then.texels && now.rank < 1.2 * then.rank
         || now.texels >= then.texels && now.rank < 0.9 * then.rank && !worse
 }

@@ -88,20 +88,23 @@ impl Form {
 pub struct Lobe {
     /// Shadowing form.
     pub form: &'static Form,
-    /// Where the ray comes from; `None` where there is one side only.
+    /// Where the ray comes from; `None` where there is one side only, or an axis runs over both.
     pub side: Option<Side>,
+    /// Whether an axis runs over both sides.
+    pub both: bool,
 }
 
 impl Lobe {
-    /// The lobes of a quantity of these forms and sides.
+    /// The lobes of a quantity of these forms and sides, and where these are both, of a table of both.
     pub(super) fn of(quantity: &dyn Quantity, forms: &[&'static Form], sides: &[Side]) -> Vec<Lobe> {
-        let sides: Vec<Option<Side>> = match quantity.has(Choice::Side) {
-            true => sides.iter().copied().map(Some).collect(),
-            false => vec![None],
+        let mut kinds: Vec<(Option<Side>, bool)> = match quantity.has(Choice::Side) {
+            true => sides.iter().map(|side| (Some(*side), false)).collect(),
+            false => vec![(None, false)],
         };
+        kinds.extend((kinds.len() > 1).then_some((None, true)));
         let with = |form: &&'static Form| {
             let form = *form;
-            sides.iter().map(move |side| Lobe { form, side: *side }).collect::<Vec<_>>()
+            kinds.iter().map(move |(side, both)| Lobe { form, side: *side, both: *both }).collect::<Vec<_>>()
         };
         forms.iter().flat_map(with).collect()
     }

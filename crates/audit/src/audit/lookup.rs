@@ -31,10 +31,10 @@ pub struct LookupErrors {
     pub at: Place,
 }
 
-/// Rounds in which the worst of the sampled places is closed in on: places along every axis on each
-/// side of it, and what is left of the distance after a round (2 axes or fewer, and 3).
+/// Rounds in which the worst of the sampled places are closed in on: places along every axis on each
+/// side of one, what is left of the distance after a round, and how many are (2 axes or fewer, and 3).
 const ROUNDS: usize = 4;
-const BESIDE: [(usize, f64); 2] = [(3, 0.34), (1, 0.5)];
+const BESIDE: [(usize, f64, usize); 2] = [(3, 0.34, 3), (1, 0.5, 1)];
 
 /// Places of lookups: coordinates in the table's axes, with the truth.
 struct Grid {
@@ -64,6 +64,8 @@ pub(super) struct Points<'a> {
     convention: &'a Convention,
     lobe: usize,
     grid: Grid,
+    /// Places that crowd towards the ends of the axes.
+    ends: Grid,
 }
 
 impl<'a> Points<'a> {
@@ -76,51 +78,79 @@ impl<'a> Points<'a> {
         let n = PLACES[convention.axes.len() - 1];
         let even: Vec<f64> = (0..n).map(|k| (k as f64 + 0.5) / n as f64).collect();
         let grid = Grid::new(truth, convention, lobe, vec![even; convention.axes.len()])?;
-        Ok(Points { truth, convention, lobe, grid })
+        let class = usize::from(convention.axes.len() == 3);
+        let ends = Grid::new(truth, convention, lobe, vec![edges(class); convention.axes.len()])?;
+        Ok(Points { truth, convention, lobe, grid, ends })
     }
 
     /// Errors of a lookup, the largest closed in on from the worst of the places; none where no
     /// place has a truth.
     pub(super) fn errors(&self, look: &Look) -> Result<Option<LookupErrors>, AuditError> {
         let errors = self.grid.errors(self.convention, look);
-        let Some(worst) = worst(&errors) else { return Ok(None) };
         let n = errors.len() as f64;
-        let mut found = LookupErrors {
-            max: errors[worst].0.abs(),
-            at: self.grid.place(worst, self.convention),
+        let Some((max, at)) = self.largest(look, &errors, false)? else { return Ok(None) };
+        Ok(Some(LookupErrors {
+            max,
+            at,
             rms: (errors.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt(),
             mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
-            inner: errors.iter().filter(|e| e.1).map(|e| e.0.abs()).fold(0.0, f64::max),
-        };
+            inner: self.largest(look, &errors, true)?.map_or(0.0, |inner| inner.0),
+        }))
+    }
+
+    /// The largest magnitude, or the largest between the outermost texels, with its place; `errors` are
+    /// those of the even places.
+    fn largest(
+        &self,
+        look: &Look,
+        errors: &[(f64, bool)],
+        inner: bool,
+    ) -> Result<Option<(f64, Place)>, AuditError> {
         let class = usize::from(look.size.len() == 3);
-        let (beside, left) = BESIDE[class];
-        let mut centre = self.grid.coordinates_of(worst);
-        let edges = Grid::new(self.truth, self.convention, self.lobe, vec![edges(class); look.size.len()])?;
-        let at_edges = edges.errors(self.convention, look);
-        if let Some(worst) = self::worst(&at_edges).filter(|w| at_edges[*w].0.abs() > found.max) {
-            (found.max, found.at) = (at_edges[worst].0.abs(), edges.place(worst, self.convention));
-            centre = edges.coordinates_of(worst);
+        let at_ends = self.ends.errors(self.convention, look);
+        let mut found: Option<(f64, Place)> = None;
+        for (grid, errors) in [(&self.grid, errors), (&self.ends, &at_ends)] {
+            for start in worst(grid, errors, inner, BESIDE[class].2) {
+                let climbed = self.climbed(look, inner, (grid, start, errors[start].0.abs()))?;
+                found = found.into_iter().chain([climbed]).reduce(|a, b| if b.0 > a.0 { b } else { a });
+            }
         }
-        let mut width = 1.0 / PLACES[look.size.len() - 1] as f64;
+        Ok(found)
+    }
+
+    /// The largest magnitude about a place of a grid, which has one already.
+    fn climbed(
+        &self,
+        look: &Look,
+        inner: bool,
+        (grid, start, error): (&Grid, usize, f64),
+    ) -> Result<(f64, Place), AuditError> {
+        let (beside, left, _) = BESIDE[usize::from(look.size.len() == 3)];
+        let mut found = (error, grid.place(start, self.convention));
+        let (mut centre, mut width) = grid.about(start);
         for _ in 0..ROUNDS {
-            let along = |c: &f64| -> Vec<f64> {
+            let along = |(c, width): (&f64, &f64)| -> Vec<f64> {
                 let at = |k: usize| c + width * (k as f64 / beside as f64 - 1.0);
                 let mut list: Vec<f64> = (0..=2 * beside).map(|k| at(k).clamp(0.0, 1.0)).collect();
                 list.dedup();
                 list
             };
-            let grid = Grid::new(self.truth, self.convention, self.lobe, centre.iter().map(along).collect())?;
+            let grid = self.at(centre.iter().zip(&width).map(along).collect())?;
             let errors = grid.errors(self.convention, look);
-            if let Some(worst) = self::worst(&errors).filter(|w| errors[*w].0.abs() >= found.max) {
-                (found.max, found.at) = (errors[worst].0.abs(), grid.place(worst, self.convention));
-                centre = grid.coordinates_of(worst);
-                if errors[worst].1 {
-                    found.inner = found.inner.max(found.max);
-                }
+            if let [worst] = worst(&grid, &errors, inner, 1)[..]
+                && errors[worst].0.abs() >= found.0
+            {
+                found = (errors[worst].0.abs(), grid.place(worst, self.convention));
+                centre = grid.about(worst).0;
             }
-            width *= left;
+            width.iter_mut().for_each(|width| *width *= left);
         }
-        Ok(Some(found))
+        Ok(found)
+    }
+
+    /// The places of a product of coordinates.
+    fn at(&self, coordinates: Vec<Vec<f64>>) -> Result<Grid, AuditError> {
+        Grid::new(self.truth, self.convention, self.lobe, coordinates)
     }
 }
 
@@ -131,9 +161,20 @@ fn edges(class: usize) -> Vec<f64> {
     (0..=half).map(at).chain((0..half).rev().map(|k| 1.0 - at(k))).collect()
 }
 
-/// Place of the largest.
-fn worst(errors: &[(f64, bool)]) -> Option<usize> {
-    (0..errors.len()).reduce(|a, b| if errors[b].0.abs() > errors[a].0.abs() { b } else { a })
+/// Places of the largest, the first of them largest, no two of them neighbours.
+fn worst(grid: &Grid, errors: &[(f64, bool)], inner: bool, most: usize) -> Vec<usize> {
+    let dims = grid.dims();
+    let mut found: Vec<usize> = Vec::new();
+    for _ in 0..most {
+        let apart = |i: &usize| {
+            let near =
+                |j: &usize| place(*i, &dims).iter().zip(place(*j, &dims)).all(|(a, b)| a.abs_diff(b) <= 2);
+            (!inner || errors[*i].1) && !found.iter().any(near)
+        };
+        let larger = |a: usize, b: usize| if errors[b].0.abs() > errors[a].0.abs() { b } else { a };
+        found.extend((0..errors.len()).filter(apart).reduce(larger));
+    }
+    found
 }
 
 impl Grid {
@@ -174,7 +215,7 @@ impl Grid {
 
     /// Signed errors at all places, and whether each lies between the outermost texels.
     fn errors(&self, convention: &Convention, look: &Look) -> Vec<(f64, bool)> {
-        let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
+        let dims = self.dims();
         let position = |(k, axis): (usize, &AxisReading)| -> Vec<f64> {
             let registration = look.registration.unwrap_or(axis.registration);
             self.coordinates[k].iter().map(|x| axis.position(*x, look.size[k], registration)).collect()
@@ -188,14 +229,24 @@ impl Grid {
         (0..self.base.len()).into_par_iter().map(one).collect()
     }
 
-    fn coordinates_of(&self, i: usize) -> Vec<f64> {
-        let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
-        place(i, &dims).iter().zip(&self.coordinates).map(|(k, list)| list[*k]).collect()
+    fn dims(&self) -> Vec<usize> {
+        self.inputs.iter().map(Vec::len).collect()
+    }
+
+    /// The coordinates of a place, and how far its neighbours lie along every axis.
+    fn about(&self, i: usize) -> (Vec<f64>, Vec<f64>) {
+        let gap = |list: &[f64], k: usize| {
+            let below = k.checked_sub(1).map(|b| list[k] - list[b]);
+            let above = list.get(k + 1).map(|above| above - list[k]);
+            below.into_iter().chain(above).fold(0.0, f64::max)
+        };
+        let places = place(i, &self.dims());
+        let along = places.iter().zip(&self.coordinates);
+        along.map(|(k, list)| (list[*k], gap(list, *k))).unzip()
     }
 
     fn place(&self, i: usize, convention: &Convention) -> Place {
-        let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
-        let places = place(i, &dims);
+        let places = place(i, &self.dims());
         let named = convention.axes.iter().enumerate();
         named.map(|(k, a)| (a.scale.input().name().to_string(), self.inputs[k][places[k]])).collect()
     }

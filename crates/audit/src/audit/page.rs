@@ -32,6 +32,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
             max: Some(p.max).filter(|m| m.is_finite()),
             options: p.options.clone(),
         }),
+        encoding: audit.encoding.map(|encoding| encoding.name.into()),
         limit,
         passed: audit.passes(limit),
         margin: Some(audit.margin).filter(|m| m.is_finite()),
@@ -114,10 +115,12 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
 fn kind(defect: &Defect) -> &'static str {
     match defect {
         Defect::Part { .. } => "part",
+        Defect::Dead { .. } => "dead",
         Defect::Bias { .. } => "bias",
         Defect::Clamped { .. } => "clamped",
         Defect::Noise { .. } => "noise",
         Defect::Steps { .. } => "steps",
+        Defect::Sampled { .. } => "sampled",
         Defect::MissingLoss { .. } => "missing-loss",
         Defect::OtherLobe(_) => "other-lobe",
     }

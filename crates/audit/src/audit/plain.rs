@@ -136,7 +136,8 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
 /// The lobe that a quantity's name stands for, where the form of another has its own integrand.
 fn usual_lobe(truth: &Truth, own: usize) -> usize {
     let lobes = truth.lobes();
-    let usual = |l: &Lobe| l.form.integrand.is_none() && l.side == lobes[own].side;
+    let usual =
+        |l: &Lobe| l.form.integrand.is_none() && (l.side, l.both) == (lobes[own].side, lobes[own].both);
     if usual(&lobes[own]) { own } else { lobes.iter().position(usual).unwrap_or(own) }
 }
 

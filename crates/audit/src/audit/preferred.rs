@@ -4,7 +4,7 @@
 
 use super::AuditError;
 use super::convention::Fixed;
-use super::defects::grain;
+use super::defects::{Grain, stored};
 use super::errors::Residuals;
 use super::judge::{judge, rejudge, with_floors};
 use super::lookup::{Look, Points};
@@ -23,10 +23,6 @@ const OVERWHELMING: f64 = 20.0;
 /// What of the root mean square of the plain lookup the remedy may leave at most; the largest error
 /// may not grow either.
 const LESSENED: f64 = 0.7;
-
-/// Steps of a format that a biased quantiser leaves at most: truncation a whole one, which is two of
-/// rounding, and a tenth for what it is decoded by.
-const BIASED_STEPS: f64 = 2.2;
 
 /// The conventions with the plain form of the first before it, where that is preferred.
 pub(super) fn plain_first(
@@ -94,11 +90,12 @@ fn is_quantised(
     let judgement = judge(truth, sample, &candidate.axes, candidate.lobe)?;
     let explained = |(place, k): (usize, &usize)| {
         let Some(column) = candidate.fitted.columns[place] else { return true };
-        let step = grain(table.step, &table.channels[*k].values);
+        let step = stored(table.step, &table.channels[*k].values);
+        let grain = Grain { step, samples: None };
         let residuals = Residuals::new(sample, &judgement, column, &sample.values[place]);
         let within = |i: &usize| {
-            let rounding = step.rounding(residuals.values[*i]);
-            rounding > 0.0 && residuals.errors[*i].abs() <= BIASED_STEPS * rounding
+            let left = grain.leaves(residuals.values[*i]);
+            left > 0.0 && residuals.errors[*i].abs() <= left
         };
         residuals.judged.iter().all(within)
     };

@@ -2,22 +2,39 @@
 //! whoever ships it.
 
 use super::column::{Base, Column};
+use super::lobe::Form;
 use super::table::{AuditedTable, Source, place};
-use super::{Audit, Input};
+use super::verdict::number;
+use super::{Audit, AuditError, Input};
 use lobefit::approximate::Entry;
 use lobefit::effects::{eon, reflection, sheen};
 use lobefit_shade::Hypothesis;
+use lobefit_truth::quantity::Quantity;
 
-/// Largest difference from a published formula: those who ship one round its constants and order its
-/// operations in their own way, and clamp what it gives.
+/// Largest difference from a published formula, or from what of it is above 0: those who ship one round its
+/// constants and order its operations in their own way, and clamp what it gives.
 const SAME: f64 = 2e-3;
+
+/// Formulas that were fitted to a lobe that the quantity's variants do not have: name, form.
+const MADE_FOR: [(&str, &str); 1] = [("ggx_blend_karis", "schlick")];
+
+/// A published formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Published {
+    /// Its name here.
+    pub name: &'static str,
+    /// Where it was published.
+    pub publication: &'static str,
+    /// The shadowing that it was fitted to, if that is none of the quantity's own.
+    pub made_for: Option<&'static Form>,
+}
 
 /// One point in so many is compared.
 const STRIDE: usize = 7;
 
-/// That the function is a published one, in a sentence; none of a table, or of what is published by
-/// nobody that is known here.
-pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<String> {
+/// The published formula that a function is; none of a table, or of what is published by nobody that is
+/// known here.
+pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<Published> {
     if table.source != Source::Function {
         return None;
     }
@@ -30,8 +47,24 @@ pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<String> {
     };
     let points = points(table, done);
     let entry = known.into_iter().find(|entry| is_same(entry, table, &points))?;
-    let publication = entry.publication?;
-    Some(format!("It has the values of a published formula, `{}`: {publication}.", entry.name()))
+    let (name, publication) = (entry.name(), entry.publication?);
+    let made_for = MADE_FOR.iter().find(|(known, _)| *known == name);
+    Some(Published { name, publication, made_for: made_for.and_then(|(_, form)| Form::find(form)) })
+}
+
+/// What is said of a formula for a lobe that is not the quantity's: how far it is from either.
+pub(super) fn held(
+    known: &Published,
+    quantity: &dyn Quantity,
+    worst: impl Fn(&'static Form) -> Result<f64, AuditError>,
+) -> Result<Option<String>, AuditError> {
+    let Some(made_for) = known.made_for else { return Ok(None) };
+    let [own, usual] = [made_for, Form::of(quantity)[0]];
+    let (near, far) = (number(worst(own)?), number(worst(usual)?));
+    Ok(Some(format!(
+        "It was made for {}: held against that it is off by at most {near}, against {} by {far}.",
+        own.words, usual.words
+    )))
 }
 
 /// Places of the points that are compared, with alpha and mu there; mu of an average is 1.
@@ -82,7 +115,10 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
     const COLUMNS: [Column; 5] = [Column::E, Column::B, Column::A, Column::Inverse, Column::Loss];
     let varies = |values: &[f64]| values.iter().any(|v| *v != values[0]);
     let holds = |values: &[f64], column: &Column| {
-        let off = |((i, _), base): (&(usize, [f64; 2]), &Base)| (values[*i] - column.value(*base)).abs();
+        let off = |((i, _), base): (&(usize, [f64; 2]), &Base)| {
+            let (own, known) = (values[*i], column.value(*base));
+            (own - known).abs().min((own - known.max(0.0)).abs())
+        };
         points.iter().zip(&bases).map(off).all(|off| off <= SAME)
     };
     let mut channels = table.channels.iter().filter(|channel| varies(&channel.values)).peekable();

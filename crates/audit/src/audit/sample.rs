@@ -11,6 +11,8 @@ use super::truth::{Truth, Values};
 pub(super) struct Sample {
     /// Size of the whole table.
     pub size: Vec<usize>,
+    /// Texels of it that are not dead.
+    pub texels: usize,
     /// The places along every axis, rising.
     pub at: Vec<Vec<usize>>,
     /// Values of every live channel, the first axis fastest.
@@ -18,9 +20,11 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// At most `most` places along every axis, evenly spread; with `inner` none of them at an end.
+    /// At most `most` places along every axis, evenly spread; with `inner` none of them at an end, and
+    /// without it none at an end that is dead.
     pub(super) fn new(audited: &AuditedTable, live: &[usize], most: usize, inner: bool) -> Sample {
-        let at: Vec<Vec<usize>> = audited.size.iter().map(|n| spread(*n, most, inner)).collect();
+        let mut at: Vec<Vec<usize>> = audited.size.iter().map(|n| spread(*n, most, inner)).collect();
+        at.iter_mut().zip(&audited.dead).for_each(|(at, dead)| at.retain(|k| !dead.contains(k)));
         let dims: Vec<usize> = at.iter().map(Vec::len).collect();
         let texel = |i: usize| -> usize {
             let places: Vec<usize> = place(i, &dims).iter().zip(&at).map(|(k, at)| at[*k]).collect();
@@ -28,7 +32,8 @@ impl Sample {
         };
         let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
         let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
-        Sample { size: audited.size.clone(), values: live.iter().map(of).collect(), at }
+        let texels = alive(audited);
+        Sample { size: audited.size.clone(), texels, values: live.iter().map(of).collect(), at }
     }
 
     /// Some of the rows of a table of two axes, and all of its columns.
@@ -36,14 +41,16 @@ impl Sample {
         let width = audited.size[0];
         let of = |c: &usize| audited.channels[*c].values[rows.start * width..rows.end * width].to_vec();
         let values = live.iter().map(of).collect();
-        Sample { size: audited.size.clone(), values, at: vec![(0..width).collect(), rows.collect()] }
+        let at = vec![(0..width).collect(), rows.collect()];
+        Sample { size: audited.size.clone(), texels: alive(audited), values, at }
     }
 
     /// One texel.
     pub(super) fn one(audited: &AuditedTable, live: &[usize], texel: &[usize]) -> Sample {
         let i = flat(texel, &audited.size);
         let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
-        Sample { size: audited.size.clone(), values, at: texel.iter().map(|k| vec![*k]).collect() }
+        let at = texel.iter().map(|k| vec![*k]).collect();
+        Sample { size: audited.size.clone(), texels: alive(audited), values, at }
     }
 
     /// Places along every axis.
@@ -68,6 +75,12 @@ impl Sample {
     pub(super) fn nodes(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         self.at[axis].iter().map(|i| reading.node(*i, self.size[axis])).collect()
     }
+}
+
+/// Texels that are not dead.
+fn alive(audited: &AuditedTable) -> usize {
+    let dead = |axis: usize| audited.dead.get(axis).map_or(0, Vec::len);
+    audited.size.iter().enumerate().map(|(axis, n)| n - dead(axis)).product()
 }
 
 /// At most `most` of 0..n, both ends among them or neither.

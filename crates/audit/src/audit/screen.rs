@@ -34,10 +34,15 @@ pub(super) fn screen(
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
             (0..axes).map(|k| fixed.readings(assigned[k], truth.inputs()[k])).collect();
-        if readings.iter().any(Vec::is_empty) {
-            continue;
-        }
         for lobe in lobes {
+            let both = truth.lobes()[*lobe].both;
+            let suits =
+                |r: &&AxisReading| r.scale.input() != Input::Ior || r.scale.is_of_both_sides() == both;
+            let of_side = |list: &Vec<AxisReading>| list.iter().filter(suits).copied().collect();
+            let readings: Vec<Vec<AxisReading>> = readings.iter().map(of_side).collect();
+            if readings.iter().any(Vec::is_empty) {
+                continue;
+            }
             let task = Task { truth, sample, fixed, assigned: &assigned, lobe: *lobe };
             if at_once {
                 found = best([found, task.product(&readings)?].concat(), KEPT);

@@ -1,6 +1,7 @@
 //! What somebody ships, as numbers: channels over a grid, the first axis fastest.
 
 use super::AuditError;
+use super::function::AT_ONE;
 use crate::foreign::{Channel, ForeignTable, Step};
 
 /// Most texels that an audit takes: 256^3.
@@ -30,6 +31,8 @@ pub struct AuditedTable {
     pub channels: Vec<Channel>,
     /// What the format rounds values to.
     pub step: Step,
+    /// Along every axis the ends that were never filled, which an audit finds.
+    pub dead: Vec<Vec<usize>>,
 }
 
 impl From<&ForeignTable> for AuditedTable {
@@ -42,6 +45,7 @@ impl From<&ForeignTable> for AuditedTable {
             source: Source::Table,
             channels: table.channels.clone(),
             step: table.step,
+            dead: Vec::new(),
         }
     }
 }
@@ -73,15 +77,20 @@ impl AuditedTable {
         }
         let size: Vec<usize> = self.size.iter().copied().filter(|n| *n > 1).collect();
         if size.is_empty() || size.iter().any(|n| *n < 4) {
+            let slices = match size[..] {
+                [_, _, n] if n < 4 => format!("; --layer takes one of its slices, 0 to {}", n - 1),
+                _ => String::new(),
+            };
             let reason = format!(
-                "{:?} texels are too few to tell how the table is meant; 4 along every axis are called for",
+                "{:?} texels are too few to tell how the table is meant; 4 along every axis are called for{slices}",
                 self.size
             );
             return Err(AuditError::refused(&self.what, reason));
         }
         let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
         let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
-        Ok(AuditedTable { size, axes, ..self.clone() })
+        let checked = AuditedTable { size, axes, ..self.clone() };
+        Ok(AuditedTable { dead: checked.dead(), ..checked })
     }
 
     /// The error of a value that is no number: of a function by the arguments, of a table by the
@@ -102,19 +111,80 @@ impl AuditedTable {
         AuditError::refused(&self.what, reason)
     }
 
-    /// Channels that vary, by their place; all of them where a meaning is `given` for each.
+    /// First and last lines along every axis that hold one value throughout, far from what lies beside
+    /// them: they were never filled.
+    fn dead(&self) -> Vec<Vec<usize>> {
+        let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
+        let live: Vec<&Channel> = self.channels.iter().filter(varies).collect();
+        let ends = |(axis, n): (usize, &usize)| {
+            let is_dead = |(end, beside): &(usize, usize)| {
+                let lines: Vec<_> =
+                    live.iter().map(|c| Line::of(&self.size, &c.values, axis, [*end, *beside])).collect();
+                lines.iter().all(|line| line.constant) && lines.iter().any(|line| line.jumps)
+            };
+            let both = [(0, 1), (n - 1, n - 2)].into_iter().filter(is_dead);
+            both.map(|(end, _)| end).collect()
+        };
+        if self.source != Source::Table || self.size.len() < 2 {
+            return vec![Vec::new(); self.size.len()];
+        }
+        self.size.iter().enumerate().map(ends).collect()
+    }
+
+    /// The first of the channels that are the same as one, if it is not this one.
+    pub(super) fn same(&self, channel: usize) -> Option<usize> {
+        (0..channel).find(|k| self.channels[*k].values == self.channels[channel].values)
+    }
+
+    /// Channels that vary and are not the same as one before, by their place; all of them where a meaning
+    /// is `given` for each. Of a function of f0 E may be constant where B varies.
     pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
         let varies = |c: &Channel| c.values.iter().any(|v| *v != c.values[0]);
         if given == Some(self.channels.len()) && self.channels.iter().any(varies) {
             return Ok((0..self.channels.len()).collect());
         }
-        let live: Vec<usize> = (0..self.channels.len()).filter(|i| varies(&self.channels[*i])).collect();
+        let some = self.channels.iter().any(varies);
+        let of_f0 = |c: &Channel| some && self.source == Source::Function && c.name.ends_with(AT_ONE);
+        let lives = |i: &usize| varies(&self.channels[*i]) || of_f0(&self.channels[*i]);
+        let mut live: Vec<usize> = (0..self.channels.len()).filter(lives).collect();
+        let first = |i: &usize| self.source == Source::Function || self.same(*i).is_none();
+        let distinct: Vec<usize> = live.iter().copied().filter(first).collect();
+        if given.is_none_or(|n| n == distinct.len()) {
+            live = distinct;
+        }
         if live.is_empty() {
             let value = self.channels.first().map_or(0.0, |c| c.values[0]);
             let reason = format!("every channel is constant ({value}); there is nothing to measure");
             return Err(AuditError::refused(&self.what, reason));
         }
         Ok(live)
+    }
+}
+
+/// A line at the end of an axis.
+struct Line {
+    /// Whether all of its values are the same.
+    constant: bool,
+    /// Whether the line beside it is farther from it than half of what the rest of the table spans.
+    jumps: bool,
+}
+
+impl Line {
+    /// The line at the first of two places of an axis, beside the second.
+    fn of(size: &[usize], values: &[f64], axis: usize, [end, beside]: [usize; 2]) -> Line {
+        let step: usize = size[..axis].iter().product();
+        let along = |i: usize| i / step % size[axis];
+        let (mut range, mut rest) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
+        let (mut apart, mut count) = (0.0, 0);
+        for (i, value) in values.iter().enumerate() {
+            let own = if along(i) == end { &mut range } else { &mut rest };
+            *own = [own[0].min(*value), own[1].max(*value)];
+            if along(i) == beside {
+                let at = if end < beside { i - step } else { i + step };
+                (apart, count) = (apart + (value - values[at]).abs(), count + 1);
+            }
+        }
+        Line { constant: range[0] == range[1], jumps: apart / f64::from(count) > 0.5 * (rest[1] - rest[0]) }
     }
 }
 

@@ -94,7 +94,7 @@ pub(super) fn found(
 /// another.
 fn may_change(truth: &Truth, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|lobe| truth.lobes()[lobe]);
-    a.side == b.side && a.form.integrand.is_none() && b.form.integrand.is_none()
+    (a.side, a.both) == (b.side, b.both) && a.form.integrand.is_none() && b.form.integrand.is_none()
 }
 
 /// First and last index along every axis.

@@ -10,13 +10,16 @@ mod tables;
 mod words;
 
 use std::ffi::OsString;
+use std::num::NonZero;
 use std::ops::Deref;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Form, Input, LEFT_OUT, Registration, Scale};
+use crate::audit::{
+    self, Audit, AuditedTable, Column, Encoding, Fixed, Form, Input, LEFT_OUT, Registration, Scale,
+};
 use crate::cost;
 use crate::foreign::{self, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
@@ -28,7 +31,8 @@ use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
 use words::{
-    Ranged, Size, axis, column, floor, form, range, raw_format, registration, setting, side, size, wanted,
+    Ranged, Size, axis, column, encoding, floor, form, range, raw_format, registration, setting, side, size,
+    wanted,
 };
 
 const EXAMPLES: &str = "\
@@ -89,6 +93,12 @@ struct Options {
     /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
     #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
     pub clamp: Vec<(Input, f64)>,
+    /// What its values are decoded from before they are read: `srgb`, `rgbe`, `rgbd-2.2`, `rgbd`
+    #[arg(long, value_name = "E", value_parser = encoding)]
+    pub encoding: Option<&'static Encoding>,
+    /// Samples that each texel is the mean of: what so many leave is no defect
+    #[arg(long, value_name = "N")]
+    pub samples: Option<NonZero<u32>>,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -315,6 +325,8 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
             ("--raw-format", options.raw_format.is_some()),
             ("--symbol", options.symbol.is_some()),
             ("--layer", options.layer.is_some()),
+            ("--encoding", options.encoding.is_some()),
+            ("--samples", options.samples.is_some()),
         ];
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
@@ -396,6 +408,8 @@ fn fixed(options: &Asked) -> Result<Fixed, CliError> {
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
         floors: options.clamp.clone(),
+        encoding: options.encoding,
+        samples: options.samples.map(NonZero::get),
         roles: None,
         inverse: false,
         domain: words::domain(&options.domain, &options.axes),

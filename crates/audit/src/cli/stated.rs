@@ -19,7 +19,8 @@ pub(super) fn stated(
         || options.smith.is_some()
         || options.side.is_some()
         || !options.meaning.is_empty()
-        || !options.clamp.is_empty();
+        || !options.clamp.is_empty()
+        || options.encoding.is_some();
     if note.is_empty() || asked {
         return Ok(None);
     }

@@ -1,6 +1,8 @@
 //! The words of the options.
 
-use crate::audit::{Column, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale};
+use crate::audit::{
+    Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale,
+};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -123,6 +125,13 @@ pub(super) fn form(text: &str) -> Result<&'static Form, String> {
     Form::find(text).ok_or_else(|| {
         let words: Vec<&str> = FORMS.iter().map(|form| form.word).collect();
         format!("no such shadowing form; they are {}", words.join(", "))
+    })
+}
+
+pub(super) fn encoding(text: &str) -> Result<&'static Encoding, String> {
+    ENCODINGS.iter().find(|encoding| encoding.word == text).ok_or_else(|| {
+        let words: Vec<&str> = ENCODINGS.iter().map(|encoding| encoding.word).collect();
+        format!("no such encoding; they are {}", words.join(", "))
     })
 }
 

@@ -12,6 +12,8 @@ pub enum Step {
     Half,
     /// Integers / 255.
     Unorm8,
+    /// Integers / 1023.
+    Unorm10,
     /// Integers / 65535.
     Unorm16,
     /// Mantissas of 8 bits under the exponent of the largest of three.
@@ -34,6 +36,7 @@ impl Step {
                 if gap.is_finite() { 0.5 * gap } else { 16.0 }
             }
             Step::Unorm8 => 0.5 / 255.0,
+            Step::Unorm10 => 0.5 / 1023.0,
             Step::Unorm16 => 0.5 / 65535.0,
             // Of the largest of the three: what is known of one alone.
             Step::Rgbe if x == 0.0 => 0.0,
@@ -48,6 +51,7 @@ impl Step {
             Step::None => "single or better".into(),
             Step::Half => "half".into(),
             Step::Unorm8 => "8-bit unorm".into(),
+            Step::Unorm10 => "10-bit unorm".into(),
             Step::Unorm16 => "16-bit unorm".into(),
             Step::Rgbe => "RGBE".into(),
             Step::Decimals(n) => format!("{n} decimals"),

@@ -31,6 +31,9 @@ pub struct AuditFindings {
     /// one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plain: Option<AuditPlain>,
+    /// What its values were decoded from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub encoding: Option<String>,
     /// Largest error that the user allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
@@ -160,7 +163,8 @@ pub struct AuditChannel {
 /// Something that is wrong.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AuditDefect {
-    /// Its kind: `part`, `bias`, `clamped`, `noise`, `steps`, `missing-loss`.
+    /// Its kind: `part`, `bias`, `clamped`, `noise`, `steps`, `sampled`, `missing-loss`, `dead`,
+    /// `other-lobe`.
     pub kind: String,
     /// In a sentence.
     pub text: String,

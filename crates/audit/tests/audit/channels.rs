@@ -2,8 +2,8 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditedTable, Channel, Column, Defect, Fit, Fixed, Input, Other, Registration, Scale, Source,
-    audit,
+    Audit, AuditedTable, Channel, Column, Defect, ENCODINGS, Fit, Fixed, Input, Other, Registration, Scale,
+    Source, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
@@ -41,6 +41,7 @@ fn table(channels: &[Filled]) -> AuditedTable {
         source: Source::Table,
         channels: channels.iter().map(channel).collect(),
         step: Step::None,
+        dead: Vec::new(),
     }
 }
 
@@ -180,7 +181,24 @@ fn an_encoding_of_several_channels_is_found() {
     rgbe.step = Step::Unorm8;
     let found = run(&rgbe, "ggx-reflection", &Fixed::default());
     let said = found.verdict(None).to_string();
-    assert!(found.fit == Fit::None && said.contains("decoded from RGBE") && said.contains("R = A"), "{said}");
+    assert!(
+        found.fit == Fit::Whole && said.contains("decoded from RGBE") && said.contains("R = A"),
+        "{said}"
+    );
+    assert!(found.worst() < 0.005 && !found.passes(Some(0.01)), "{}", found.worst());
+    // Said to be encoded so, it is what it is meant to be, and what cannot be encoded so is refused.
+    let encoding = ENCODINGS.iter().find(|encoding| encoding.word == "rgbe");
+    let meanings = Some(vec![Some(Column::A), Some(Column::B)]);
+    let meant = run(&rgbe, "ggx-reflection", &Fixed { encoding, meanings, ..Fixed::default() });
+    assert!(meant.plain.is_none() && meant.passes(Some(0.01)), "{:?}", meant.plain);
+    let bare = table(&[("R", &a)]);
+    let refused = audit(
+        &bare,
+        quantity::find("ggx-reflection").unwrap(),
+        &Fixed { encoding, ..Fixed::default() },
+        &|_| (),
+    );
+    assert!(refused.unwrap_err().to_string().contains("--encoding"));
 }
 
 #[test]

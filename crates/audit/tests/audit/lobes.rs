@@ -18,6 +18,7 @@ fn shipped(size: usize, channels: Vec<(&str, Vec<f64>)>) -> AuditedTable {
         source: Source::Table,
         channels: channels.into_iter().map(channel).collect(),
         step: Step::None,
+        dead: Vec::new(),
     }
 }
 

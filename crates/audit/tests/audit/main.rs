@@ -10,6 +10,7 @@ mod declared;
 mod functions;
 mod furnace;
 mod lobes;
+mod made;
 mod shipped;
 mod sidecars;
 mod solids;

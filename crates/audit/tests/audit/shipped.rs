@@ -111,3 +111,34 @@ fn a_function_is_judged_in_its_domain() {
     let (max, judged, alpha) = within(&[(Input::Alpha, [0.125, 1.0]), (Input::Mu, [0.5, 1.0])]);
     assert!(max < 0.5 && judged == 112 * 64 && alpha >= 0.125, "{max} {judged} {alpha}");
 }
+
+#[test]
+fn a_published_fit_is_named_with_the_lobe_that_it_was_made_for() {
+    // The published formula with a floor, as engines ship it.
+    let text = "
+        fn approx(roughness: f32, mu: f32) -> vec2<f32> {
+            let r = roughness * vec4<f32>(-1.0, -0.0275, -0.572, 0.022) + vec4<f32>(1.0, 0.0425, 1.04, -0.04);
+            let t = min(r.x * r.x, exp2(-9.28 * mu)) * r.x + r.y;
+            return max(vec2<f32>(-1.04, 1.04) * t + r.zw, vec2<f32>(0.0001));
+        }";
+    let table = table(text, "f.wgsl", "approx", &[]);
+    let found = audit(&table, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
+    let known = found.published.as_ref().expect("it is published");
+    assert_eq!((known.name, known.made_for.map(|form| form.word)), ("ggx_blend_karis", Some("schlick")));
+    let said = found.verdict(None).to_string();
+    let line = said.lines().next().expect("a line");
+    assert!(line.starts_with("FAIL ") && line.contains("is `ggx_blend_karis` (B. Karis"), "{line}");
+    assert!(said.contains("against height-correlated Smith by 0.4"), "{said}");
+}
+
+#[test]
+fn a_function_of_f0_that_loses_nothing_has_an_albedo_of_one() {
+    let text = "vec3 term(vec3 f0, float n_dot_v, float roughness) {
+            float f = 0.9 * pow(1.0 - n_dot_v, 5.0) * (1.0 - roughness);
+            return f0 + (1.0 - f0) * f;
+        }";
+    let found = audit(&table(text, "f.glsl", "term", &[]), of("ggx-reflection"), &Fixed::default(), &|_| ());
+    let found = found.unwrap();
+    let worst = found.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max);
+    assert!(found.best().columns.len() == 2 && found.fit == Fit::None && worst > 0.6, "{worst}");
+}

@@ -26,6 +26,7 @@ fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> AuditedTable {
         source: Source::Table,
         channels,
         step: Step::None,
+        dead: Vec::new(),
     }
 }
 

@@ -217,7 +217,7 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         (&["tables.h", "--as", "ggx-reflection", "--registration", "middle"], "no such registration"),
         (&["tables.h", "--as", "ggx-reflection", "--size", "16by16"], "as 64x64"),
         (&["tables.h", "--as", "ggx-reflection", "--size", "4294967296x1"], "4294967296"),
-        (&["tables.h", "--as", "ggx-glass", "--size", "16x16"], "3 inputs"),
+        (&["tables.h", "--as", "ggx-reflection-aniso", "--size", "16x16"], "3 inputs"),
         (&["tables.h", "--as", "ggx-reflection", "--limit", "NaN"], "finite number"),
         (&["tables.h", "--as", "parallax", "--limit", "1"], "no such quantity"),
         (&["tables.h", "--as", "ggx-reflection", "--set", "k=1"], "--set"),
@@ -267,6 +267,11 @@ fn a_slice_is_chosen_in_every_container_and_a_stated_size_says_its_channels() {
         let all = [&["audit", file, "--as", "ggx-reflection:E", "--limit", "1e-5"], more].concat();
         lobefit(folder.path(), &all, b"")
     };
+    // What is said of all slices is what the option takes.
+    for (file, more) in [("t.h", &[][..]), ("t.bin", &["--size", "16x16x4"])] {
+        let all = with(file, more);
+        assert!(stderr(&all).contains("--layer takes one of its slices, 0 to 3"), "{}", stderr(&all));
+    }
     let text = with("t.h", &["--layer", "2"]);
     assert_eq!(text.status.code(), Some(0), "{}", stderr(&text));
     let raw = with("t.bin", &["--layer", "2", "--size", "16x16x4"]);

@@ -9,7 +9,7 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 
 /// Damages tried on each file.
-const TRIALS: u64 = 1500;
+const TRIALS: u64 = 20_000;
 
 /// Most memory that the process may ever have held, bytes: 256 MiB.
 const MEMORY: u64 = 256 << 20;

@@ -112,3 +112,23 @@ fn files_as_engines_ship_them() {
         );
     }
 }
+
+#[test]
+fn functions_of_namespaces_are_called_with_default_arguments() {
+    let source = "
+    #define COMPILE_TIME
+    #define SAFE 3
+    namespace lib {
+    namespace Math {
+        inline float Inverse( float x, COMPILE_TIME const uint mode = SAFE, float least = 0.25 )
+        { if( mode <= 1 ) return rcp( x ); return 1.0f / max( x, least ); }
+        inline float2 Inverse( float2 x, COMPILE_TIME const uint mode = SAFE )
+        { return float2( Inverse( x.x, mode ), Inverse( x.y, mode, 0.5 ) ); }
+    }
+    namespace BRDF {
+        float term( float x, float y )
+        { float2 both = Math::Inverse( float2( x, y ) ); return both.x + both.y + lib::Math::Inverse( x, 1u ); }
+    } }
+    ";
+    assert_eq!(values(source, "term", &[0.125, 0.25]), [4.0 + 2.0 + 8.0]);
+}

@@ -41,6 +41,7 @@ pub fn findings(
         fits: if found.holds() { "whole" } else { "none" }.into(),
         max_error: found.worst(),
         plain: None,
+        encoding: None,
         limit,
         passed: found.passes(limit),
         margin: None,

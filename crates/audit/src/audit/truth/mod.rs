@@ -20,10 +20,13 @@ use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{GGX_REFLECTION, Quantity};
-pub(super) use spec::{Spec, averaged, spec, with_azimuth};
+pub(super) use spec::{MOST_IOR, Spec, averaged, spec, with_azimuth};
 
 /// What columns are made of at every combination of the inputs given, the first input fastest.
 pub(super) type Values = Vec<Base>;
+
+/// Values of a lobe at every combination of inputs.
+pub(super) type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
 /// The values of a lobe of a quantity, or of its averages, at so many knots.
 type AtKnots = ((&'static str, bool, usize, Lobe), Arc<Values>);
@@ -33,6 +36,9 @@ static KNOWN: Mutex<Vec<AtKnots>> = Mutex::new(Vec::new());
 
 /// Values of lobes at points beyond the knots, by the bits of their inputs.
 type Outer = BTreeMap<(usize, Vec<u64>), Base>;
+
+/// How near to 1 an index of refraction is one.
+const NO_INTERFACE: f64 = 1e-7;
 
 /// Most of those that are kept.
 const OUTER: usize = 1 << 16;
@@ -82,8 +88,9 @@ impl<'a> Truth<'a> {
         let (values, outer, domain) = (Vec::new(), Mutex::default(), Vec::new());
         let mut truth = Truth { spec, lobes, specs, values, outer, domain };
         if !spec.knots.is_empty() {
-            truth.values =
-                (0..truth.lobes.len()).map(|lobe| truth.at_knots(lobe)).collect::<Result<_, _>>()?;
+            let of =
+                |lobe: usize| if truth.lobes[lobe].both { Ok(Arc::default()) } else { truth.at_knots(lobe) };
+            truth.values = (0..truth.lobes.len()).map(of).collect::<Result<_, _>>()?;
         }
         Ok(truth)
     }
@@ -126,9 +133,11 @@ impl<'a> Truth<'a> {
         self.spec.columns
     }
 
-    /// Range of an input of a lobe; texels outside are not judged.
+    /// Range of an input of a lobe; texels outside are not judged. From both sides an index below 1 is
+    /// its inverse, from inside.
     pub(super) fn range(&self, lobe: usize, input: Input) -> [f64; 2] {
-        self.specs[lobe].range(input)
+        let [low, high] = self.specs[lobe].range(input);
+        if self.lobes[lobe].both && input == Input::Ior { [1.0 / high, high] } else { [low, high] }
     }
 
     /// The same, judged in ranges of its inputs alone.
@@ -140,6 +149,10 @@ impl<'a> Truth<'a> {
     pub(super) fn judges(&self, lobe: usize, input: Input, x: f64) -> bool {
         let asked = |(own, [low, high]): &(Input, [f64; 2])| *own != input || (*low..=*high).contains(&x);
         if !self.domain.iter().all(asked) {
+            return false;
+        }
+        // At an index of 1 there is no interface: what a table holds there is its maker's choice.
+        if input == Input::Ior && (x - 1.0).abs() < NO_INTERFACE {
             return false;
         }
         let [low, high] = self.range(lobe, input);
@@ -155,6 +168,9 @@ impl<'a> Truth<'a> {
 
     /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
     pub(super) fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        if let Some(halves) = self.halves(lobe, at, Truth::quick) {
+            return halves;
+        }
         let Some(values) = self.values.get(lobe) else { return self.exact(lobe, at) };
         let knots = self.specs[lobe].knots;
         let mut values: Values = values.to_vec();
@@ -177,6 +193,9 @@ impl<'a> Truth<'a> {
 
     /// Values within [`Truth::bound`]; inputs lie in the range.
     pub(super) fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        if let Some(halves) = self.halves(lobe, at, Truth::exact) {
+            return halves;
+        }
         let Spec { knots, tolerances: [_, tolerance], interpolated, .. } = self.specs[lobe];
         let points = self.product(at);
         if !interpolated {
@@ -210,6 +229,31 @@ impl<'a> Truth<'a> {
         Ok(values)
     }
 
+    /// Of a lobe of both sides the values of each, put together along the index, which is the first
+    /// input; none of every other lobe.
+    fn halves(&self, lobe: usize, at: &[&[f64]], values: Truths<'a>) -> Option<Result<Values, AuditError>> {
+        let own = self.lobes[lobe];
+        let of = |side| self.lobes.iter().position(|l| *l == Lobe { side: Some(side), both: false, ..own });
+        let sides = own.both.then(|| Some([of(Side::Inside)?, of(Side::Outside)?])).flatten()?;
+        let iors = at[0];
+        let (inside, outside): (Vec<f64>, Vec<f64>) = iors.iter().partition(|ior| **ior < 1.0);
+        let inverse: Vec<f64> = inside.iter().map(|x| 1.0 / x).collect();
+        let part = |(lobe, iors): (usize, &[f64])| -> Result<Values, AuditError> {
+            let at: Vec<&[f64]> = [iors].into_iter().chain(at[1..].iter().copied()).collect();
+            if iors.is_empty() { Ok(Vec::new()) } else { values(self, lobe, &at) }
+        };
+        let parts = [(sides[0], inverse.as_slice()), (sides[1], outside.as_slice())].map(part);
+        let lines: usize = at[1..].iter().map(|list| list.len()).product();
+        Some(match parts {
+            [Ok(inside), Ok(outside)] => {
+                let mut parts = [inside.into_iter(), outside.into_iter()];
+                let line = |_| iors.iter().map(|ior| usize::from(*ior >= 1.0));
+                Ok((0..lines).flat_map(line).filter_map(|side| parts[side].next()).collect())
+            }
+            [Err(error), _] | [_, Err(error)] => Err(error),
+        })
+    }
+
     /// Every combination of inputs, by the audit's names.
     fn product(&self, at: &[&[f64]]) -> Points {
         let named: Vec<(&str, &[f64])> =
@@ -229,15 +273,20 @@ impl<'a> Truth<'a> {
     /// E mu dmu.
     fn averaged(&self, lobe: usize, points: &Points, tolerance: f64) -> Result<Values, AuditError> {
         static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(32));
-        let mut out = vec![[0.0; 3]; points.len()];
-        for (node, weight) in RULE.nodes.iter().zip(&RULE.weights) {
-            let (root, weight) = (0.5 + 0.5 * node, 0.5 * weight);
-            let mu = vec![root * root; points.len()];
-            let values = self.at_points(lobe, points.clone().with(Input::Mu.name(), mu), tolerance)?;
-            let weight = weight * 4.0 * root * root * root;
-            for (sum, value) in out.iter_mut().zip(values) {
-                sum.iter_mut().zip(value).for_each(|(sum, v)| *sum += weight * v);
-            }
+        let (count, nodes) = (points.len(), RULE.nodes.len());
+        let root = |k: usize| 0.5 + 0.5 * RULE.nodes[k];
+        // All at once: neighbours share work. Below the least cosine that is judged next to nothing weighs.
+        let least = self.range(lobe, Input::Mu)[0];
+        let mu = |k: usize| (root(k) * root(k)).max(least);
+        let repeated = points.columns().map(|(name, column)| (name, column.repeat(nodes)));
+        let mus = (0..nodes).flat_map(|k| std::iter::repeat_n(mu(k), count)).collect();
+        let all = Points::new(repeated).with(Input::Mu.name(), mus);
+        let values = self.at_points(lobe, all, tolerance)?;
+        let mut out = vec![[0.0; 3]; count];
+        for (i, value) in values.into_iter().enumerate() {
+            let root = root(i / count);
+            let weight = 0.5 * RULE.weights[i / count] * 4.0 * root * root * root;
+            out[i % count].iter_mut().zip(value).for_each(|(sum, v)| *sum += weight * v);
         }
         Ok(out)
     }
@@ -302,7 +351,9 @@ mod tests {
     /// that the quantity's own integrals give.
     fn off(truth: &Truth, at: &[&[f64]]) -> [f64; 2] {
         let mut worst = [0.0_f64; 2];
-        for (lobe, own) in truth.lobes().iter().enumerate().filter(|(_, own)| own.form.integrand.is_none()) {
+        for (lobe, own) in
+            truth.lobes().iter().enumerate().filter(|(_, own)| own.form.integrand.is_none() && !own.both)
+        {
             let (variant, quantity) = (own.variant(), truth.specs[lobe].quantity);
             let found = [truth.exact(lobe, at).unwrap(), truth.quick(lobe, at).unwrap()];
             let points = truth.inside(lobe, truth.product(at));

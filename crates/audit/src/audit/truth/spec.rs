@@ -110,7 +110,7 @@ const ANISO_FLOOR: f64 = 1e-4;
 const GLASS_ALPHA: f64 = 4e-4;
 
 /// Largest index of refraction that is judged.
-const MOST_IOR: f64 = 3.0;
+pub(in crate::audit) const MOST_IOR: f64 = 3.0;
 
 /// What is known of a quantity; `None` of a quantity that is not audited.
 pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
@@ -192,9 +192,24 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
 }
 
 /// The specification of averages over the cosine, of an albedo that has no quantity of its own for
-/// them; `None` of every other. The rule leaves 1e-5 where the lobe is narrow.
+/// them, and of glass; `None` of every other. The rule leaves 1e-5 where the lobe is narrow.
 pub(in crate::audit) fn averaged(quantity: &dyn Quantity) -> Option<Spec<'_>> {
-    let own = spec(quantity).filter(|_| is_albedo(quantity))?;
+    let own = spec(quantity)?;
+    if quantity.name() == "ggx-glass" {
+        return Some(Spec {
+            inputs: &[Input::Ior, Input::Alpha],
+            knots: const { &[root([1.0, MOST_IOR], 20), root([GLASS_ALPHA, 1.0], 20)] },
+            columns: &column::GLASS_MEAN,
+            averaged: true,
+            tolerances: [1e-4, 1e-5],
+            bound: 2e-5,
+            costly: true,
+            ..own
+        });
+    }
+    if !is_albedo(quantity) {
+        return None;
+    }
     Some(Spec {
         inputs: &[Input::Alpha],
         knots: const { &[Knots { count: 64, ..ANALYTIC }] },

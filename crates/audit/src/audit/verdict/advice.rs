@@ -1,6 +1,6 @@
 //! What to change.
 
-use super::defect::extent;
+use super::defect::{LINES, extent};
 use super::words::listed;
 use crate::audit::axis::{Input, Registration};
 use crate::audit::table::Source;
@@ -13,9 +13,16 @@ pub(super) fn advice(audit: &Audit) -> Vec<String> {
             Source::Table => "make it again, or audit it as what it holds",
             Source::Function => "fit its constants to this quantity, or audit it as what it computes",
         };
-        return vec![format!("do not ship it as this quantity: {told}")];
+        let dead =
+            audit.channels.iter().flat_map(|c| &c.defects).filter(|d| matches!(d, Defect::Dead { .. }));
+        let mut steps = vec![format!("do not ship it as this quantity: {told}")];
+        steps.extend(dead.filter_map(|d| mending(d, &audit.axes, audit.source)));
+        steps.dedup();
+        return steps;
     }
+    let encoding = audit.encoding.iter().map(|encoding| encoding.remedy.to_string());
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
+    steps.extend(encoding);
     if audit.source == Source::Table {
         steps.extend(registrations(audit));
     }
@@ -24,14 +31,8 @@ pub(super) fn advice(audit: &Audit) -> Vec<String> {
             steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
         }
     }
-    steps.extend(
-        audit
-            .channels
-            .iter()
-            .flat_map(|c| &c.defects)
-            .filter_map(|d| mending(d, audit.source))
-            .map(String::from),
-    );
+    let defects = audit.channels.iter().flat_map(|c| &c.defects);
+    steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     if audit.channels.iter().any(|c| matches!(c.column, Some(Column::Normal | Column::NormalLoss))) {
         steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
     }
@@ -50,21 +51,31 @@ fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
 }
 
 /// How a defect is mended; none of those that are in the nature of the format.
-pub(super) fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
-    match defect {
-        Defect::Part { .. } => Some(
-            "make the table again if a part of it was made by other code, at another time or with too few samples; texels that are optimised for the \
-             bilinear lookup look like this too, since they are not the truth at their centres, and need no mending",
-        ),
+pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Option<String> {
+    let step = match defect {
+        Defect::Part { range, size, .. } => {
+            let which = match extent(axes, range, size) {
+                ranges if ranges.is_empty() => "those texels".to_string(),
+                ranges => format!("the texels at {ranges}"),
+            };
+            return Some(format!(
+                "make {which} again: they are of other code, of another time or of too few samples, or optimised for the bilinear lookup, which is no defect"
+            ));
+        }
+        Defect::Dead { line: [axis, index], .. } => {
+            let (line, name) = (LINES[*axis], &axes[*axis]);
+            return Some(format!(
+                "fill {line} {name} = {index}: take a coordinate near the end, as 0.001, where the end itself has no value"
+            ));
+        }
         Defect::Clamped { .. } if source == Source::Function => {
-            Some("the function saturates there: let it go on beyond that value, or clamp what becomes of it")
+            "the function saturates there: let it go on beyond that value, or clamp what becomes of it"
         }
-        Defect::Clamped { .. } => Some("store it in a format that holds values beyond the clamp"),
-        Defect::MissingLoss { .. } => {
-            Some("make the loss again by quadrature or by sampling visible normals")
-        }
-        _ => None,
-    }
+        Defect::Clamped { .. } => "store it in a format that holds values beyond the clamp",
+        Defect::MissingLoss { .. } => "make the loss again by quadrature or by sampling visible normals",
+        _ => return None,
+    };
+    Some(step.to_string())
 }
 
 /// What to do about the axes, those of the same registration together.
@@ -134,8 +145,8 @@ mod tests {
     #[test]
     fn a_function_is_stored_in_no_format() {
         let clamped = Defect::Clamped { value: 1.0, texels: 3, truth: 1.2 };
-        let [of_table, of_function] = [Source::Table, Source::Function].map(|s| mending(&clamped, s));
-        assert!(of_table.is_some_and(|t| t.contains("format")), "{of_table:?}");
-        assert!(of_function.is_some_and(|t| t.contains("saturates")), "{of_function:?}");
+        let [of_table, of_function] = [Source::Table, Source::Function].map(|s| mending(&clamped, &[], s));
+        assert!(of_table.unwrap().contains("format"));
+        assert!(of_function.unwrap().contains("saturates"));
     }
 }

@@ -16,6 +16,12 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 way(*mean)
             )
         }
+        Defect::Dead { line: [axis, index], value } => format!(
+            "Its {} {} = {index} holds {} throughout, far from what lies beside it: it was never filled, and is not judged.",
+            LINES[*axis],
+            axes[*axis],
+            number(*value)
+        ),
         Defect::OtherLobe(parts) => {
             let [_, smaller, all] = parts.texels;
             let (lobe, ranges) = (parts.lobe.words(), extent(axes, &parts.range, &parts.size));
@@ -45,6 +51,15 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
         Defect::Steps { step, rms } => {
             format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))
         }
+        Defect::Sampled { samples, left, texels: [0, _] } => {
+            format!("No texel is off by more than {samples} samples leave ({}).", number(*left))
+        }
+        Defect::Sampled { samples, left, texels: [over, all] } => {
+            format!(
+                "{over} of {all} texels are off by more than {samples} samples leave ({}).",
+                number(*left)
+            )
+        }
         Defect::MissingLoss { stored, alpha, worst, texel } => format!(
             "A quarter of the texels of smooth surfaces (alpha up to {}) hold less than {} % of the true loss; worst at texel {texel:?}, {} \
              where {} is true: a sampling that misses the tail of the lobe does this.",
@@ -56,11 +71,16 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
     }
 }
 
-/// Where texels lie: `y = 16 to 31`; nothing said of an axis along which they lie everywhere.
+/// What lies at one index along each axis.
+pub(super) const LINES: [&str; 3] = ["column", "row", "slice"];
+
+/// Where texels lie: `y = 16 to 31`, `slice z = 3`; nothing said of an axis along which they lie
+/// everywhere.
 pub(super) fn extent(axes: &[String], range: &[[usize; 2]], size: &[usize]) -> String {
     let along = |((name, r), n): ((&String, &[usize; 2]), &usize)| {
         let whole = r[0] == 0 && r[1] + 1 == *n;
         (!whole).then(|| match r[0] == r[1] {
+            true if name == "z" => format!("slice z = {}", r[0]),
             true => format!("{name} = {}", r[0]),
             false => format!("{name} = {} to {}", r[0], r[1]),
         })

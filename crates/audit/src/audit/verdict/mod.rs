@@ -6,7 +6,7 @@ mod points;
 mod words;
 
 pub(super) use defect::sentence;
-pub(super) use points::{of, opening, said_limit};
+pub(super) use points::{of, said_limit};
 pub(crate) use words::place;
 pub(super) use words::{along, listed, long, number};
 

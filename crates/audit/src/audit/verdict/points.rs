@@ -2,11 +2,12 @@
 
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
-use crate::audit::axis::Registration;
+use crate::audit::axis::{Input, Registration};
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
+use crate::audit::truth::MOST_IOR;
 use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
@@ -17,16 +18,19 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     let mut errors = Vec::new();
     for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
         errors.extend(at_places(audit, channel));
-        if audit.fit != Fit::None && audit.two_lobes.is_none() {
-            errors.extend(channel.defects.iter().map(|d| defect::sentence(d, &audit.axes)));
-        }
+        let known = audit.fit != Fit::None && audit.two_lobes.is_none();
+        let told = channel.defects.iter().filter(|d| known || matches!(d, Defect::Dead { .. }));
+        errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
+    errors.dedup();
     errors.extend(untold(audit));
     errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
     errors.extend(audit.remarks.iter().cloned());
-    let named = audit.published.iter().cloned();
+    let named = audit.published.iter().map(|known| {
+        format!("It has the values of a published formula, `{}`: {}.", known.name, known.publication)
+    });
     let convention: Vec<String> = [opening(audit)].into_iter().chain(named).chain(idle(audit)).collect();
     Verdict {
         grade: grade(audit, limit),
@@ -40,8 +44,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
 }
 
 fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
-    let unfit = audit.fit == Fit::None && audit.two_lobes.is_none();
-    let sound = |d: &Defect| advice::mending(d, audit.source).is_none();
+    let unfit = audit.fit == Fit::None && audit.two_lobes.is_none() && audit.published.is_none();
+    let sound = |d: &Defect| advice::mending(d, &audit.axes, audit.source).is_none();
     let read = audit.plain.as_ref().is_none_or(|plain| is_usual(audit.best(), &plain.convention));
     let plain = read && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
     match limit {
@@ -64,9 +68,12 @@ fn is_usual(best: &Convention, plain: &Convention) -> bool {
     best.columns == plain.columns && ordered(best) == ordered(plain)
 }
 
-/// How far off it is under the quantity's own shadowing, where it is of another.
+/// How far off it is under the quantity's own shadowing, where it is of another, or as it is stored,
+/// where it is encoded.
 fn of_another(audit: &Audit) -> String {
-    let is_other = |plain: &&Plain| plain.convention.lobe != audit.best().lobe && plain.max.is_finite();
+    let is_other = |plain: &&Plain| {
+        plain.max.is_finite() && (plain.convention.lobe != audit.best().lobe || audit.encoding.is_some())
+    };
     let plain = audit.plain.as_ref().filter(is_other);
     plain.map_or_else(String::new, |plain| {
         let (other, own) = (plain.untold.join(", "), readings_differ(audit, audit.best(), &plain.convention));
@@ -84,33 +91,55 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
     let what = format!("{} {}: {}", audit.quantity, listed(&held), audit.what);
     let limit = said_limit(limit);
-    let worst = audit.channels.iter().filter_map(|c| c.errors.as_ref());
-    let Some(worst) = worst.reduce(|a, b| if b.max > a.max { b } else { a }) else {
+    let worst = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.errors.as_ref()?)));
+    let Some((of, worst)) = worst.reduce(|a, b| if b.1.max > a.1.max { b } else { a }) else {
         return format!("{what} is not judged{limit}");
     };
-    let (max, at) = (number(worst.max), place(&worst.at));
+    let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
+    let (max, at) = (number(worst.max) + &of, place(&worst.at));
     if audit.fit == Fit::None && audit.two_lobes.is_none() {
-        let found =
-            if audit.source == Source::Table { "fits no convention" } else { "is no approximation of it" };
+        let found = match (audit.source, &audit.published) {
+            (Source::Table, _) => "fits no convention".into(),
+            (Source::Function, None) => "is no approximation of it".into(),
+            (Source::Function, Some(known)) => {
+                format!("is `{}` ({}), no approximation of it", known.name, known.publication)
+            }
+        };
         return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
     }
-    // A split sum is used as f0 A + B: of A alone no pixel is made.
-    let channel = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
-    let channel = channel.reduce(|a, b| if b.max > a.max { b } else { a });
-    let of = if audit.blend.is_some() { " of f0 A + B" } else { "" };
     let limit = of_another(audit) + &limit;
-    match audit.blend.as_ref().or(channel) {
-        Some(lookup) if lookup.max > worst.max => format!(
-            "{what} is off by at most {} in lookups{of} ({}), {max} at texels{limit}",
-            number(lookup.max),
-            place(&lookup.at)
-        ),
+    if audit.source == Source::Function {
+        return format!("{what} is off by at most {max} at {at} ({} points sampled){limit}", worst.judged);
+    }
+    match largest_lookup(audit) {
+        Some((of, lookup)) if lookup.max > worst.max => {
+            let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
+            let at = match lookup.max > 1.01 * lookup.inner {
+                true => format!(
+                    "beyond the outermost texels, at {}; {} between them",
+                    place(&lookup.at),
+                    number(lookup.inner)
+                ),
+                false => place(&lookup.at),
+            };
+            format!(
+                "{what} is off by at most {}{of} in lookups ({at}), {max} at texels{limit}",
+                number(lookup.max)
+            )
+        }
         _ => format!("{what} is off by at most {max} at {at}{limit}"),
     }
 }
 
+/// The worst lookup and of what it is: of A alone no pixel is made where a shader blends f0 A + B.
+fn largest_lookup(audit: &Audit) -> Option<(&'static str, &LookupErrors)> {
+    let channels = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.lookup.as_ref()?)));
+    let worst = channels.reduce(|a, b| if b.1.max > a.1.max { b } else { a });
+    audit.blend.as_ref().map(|blend| ("f0 A + B", blend)).or(worst)
+}
+
 /// What it is best read as.
-pub(in crate::audit) fn opening(audit: &Audit) -> String {
+fn opening(audit: &Audit) -> String {
     let given = if audit.fixed { " of those that the options leave open" } else { "" };
     let reading = reading(audit);
     if let Some(parts) = &audit.two_lobes {
@@ -190,6 +219,11 @@ fn doubt(audit: &Audit) -> String {
             m if m >= 1.2 => {
                 format!("likely: the next {next} ({other}) fits {times} times worse.")
             }
+            m if m < 1.0 / 1.2 => format!(
+                "the plain {next} is taken, since to change it would not lessen the error of lookups for certain; at its texels another ({other}) fits {} \
+                 times better.",
+                number(1.0 / m)
+            ),
             _ => format!("open: another {next} ({other}) fits nearly as well."),
         };
     }
@@ -204,7 +238,7 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         let beyond = e.all - e.judged - e.unsampled;
         let points = if audit.source == Source::Table { "texels" } else { "points" };
         let told = [
-            (beyond, "lie where the truth is not had".to_string()),
+            (beyond, beyond_truth(audit)),
             (
                 e.unsampled,
                 format!(
@@ -247,6 +281,13 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         words::long(e.value),
         words::long(e.truth),
     ))
+}
+
+/// Why texels are not judged.
+fn beyond_truth(audit: &Audit) -> String {
+    let ior = audit.best().axes.iter().any(|axis| axis.scale.input() == Input::Ior);
+    let beyond = format!(" (ior 1, where there is no interface, or above {MOST_IOR})");
+    format!("lie where the truth is not had{}", if ior { beyond } else { String::new() })
 }
 
 /// Which texels of a large table are judged.
@@ -295,6 +336,7 @@ fn idle(audit: &Audit) -> Option<String> {
         (_, Some(Other::Unknown)) => {
             format!("Channel {} is left out: it follows nothing that is known.", c.name)
         }
+        (_, Some(Other::Same(first))) => format!("Channel {} is the same as {first}.", c.name),
         (Some(value), _) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
         (None, None) => format!("Channel {} is not asked for.", c.name),
     });
@@ -373,12 +415,10 @@ fn judged(audit: &Audit, limit: f64) -> String {
     if audit.source == Source::Function {
         return format!("The limit {limit_text} is judged at those points of the arguments.");
     }
-    let worst = audit.channels.iter().filter_map(|c| c.lookup.as_ref());
-    let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
-    match worst {
-        Some(lookup) if lookup.max > limit && audit.passes(Some(limit)) => format!(
+    match largest_lookup(audit) {
+        Some((of, lookup)) if lookup.max > limit && audit.passes(Some(limit)) => format!(
             "The limit {limit_text} is judged at the texels, which keep it; lookups between them and beyond the outermost do not: they are off by up \
-             to {} (at {}).",
+             to {} of {of} (at {}).",
             number(lookup.max),
             place(&lookup.at)
         ),

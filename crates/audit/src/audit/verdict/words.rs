@@ -21,7 +21,9 @@ pub(super) fn reading(audit: &Audit) -> String {
     // Of a table of two lobes they are printed before.
     let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
-    format!("{}{lobe}, with {}", holds.join(", "), axes(audit, audit.best()))
+    let decoded =
+        audit.encoding.map_or_else(String::new, |e| format!(", its values decoded from {}", e.name));
+    format!("{}{lobe}, with {}{decoded}", holds.join(", "), axes(audit, audit.best()))
 }
 
 /// Every axis in words.
@@ -87,7 +89,11 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
             parts.push(b.name().to_string());
         }
     }
-    if parts.is_empty() { "other clamps".into() } else { parts.join(", ") }
+    match parts.is_empty() {
+        true if best == other => "as they are stored".into(),
+        true => "other clamps".into(),
+        false => parts.join(", "),
+    }
 }
 
 impl AxisReading {

@@ -80,6 +80,9 @@ pub(super) fn translate(text: &Text, item: &Item, spans: &[Span], entry: bool, o
         Translator { text, spans, item, entry, types: BTreeMap::new(), result: None, out, body: false };
     to.header();
     to.range(0, spans.len());
+    if item.body && !entry {
+        to.defaults();
+    }
 }
 
 struct Translator<'a> {
@@ -133,6 +136,42 @@ impl<'a> Translator<'a> {
             if let Some(ty) = typed(self.word(k)).filter(|_| self.is_word(k + 1)) {
                 self.types.insert(self.word(k + 1), ty);
             }
+        }
+    }
+
+    /// Overloads without the last arguments, for calls that leave them to their default values.
+    fn defaults(&mut self) {
+        let brace = (0..self.spans.len()).find(|k| self.token(*k) == Some(Token::Open(b'{')));
+        let header = 0..brace.unwrap_or(0);
+        let Some(open) = header.clone().find(|k| self.token(*k) == Some(Token::Open(b'('))) else { return };
+        let (mut arguments, mut k) = (Vec::new(), open + 1);
+        while k < header.end && self.token(k) != Some(Token::Close(b')')) {
+            let stop = self.expression(k, header.end);
+            let value = (k..stop).find(|k| self.token(*k) == Some(Token::Mark(b'=')));
+            arguments.push((k, value.unwrap_or(stop), stop));
+            k = if self.token(stop) == Some(Token::Mark(b',')) { stop + 1 } else { stop };
+        }
+        let first = arguments.iter().position(|(_, value, stop)| value < stop).unwrap_or(arguments.len());
+        for given in first..arguments.len() {
+            self.body = false;
+            self.range(0, open + 1);
+            for (i, (start, value, _)) in arguments[..given].iter().enumerate() {
+                self.put(if i > 0 { ", " } else { "" }, *start);
+                self.range(*start, *value);
+            }
+            self.put(if open > 1 && self.word(open - 2) == "void" { ") { " } else { ") { return " }, open);
+            self.put(&format!("{}(", self.item.name()), open);
+            self.body = true;
+            for (i, (_, value, stop)) in arguments.iter().enumerate() {
+                self.put(if i > 0 { ", " } else { "" }, *value);
+                let name = self.word(value - 1);
+                match self.types.get(name).cloned().filter(|_| i >= given) {
+                    Some(ty) => self.value(&ty, value + 1, *stop),
+                    None if i >= given => self.range(value + 1, *stop),
+                    None => self.put(name, *value),
+                }
+            }
+            self.put("); }\n", open);
         }
     }
 
