@@ -27,6 +27,7 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
             .iter()
             .map(|l| LeftOut { effect: l.effect.into(), reason: l.reason.clone() })
             .collect(),
+        notes: context.scene.notes.clone(),
     };
     for (language, text) in includes::includes(&parts, &opening::opening(&parts, context), context)? {
         let file = includes::path(language);

@@ -29,7 +29,7 @@ struct Head {
 /// The work of an effect, `whole` from the cache if it is there; what was computed is put there. Promises
 /// that are not kept are computed each time.
 pub(super) fn made(called: &Called, whole: bool, context: &Context) -> Result<Made, BakeError> {
-    let compute = || called.by.bake(called, context)?.finished();
+    let compute = || called.by.bake(called, context)?.finished(context.scene);
     let Some(cache) = context.memo.cache().filter(|_| whole) else { return compute() };
     let key = key(called, context)?;
     if let Some(made) = cache.get(&key).and_then(|bytes| decoded(bytes, called.by, &context.recipe.hash)) {

@@ -81,7 +81,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let (out, quiet) = (&options.output.out, options.output.quiet || options.output.json);
     let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
     if !quiet {
-        input::say_notes(&input.notes);
+        input::say_notes(&input.scene.notes);
     }
     let progress = Bar::new(quiet, (&input.scene, &plan), 0);
     let cache = if options.no_cache { None } else { Cache::of_user() };

@@ -1,10 +1,10 @@
 //! What materials and probes call, as a table.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::Vendor;
-use crate::emit::call::{Call, Callers, NAMED, callers};
+use crate::emit::call::{Around, Call, Callers, How, NAMED, arounds, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
@@ -55,6 +55,10 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         ("for", Left),
     ];
     let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
+    let own =
+        rows.iter().map(|(call, _)| [format!("  {}", call.signature()), of_layers(&call.function, calls)]);
+    let all: Vec<[String; 2]> = own.chain(around(calls)).collect();
+    lines.extend(columns::lines([("arguments", Left), ("", Left)], &all));
     if rows.iter().any(|(_, names)| names.len() > NAMED) {
         let taken = callers(calls).into_iter();
         lines.extend(
@@ -62,6 +66,32 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         );
     }
     lines
+}
+
+/// Whose roughness a function takes: `of the coat`; nothing where that is of the specular lobe alone.
+fn of_layers(function: &str, calls: &[Call]) -> String {
+    let own = calls.iter().filter(|call| call.function == function);
+    let layers: BTreeSet<&str> = own.map(|call| call.layer.as_deref().unwrap_or("lobe")).collect();
+    if layers.iter().all(|layer| *layer == "lobe") {
+        return String::new();
+    }
+    let named: Vec<String> = layers.iter().map(|layer| format!("the {layer}")).collect();
+    format!("of {}", named.join(" and of "))
+}
+
+/// A row for each function about calls: what it does with which.
+fn around(calls: &[Call]) -> Vec<[String; 2]> {
+    let row = |(around, of): (&Around, BTreeSet<(&str, Option<&str>)>)| {
+        let mut by_value: BTreeMap<Option<&str>, Vec<&str>> = BTreeMap::new();
+        of.into_iter().for_each(|(function, value)| by_value.entry(value).or_default().push(function));
+        let does = |(value, functions): (Option<&str>, Vec<&str>)| match (around.how, value) {
+            (How::Calls, _) => format!("calls {}", functions.join(", ")),
+            (How::TakesValue, Some(value)) => format!("{value} from {}", functions.join(" or ")),
+            (How::TakesValue, None) => format!("takes {}", functions.join(" or ")),
+        };
+        [format!("  {}", around.signature()), by_value.into_iter().map(does).collect::<Vec<_>>().join(", ")]
+    };
+    arounds(calls).into_iter().map(row).collect()
 }
 
 /// The cosines over which the errors of the functions of materials hold, where there are any.

@@ -27,8 +27,6 @@ pub struct Input {
     pub scene: Scene,
     /// Its file, as the user named it.
     pub(super) name: String,
-    /// What the file says that the scene does not hold: of a foreign file.
-    pub notes: Vec<Note>,
     /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
     /// The paths at which they were read, by the paths that the scene gives: for messages only,
@@ -143,7 +141,6 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         return Ok(Input {
             scene: Scene::built_in()?,
             name: "the built-in scene".into(),
-            notes: Vec::new(),
             hypotheses: Vec::new(),
             paths: BTreeMap::new(),
         });
@@ -152,6 +149,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     let mut scene = parsed(&text)?;
     scene.made_of = text.ending.map(|ending| in_command(path, ending, &option.textures));
     let Text { name, folder, notes, .. } = text;
+    scene.notes = notes;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
         let file = store::inside(&folder, path)?;
@@ -161,7 +159,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         paths.insert(path.to_owned(), shown);
         hypotheses.push(UserHypothesis { file: path.into(), source });
     }
-    Ok(Input { scene, name, notes, hypotheses, paths })
+    Ok(Input { scene, name, hypotheses, paths })
 }
 
 /// The JSON of a scene.

@@ -44,9 +44,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
     if options.json {
-        print_json(&Planned { plan: &plan, notes: &input.notes })?
+        print_json(&Planned { plan: &plan, notes: &input.scene.notes })?
     } else {
-        print(text(&plan, &input.notes).as_bytes())?
+        print(text(&plan, &input.scene.notes).as_bytes())?
     }
     Ok(Outcome::Done)
 }

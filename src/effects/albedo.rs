@@ -1,5 +1,7 @@
 //! E, and Schlick's bias B, of the isotropic lobe at many points.
 
+use serde::{Deserialize, Serialize};
+
 use crate::approximate::Memo;
 use crate::data::Smith;
 use lobefit_truth::integrate::IntegrateError;
@@ -7,7 +9,7 @@ use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, TRUTH_ERROR};
 
 /// E, and B where it was asked for, at every point, within [`TRUTH_ERROR`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Albedo {
     /// Directional albedo.
     pub e: Vec<f64>,

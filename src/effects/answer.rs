@@ -378,7 +378,9 @@ pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
         let of_purpose: Vec<usize> = (0..calls.len()).filter(|&i| serves(purpose, &calls[i])).collect();
         for &i in &of_purpose {
             calls[i].purpose.clone_from(&purpose.name);
-            let same = || of_purpose.iter().map(|&k| &calls[k]).filter(|call| call.of == calls[i].of);
+        }
+        for &i in &of_purpose {
+            let same = || of_purpose.iter().map(|&k| &calls[k]).filter(|call| call.stands_for(&calls[i]));
             let best = same().find(|call| offered(call)).or_else(|| {
                 same().min_by(|a, b| {
                     let rank = |call: &Call| lookup(&call.function).map(preference);

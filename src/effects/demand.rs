@@ -55,6 +55,17 @@ pub struct Demand {
     pub spans: BTreeMap<&'static str, Span>,
     /// What must be met.
     pub goals: Goals,
+    /// The layer of the material whose roughness it is of; none of the specular lobe and of probes.
+    pub layer: Option<&'static str>,
+}
+
+/// What calls a function: a material by one of its layers, or a probe.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Caller {
+    /// Name of the material or probe.
+    pub name: String,
+    /// As [`Demand::layer`].
+    pub layer: Option<&'static str>,
 }
 
 /// A limit that materials or probes set: one emitted fit of at most `max_ops` operations within
@@ -155,6 +166,11 @@ pub fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 impl Demand {
+    /// What calls the functions of its job.
+    pub fn caller(&self) -> Caller {
+        Caller { name: self.name.clone(), layer: self.layer }
+    }
+
     /// Who sets the limit on the error: name, and field.
     pub fn limit(&self) -> (String, String) {
         (self.name.clone(), format!("{}.max_error", self.field))
@@ -248,11 +264,10 @@ impl Job {
         Ok(Region { roughness: self.range("roughness")?, mu: self.range("mu")?, alpha_map })
     }
 
-    /// Names of the materials or probes that want it, each once.
-    pub fn wanted_by(&self) -> Vec<String> {
+    /// What calls its functions, each once.
+    pub fn callers(&self) -> Vec<Caller> {
         let mut seen = BTreeSet::new();
-        let names = self.demands.iter().map(|demand| &demand.name);
-        names.filter(|name| seen.insert(*name)).cloned().collect()
+        self.demands.iter().map(Demand::caller).filter(|caller| seen.insert(caller.clone())).collect()
     }
 
     /// What is emitted of its fits, under the name of their role.

@@ -9,7 +9,7 @@ use super::{BakeError, Called, JobSummary, Made};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, SafeRange};
 use crate::report::TimedLookup;
-use crate::scene::Scene;
+use crate::scene::{Material, Scene};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
 
@@ -99,6 +99,11 @@ pub trait Effect: Sync {
     /// What the head of the include files says of its functions.
     fn notes(&self) -> &'static [Note] {
         &[]
+    }
+
+    /// What of a material's lobe its approximations do not know: `anisotropy`.
+    fn without(&self, _: &Material) -> Option<&'static str> {
+        None
     }
 
     /// Times of what its functions do beside the tables and the fits of a bake.

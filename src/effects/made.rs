@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::context::Context;
-use super::demand::{Job, Promise};
+use super::demand::{Caller, Job, Promise};
 use super::explore::Exploring;
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
@@ -113,12 +113,16 @@ impl Made {
     ///
     /// # Errors
     /// Figures that are not finite.
-    pub fn finished(mut self) -> Result<Made, BakeError> {
+    pub fn finished(mut self, scene: &Scene) -> Result<Made, BakeError> {
         let answer = answer::answer(&self);
         if let Some(limited) = &self.limited {
             answer::limit_calls(&mut self.part.entries, limited);
         }
         answer::mark(&mut self.part.entries, &answer.purposes);
+        for call in &mut self.part.entries.calls {
+            let material = scene.materials.iter().find(|material| material.name == call.of);
+            call.without = material.and_then(|own| self.part.by.without(own)).map(String::from);
+        }
         self.signed()?;
         let recommended = comment("//", &answer::recommendations(&self.part.entries.calls));
         // Behind the head of a file, where Rust takes no inner documentation.
@@ -152,8 +156,10 @@ impl Made {
             call.around.retain_mut(|around| {
                 // Effects share the compensations.
                 let shared = || compensation::arguments(&around.function);
-                let arguments = declared(&around.function).or_else(shared);
-                arguments.map(|arguments| around.signed(arguments)).is_some()
+                if let Some(arguments) = declared(&around.function).or_else(shared) {
+                    around.signed(arguments);
+                }
+                !around.arguments.is_empty()
             });
         }
         self.part.entries.calls = calls;
@@ -206,27 +212,24 @@ impl Made {
     /// so much on the GPUs of the vendor that the scene names.
     pub fn called_by(
         &mut self,
-        names: Vec<String>,
+        callers: Vec<Caller>,
         function: &str,
         (a, price): (&Approximation, Option<f64>),
         file: Option<&str>,
     ) {
         let (effect, cost) = (self.part.by.name(), CostEntry::new(a));
-        self.part.entries.calls.extend(names.into_iter().map(|of| Call {
+        self.part.entries.calls.extend(callers.into_iter().map(|by| Call {
             effect: effect.into(),
-            of,
-            purpose: String::new(),
-            recommended: false,
+            of: by.name,
+            layer: by.layer.map(String::from),
             function: function.into(),
             name: a.name.clone(),
-            arguments: Vec::new(),
-            then: None,
-            around: Vec::new(),
             file: file.map(String::from),
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),
             cost: cost.clone(),
             price,
+            ..Call::default()
         }));
     }
 
@@ -234,7 +237,7 @@ impl Made {
     pub fn fits_called(&mut self, job: &Job, fits: &[Fit], scene: &Scene) {
         for fit in fits.iter().filter(|fit| fit.emitted) {
             let price = scene.output.cost.map(|_| fit.price);
-            self.called_by(job.wanted_by(), fit.hypothesis.name(), (&fit.approximation, price), None);
+            self.called_by(job.callers(), fit.hypothesis.name(), (&fit.approximation, price), None);
         }
     }
 

@@ -43,6 +43,8 @@ pub struct ValueFits<'a> {
     pub of: &'static str,
     /// The field of a material that holds the goals.
     pub field: &'static str,
+    /// The layer of a material whose roughness it is of; none of the specular lobe.
+    pub layer: Option<&'static str>,
     /// What a material has that calls for it: `with a clear coat`.
     pub because: &'static str,
     /// What to see in the map of the truth.
@@ -88,6 +90,7 @@ impl ValueFits<'_> {
             because: format!("{name}: {kind} {} (roughness {})", self.because, roughness.text()),
             spans: [("roughness", roughness)].into_iter().chain(mu).collect(),
             goals,
+            layer: self.layer,
         }
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::demand::Demand;
-use crate::scene::{Material, Scene};
+use crate::scene::{Lobe, Material, Scene};
 
 /// Most materials that a reason names; the rest are counted.
 const NAMED: usize = 3;
@@ -17,6 +17,11 @@ pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f
 /// Whether a material's lobe is rough somewhere.
 pub(super) fn is_rough(scene: &Scene, material: &Material) -> bool {
     material.rough_range(scene.alpha).is_some()
+}
+
+/// What an isotropic approximation leaves out of a material's lobe.
+pub(super) fn anisotropy(material: &Material) -> Option<&'static str> {
+    (material.lobe() == Lobe::Anisotropic).then_some("anisotropy")
 }
 
 /// `a`, `b` stay below alpha 0.0001, which is smooth.
@@ -85,8 +90,9 @@ pub(super) fn verb(materials: &[&Material], plural: &str) -> String {
 
 /// The first names, and how many more there are.
 pub(super) fn named(materials: &[&Material]) -> String {
-    let first: Vec<String> = materials.iter().take(NAMED).map(|m| format!("`{}`", m.name)).collect();
-    match materials.len().saturating_sub(NAMED) {
+    let shown = if materials.len() == NAMED + 1 { NAMED + 1 } else { NAMED };
+    let first: Vec<String> = materials.iter().take(shown).map(|m| format!("`{}`", m.name)).collect();
+    match materials.len().saturating_sub(shown) {
         0 => first.join(", "),
         more => format!("{} and {more} more", first.join(", ")),
     }

@@ -1,18 +1,23 @@
 //! What materials and probes call of a bake.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
 use super::manifest::{CostEntry, Entries, Manifest};
+use crate::data::Place;
 
 /// A function that a material or a probe calls.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Call {
     /// Effect that it belongs to.
     pub effect: String,
     /// Name of the material or probe.
     pub of: String,
+    /// The layer of the material whose roughness and index it takes: `coat`, `sheen`, or the diffuse `base`;
+    /// none of the specular lobe and of probes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layer: Option<String>,
     /// What for, by the name of its card on the overview: calls of one material for one purpose stand
     /// for one another.
     #[serde(default)]
@@ -28,7 +33,7 @@ pub struct Call {
     pub arguments: Vec<String>,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
-    /// The function that takes its value, or `f/E` where the lobe f is divided by it.
+    /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// Functions of the include files about it: that take its value, or that call it.
@@ -37,6 +42,9 @@ pub struct Call {
     /// The texture that it fetches from.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
+    /// What of the material's lobe it does not know, and its error does not count: `anisotropy`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub without: Option<String>,
     /// Largest error.
     pub max_error: f64,
     /// What error that is: `furnace error |E N - 1|`, ...
@@ -64,6 +72,11 @@ pub struct Around {
 }
 
 impl Around {
+    /// It with its arguments.
+    pub fn signature(&self) -> String {
+        signature(&self.function, &self.arguments)
+    }
+
     /// One whose arguments are not known yet.
     pub fn new(function: String, how: How) -> Around {
         Around { function, arguments: Vec::new(), value: None, how }
@@ -71,19 +84,25 @@ impl Around {
 
     /// Gives it its arguments.
     pub fn signed(&mut self, arguments: Vec<String>) {
-        let value = value(&arguments).filter(|_| self.how == How::TakesValue);
+        let is_there = |name: &&str| arguments.iter().any(|own| own == name);
+        let value = VALUES.into_iter().find(is_there).filter(|_| self.how == How::TakesValue);
         (self.value, self.arguments) = (value.map(String::from), arguments);
     }
 }
 
+fn signature(function: &str, arguments: &[String]) -> String {
+    format!("{function}({})", arguments.join(", "))
+}
+
+/// What is made of an albedo E and the lobe f where no function does it: the lobe over it.
+pub const OVER: &str = "f/E";
+
+/// What is made of a normalisation N and the lobe f: their product.
+pub const TIMES: &str = "f*N";
+
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.
 const VALUES: [&str; 3] = ["escape", "e", "e_v"];
-
-/// Of the arguments of a function about a call the one that takes the call's value.
-pub fn value(arguments: &[String]) -> Option<&'static str> {
-    VALUES.into_iter().find(|name| arguments.iter().any(|own| own == name))
-}
 
 /// What a function does with another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -132,6 +151,34 @@ pub struct LookupFunction {
     pub cost: CostEntry,
 }
 
+/// A function of the levels of a prefiltered chain.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MipEntry {
+    /// Effect that called for it.
+    pub effect: String,
+    /// Function in the emitted code.
+    pub function: String,
+    /// What it gives: `mip`, `roughness`, `adjusted-mip`, `mip-bias`.
+    pub gives: String,
+    /// Argument names in order, of `mip`, `rho`, `roughness`, `alpha`.
+    pub inputs: Vec<String>,
+    /// The chain, in words.
+    pub chain: String,
+    /// Roughness to alpha.
+    pub alpha_map: String,
+    /// The lobe that the chain is prefiltered with; none of functions that do not depend on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kernel: Option<String>,
+    /// Coefficients by parameter.
+    pub coefficients: BTreeMap<String, f32>,
+    /// Largest error in levels, of `roughness` there and back.
+    pub max_mips: f64,
+    /// Where it is.
+    pub at: Place,
+    /// Operations.
+    pub ops: u32,
+}
+
 /// A function of masks of sub-voxels.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MaskLookup {
@@ -146,6 +193,9 @@ pub struct MaskLookup {
     /// Cost.
     pub cost: CostEntry,
 }
+
+/// The layers of a material that functions are of, from the inside out.
+const LAYERS: [&str; 3] = ["base", "coat", "sheen"];
 
 /// Most callers that the row of a function names: more stand with all that they call.
 pub const NAMED: usize = 3;
@@ -163,14 +213,36 @@ pub struct Callers<'a> {
 impl Call {
     /// The call with its arguments.
     pub fn signature(&self) -> String {
-        format!("{}({})", self.function, self.arguments.join(", "))
+        signature(&self.function, &self.arguments)
+    }
+
+    /// ` of the coat`, of what takes the roughness of a layer.
+    pub fn of_layer(&self) -> String {
+        self.layer.as_ref().map_or_else(String::new, |layer| format!(" of the {layer}"))
+    }
+
+    /// Whether a material or probe has a choice between it and another.
+    pub fn stands_for(&self, other: &Call) -> bool {
+        (&self.of, &self.layer, &self.purpose) == (&other.of, &other.layer, &other.purpose)
     }
 
     /// Whether it is the one to take of several of its material or probe for its purpose.
     pub fn is_preferred(&self, calls: &[Call]) -> bool {
-        let stands_beside = |other: &&Call| (&other.of, &other.purpose) == (&self.of, &self.purpose);
-        self.recommended && calls.iter().filter(stands_beside).count() > 1
+        self.recommended && calls.iter().filter(|other| other.stands_for(self)).count() > 1
     }
+}
+
+/// The functions about calls, each once: the function, and the calls and what it does with each, by argument.
+pub fn arounds(calls: &[Call]) -> Vec<(&Around, BTreeSet<(&str, Option<&str>)>)> {
+    let mut all: Vec<(&Around, BTreeSet<(&str, Option<&str>)>)> = Vec::new();
+    for (call, around) in calls.iter().flat_map(|call| call.around.iter().map(move |around| (call, around))) {
+        let of = (call.function.as_str(), around.value.as_deref());
+        match all.iter_mut().find(|(known, _)| known.function == around.function) {
+            Some((_, known)) => drop(known.insert(of)),
+            None => all.push((around, BTreeSet::from([of]))),
+        }
+    }
+    all
 }
 
 /// Who calls what, in the order of the calls.
@@ -182,7 +254,7 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
         if place == each.len() {
             each.push((&call.of, Vec::new()));
         }
-        let same = |choice: &&mut Vec<&Call>| !call.purpose.is_empty() && choice[0].purpose == call.purpose;
+        let same = |choice: &&mut Vec<&Call>| !call.purpose.is_empty() && choice[0].stands_for(call);
         match each[place].1.iter_mut().find(same) {
             Some(choice) => choice.push(call),
             None => each[place].1.push(vec![call]),
@@ -190,7 +262,10 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
     }
     let mut sets: Vec<Callers> = Vec::new();
     let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
-    for (name, choices) in each {
+    for (name, mut choices) in each {
+        // From the inside out.
+        choices
+            .sort_by_key(|choice| LAYERS.iter().position(|layer| choice[0].layer.as_deref() == Some(layer)));
         let calls: Vec<String> = choices.iter().map(|choice| worded(choice)).collect();
         let place = *places.entry(calls.clone()).or_insert(sets.len());
         match sets.get_mut(place) {
@@ -201,15 +276,25 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
     sets
 }
 
-/// Calls that stand for one another, the recommended one first; what takes the value of each is said once.
+/// Calls that stand for one another, the recommended one first; what takes the value of each or calls it is
+/// said once.
 fn worded(choice: &[&Call]) -> String {
-    let then = |call: &Call| call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}"));
+    let then = |call: &Call| {
+        let value = call.around.iter().find(|around| call.then.as_ref() == Some(&around.function));
+        let value = value.and_then(|around| around.value.as_ref());
+        let value = value.map_or_else(String::new, |value| format!(" as {value}"));
+        let then = call.then.as_ref().map_or_else(String::new, |then| format!(" then {then}{value}"));
+        let within = call.around.iter().find(|around| around.how == How::Calls);
+        let within = within.map_or_else(String::new, |around| format!(" in {}", around.function));
+        let without = call.without.as_ref().map_or_else(String::new, |what| format!(", {what} left out"));
+        then + &within + &without
+    };
     let shared = choice.first().map(|call| then(call)).unwrap_or_default();
     let is_shared = choice.iter().all(|call| then(call) == shared);
     let (mut all, others): (Vec<&Call>, Vec<&Call>) = choice.iter().partition(|call| call.recommended);
     all.extend(others);
     let own = |call: &Call| if is_shared { String::new() } else { then(call) };
-    let mut words = all.iter().map(|call| call.function.clone() + &own(call));
+    let mut words = all.iter().map(|call| call.function.clone() + &call.of_layer() + &own(call));
     let first = words.next().unwrap_or_default();
     let rest: Vec<String> = words.collect();
     let or = if rest.is_empty() { String::new() } else { format!(" (or {})", rest.join(", ")) };

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::call::{Call, LookupFunction, MaskLookup};
+use super::call::{Call, LookupFunction, MaskLookup, MipEntry};
 use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table};
+use lobefit_import::Note;
 
 /// Version of the manifest's form.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -37,6 +38,9 @@ pub struct Manifest {
     pub includes: Vec<Include>,
     /// Effects left out.
     pub left_out: Vec<LeftOut>,
+    /// What a foreign file says that the scene does not hold, and how its values are passed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<Note>,
 }
 
 /// The lists that every effect adds to; each entry names its effect.
@@ -299,36 +303,8 @@ pub struct SpreadEntry {
     pub cells: usize,
 }
 
-/// A function of the levels of a prefiltered chain.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct MipEntry {
-    /// Effect that called for it.
-    pub effect: String,
-    /// Function in the emitted code.
-    pub function: String,
-    /// What it gives: `mip`, `roughness`, `adjusted-mip`, `mip-bias`.
-    pub gives: String,
-    /// Argument names in order, of `mip`, `rho`, `roughness`, `alpha`.
-    pub inputs: Vec<String>,
-    /// The chain, in words.
-    pub chain: String,
-    /// Roughness to alpha.
-    pub alpha_map: String,
-    /// The lobe that the chain is prefiltered with; none of functions that do not depend on it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub kernel: Option<String>,
-    /// Coefficients by parameter.
-    pub coefficients: BTreeMap<String, f32>,
-    /// Largest error in levels, of `roughness` there and back.
-    pub max_mips: f64,
-    /// Where it is.
-    pub at: Place,
-    /// Operations.
-    pub ops: u32,
-}
-
 /// Cost of an evaluation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CostEntry {
     /// Operations of the project's model.
     pub ops: u32,

@@ -16,6 +16,7 @@ use super::probe::Probe;
 use super::table::TableWant;
 use super::value::{List, Maybe, Text, Word, about, distinct, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
+use lobefit_import::Note;
 use lobefit_shade::code::{Float, Language};
 use lobefit_strict::{place, read_object};
 use lobefit_truth::optics::kernel::Kernel;
@@ -60,6 +61,9 @@ pub struct Scene {
     /// of a scene in JSON, whose name is its own.
     #[serde(skip)]
     pub made_of: Option<String>,
+    /// What that file says that the scene does not hold.
+    #[serde(skip)]
+    pub notes: Vec<Note>,
 }
 
 /// A scene: the materials that a renderer has, and what it wants of them.
@@ -209,6 +213,7 @@ impl Scene {
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
             culling: parsed.culling.0,
             made_of: None,
+            notes: Vec::new(),
         };
         scene.settle_slices();
         Ok(scene)

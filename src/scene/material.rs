@@ -115,6 +115,16 @@ impl Material {
         }
     }
 
+    /// The diffuse base, where it sends back light and its lobe is Lambert's.
+    pub fn lit_base(&self) -> Option<&Base> {
+        self.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())
+    }
+
+    /// Whether its lobe is asked for with the exact Fresnel term, and not with Schlick's.
+    pub fn is_exact(&self) -> bool {
+        self.wants.exact_fresnel.is_some() && self.wants.fit.is_none() && self.wants.tables.is_empty()
+    }
+
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
@@ -323,7 +333,9 @@ fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Resul
                 .map_err(|e| about("ior", format!("{e}, where a dielectric's lies")))?;
             Ok(Some([f0_of_ior(n); 3]))
         }
-        (Kind::Glass, Some(_), _) => Err("`f0` is for metals and dielectrics; give the glass's `ior`".into()),
+        (Kind::Glass, Some(_), _) => {
+            Err("`f0` is for metals and dielectrics; of glass give `ior` alone".into())
+        }
         (Kind::Glass, None, None) => Err("glass needs `ior`".into()),
         (Kind::Glass, None, Some(range)) => {
             for n in range {

@@ -69,7 +69,10 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
     let preferred = baked.calls.iter().find(|call| call.of == "steel" && call.recommended);
     assert_eq!(first, preferred.map(|call| call.function.as_str()), "{metals:?}");
     assert_eq!(others.map(|list| list.split(", ").count()), Some(several - 1), "{metals:?}");
-    assert!(satins.calls.len() == 1 && satins.calls[0].ends_with(" then sheen_base_scale"), "{satins:?}");
+    assert!(
+        satins.calls.len() == 1 && satins.calls[0].ends_with(" of the sheen then sheen_base_scale as e_v"),
+        "{satins:?}"
+    );
     let sheen = baked.calls.iter().find(|call| call.of == "silk" && call.then.is_some()).expect("a sheen");
     assert_eq!(sheen.around[0].arguments, ["sheen_color", "e_v", "e_l"], "{sheen:?}");
 }
@@ -84,18 +87,20 @@ fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
     };
     let metal = format!(r#"{{"name": "metal", "kind": "metal", "f0": 0.9, {wants}}}"#);
     let others = ["normalised", "compensated", "single"].map(dielectric).join(",");
+    let brushed = r#"{"name": "brushed", "kind": "metal", "f0": 0.9, "anisotropy": 0.5, "roughness": 0.5, "wants": {"fit": {}}}"#;
     let json = format!(
-        r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [{metal}, {others}]}}"#
+        r#"{{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [{metal}, {others}, {brushed}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
     let selection = Selection { only: vec!["reflection".into()], ..shared() };
     let baked = bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake");
     let found = callers(&baked.calls);
-    let coloured = "ggx_energy_compensation_rgb (or ggx_albedo then ggx_compensate_reflection)";
-    let expected: [(&[&str], &str); 3] = [
+    let coloured = "ggx_energy_compensation_rgb then f*N (or ggx_albedo then ggx_compensate_reflection as e)";
+    let expected: [(&[&str], &str); 4] = [
         (&["metal", "compensated"], coloured),
-        (&["normalised"], "ggx_energy_compensation (or ggx_albedo then f/E)"),
+        (&["normalised"], "ggx_energy_compensation then f*N (or ggx_albedo then f/E)"),
         (&["single"], "ggx_albedo"),
+        (&["brushed"], "ggx_energy_compensation_rgb then f*N, anisotropy left out"),
     ];
     let found: Vec<(&[&str], &str)> = found.iter().map(|row| (&row.names[..], &row.calls[0][..])).collect();
     assert_eq!(found, expected);

@@ -292,6 +292,24 @@ fn the_only_effect_asked_for_by_name_is_the_whole_bake() {
     }
 }
 
+/// What a foreign file says that its scene does not hold stands in the manifest and on the overview as `bake`
+/// says it.
+#[test]
+fn notes_of_a_foreign_file_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = br#"{"asset":{"version":"2.0"},"extensionsUsed":["KHR_materials_unlit"],"materials":[
+        {"name":"sign","extensions":{"KHR_materials_unlit":{}}}]}"#;
+    std::fs::write(folder.path().join("room.gltf"), file).unwrap();
+    let output = lobefit(folder.path(), &["bake", "room.gltf"], b"");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stderr(&output).contains("note: sign: unlit: it has no lobe"), "{}", stderr(&output));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&read("manifest.json")).unwrap();
+    let note = json!({ "about": "reading", "of": ["sign"], "text": "unlit: it has no lobe" });
+    assert_eq!(manifest["notes"], json!([note]));
+    assert!(read("reports/index.html").contains("unlit: it has no lobe"));
+}
+
 #[test]
 fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     let folder = tempfile::tempdir().unwrap();
@@ -306,6 +324,13 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     let end = |line: &str, word: &str| line.find(word).expect("the word") + word.len();
     assert_eq!(end(lines[0], "bytes"), end(lines[1], " 128"), "{out}");
     assert!(lines[2].starts_with("* ggx_energy_compensation_rgb  ") && lines[2].ends_with("  m"), "{out}");
+    assert_eq!(lines[3], "arguments", "{out}");
+    assert_eq!(lines[4], "  ggx_albedo(table, roughness, n_dot_v)", "{out}");
+    assert_eq!(lines[5], "  ggx_energy_compensation_rgb(roughness, n_dot_v, f0)", "{out}");
+    assert!(
+        lines[6].starts_with("  ggx_compensate_reflection(") && lines[6].ends_with("  e from ggx_albedo")
+    );
+    let lines = &lines[5..];
     assert!(lines[3].starts_with("* is recommended: the cheapest function within max_error (0.02 "), "{out}");
     let cosines = "errors of functions without a table hold over n_dot_v 0.01 to 1, the scene's `mu`";
     assert_eq!(lines[4], cosines, "{out}");

@@ -4,15 +4,21 @@
 #![allow(clippy::disallowed_methods)]
 
 use super::dielectric::reflected;
+use crate::baked_support::shared;
 use crate::emit_support;
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use emit_support::example::{baked, certified, compiled, text};
-use lobefit::bake::Baked;
+use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Smith;
-use lobefit::effects::clearcoat::{HYPOTHESES, PUBLISHED};
+use lobefit::effects::Effect;
+use lobefit::effects::clearcoat::{Clearcoat, HYPOTHESES, PUBLISHED};
+use lobefit::emit::call::callers;
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Source, Tape};
@@ -24,7 +30,11 @@ const SCENE: &str = include_str!("../../examples/lacquer.json");
 static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
     // Without a lobe below the coat, which has fits of its own.
     let smooth = SCENE.replace(r#""roughness": [0.3, 0.6]"#, r#""roughness": 0"#);
-    baked(&smooth.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1))
+    let json = smooth.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1);
+    let scene = Scene::from_json(json.as_bytes(), "scene.json").expect("a scene");
+    // Without the fits of the coat's own albedo.
+    let selection = Selection { only: vec![Clearcoat.name().into()], ..shared() };
+    bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake")
 });
 
 /// One index of refraction, at the error that the furnace keeps.
@@ -86,13 +96,15 @@ fn function(source: &Source, name: &str) -> impl Fn(&[(&str, f64)]) -> f64 + use
 }
 
 /// The reciprocal base and the coat's own lobe send back all light within 1e-3. The base that is scaled keeps
-/// what the lobe leaves, to rounding.
+/// what the lobe leaves, to rounding, and with the emitted albedo within its certificate.
 #[test]
 fn a_white_base_is_white_below_a_coat() {
     let paint = baked(PAINT);
     let source = Source::parse("lobefit.wgsl", &text(&paint, Language::Wgsl)).expect("it parses");
     let of = |name: &str| function(&source, name);
     let (share, scale, diffuse) = (of("coat_escape"), of("coat_base_scale"), of("coat_diffuse"));
+    let albedo = of("ggx_dielectric_albedo");
+    let stated = paint.calls.iter().find(|call| call.function == "ggx_dielectric_albedo").expect("a call");
     let mut worst = 0.0_f64;
     for roughness in [0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0] {
         let escape = share(&[("roughness", roughness), ("ior", 1.5)]);
@@ -106,12 +118,38 @@ fn a_white_base_is_white_below_a_coat() {
             worst = worst.max((e_v + sent - 1.0).abs());
             let kept = scale(&[("albedo", 1.0), ("e_v", e_v), ("escape", escape)]);
             assert!((e_v + kept - 1.0).abs() < 1e-6, "{roughness} {mu}: {kept}");
+            let emitted = albedo(&[("roughness", roughness), ("n_dot_v", mu), ("ior", 1.5)]);
+            let kept = scale(&[("albedo", 1.0), ("e_v", emitted), ("escape", escape)]);
+            assert!((e_v + kept - 1.0).abs() <= stated.max_error + 5e-4, "{roughness} {mu}: {kept}");
             let grey = scale(&[("albedo", 0.5), ("e_v", 0.0), ("escape", escape)]);
             assert!((grey - escape / (1.0 - 0.5 * (1.0 - escape))).abs() < 1e-6, "{roughness}: {grey}");
         }
     }
     println!("{worst:e}");
     assert!(worst < 1e-3, "{worst}");
+}
+
+/// A base below a lobe with the exact Fresnel term is scaled as one below a coat is, and takes no factor of Schlick's lobe;
+/// a coat on it has calls of its own roughness.
+#[test]
+fn a_base_below_the_exact_term_is_one_below_a_coat() {
+    let json = r#"{ "schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [
+        { "name": "resin", "kind": "dielectric", "ior": 1.5, "roughness": [0.3, 0.6], "base": {},
+          "coat": { "roughness": 0.1 }, "wants": { "exact_fresnel": {} } }] }"#;
+    let baked = baked(json);
+    let called = baked.calls.iter().map(|call| {
+        let value = call.around.first().and_then(|around| around.value.as_deref());
+        (call.function.as_str(), call.layer.as_deref(), call.then.as_deref(), value)
+    });
+    let (albedo, share, scale) = ("ggx_dielectric_albedo", "coat_escape", Some("coat_base_scale"));
+    let expected = [(albedo, Some("e_v")), (share, Some("escape"))];
+    let expected = expected
+        .into_iter()
+        .flat_map(|(name, value)| [None, Some("coat")].map(|layer| (name, layer, scale, value)));
+    assert_eq!(called.collect::<BTreeSet<_>>(), expected.collect::<BTreeSet<_>>());
+    let worded = &callers(&baked.calls)[0].calls;
+    let coat = "ggx_dielectric_albedo of the coat then coat_base_scale as e_v";
+    assert!(worded.iter().any(|call| call == coat), "{worded:?}");
 }
 
 #[test]

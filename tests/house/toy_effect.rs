@@ -58,6 +58,7 @@ const FITS: ValueFits = ValueFits {
     role: "minnaert_albedo",
     of: "minnaert",
     field: "roughness",
+    layer: None,
     because: "that is drawn as the moon is",
     caption: "E of Minnaert's lobe.",
     curves: &[0.5],

@@ -9,8 +9,9 @@ use super::variable::Ranges;
 use lobefit::bake::Baked;
 use lobefit::data::Use;
 use lobefit::emit::call::LookupFunction;
+use lobefit::emit::call::MipEntry;
 use lobefit::emit::include::Include;
-use lobefit::emit::manifest::{Entries, FitEntry, Manifest, MipEntry, TableEntry};
+use lobefit::emit::manifest::{Entries, FitEntry, Manifest, TableEntry};
 use lobefit::report::{self, GpuKind, GpuLeftOut};
 use lobefit::store::MANIFEST;
 

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::texture::Extremes;
 
 /// What a note is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum About {
     /// What the file asks for and this version does not have.
@@ -18,7 +18,7 @@ pub enum About {
 }
 
 /// What a file says that its scene does not hold, and the names of the materials that say it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Note {
     /// What it is about.
     pub about: About,
@@ -36,6 +36,7 @@ impl fmt::Display for Note {
         let named = self.of.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
         match self.of.len() {
             0 => f.write_str(&self.text),
+            n if n == NAMED + 1 => write!(f, "{}: {}", self.of.join(", "), self.text),
             n if n > NAMED => write!(f, "{named} and {} more: {}", n - NAMED, self.text),
             _ => write!(f, "{named}: {}", self.text),
         }

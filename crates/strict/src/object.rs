@@ -126,8 +126,8 @@ fn meant(message: &str) -> Option<&str> {
     let given = names.next()?;
     let given = given.to_lowercase();
     let alike = names.map(|name| (strsim::jaro_winkler(&given, &name.to_lowercase()), name));
-    // As clap does for options.
-    let alike = alike.filter(|(likeness, _)| *likeness > 0.7);
+    // As clap does for options; a letter is like every word that begins with it.
+    let alike = alike.filter(|(likeness, name)| *likeness > 0.7 && 2 * name.len() >= given.len());
     alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
 }
 

@@ -1,5 +1,5 @@
-//! The effect `clearcoat`: how a dielectric coat, smooth or rough, darkens the base below it by internal
-//! reflection. Quantity `ggx-coat`.
+//! The effect `clearcoat`: how a dielectric surface, smooth or rough, darkens the base below it by internal
+//! reflection: a coat, or a lobe with the exact Fresnel term. Quantity `ggx-coat`.
 
 use super::context::Context;
 use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
@@ -8,8 +8,10 @@ use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, Fit, own, published};
+use crate::emit::call::{Around, How};
+use crate::emit::include::call;
 use crate::scene::limits::EXACT_IOR;
-use crate::scene::{Material, Scene};
+use crate::scene::{Goals, Material, Scene};
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::{ESCAPE, GgxCoat, Quantity};
@@ -44,6 +46,7 @@ const FITS: ValueFits = ValueFits {
     role: "coat_escape",
     of: "coats",
     field: "coat",
+    layer: Some("coat"),
     because: "with a coat",
     caption: "",
     curves: &[],
@@ -61,6 +64,24 @@ const FITS: ValueFits = ValueFits {
     }),
 };
 
+/// The same of a surface itself, which a base lies below.
+const OF_BASES: ValueFits = ValueFits {
+    field: "base",
+    layer: None,
+    because: "with a diffuse base below the exact Fresnel term",
+    ..FITS
+};
+
+/// What takes the albedo of a lobe with the exact Fresnel term above a base.
+pub(super) fn taking() -> impl Iterator<Item = Around> {
+    let around = |name: &str| {
+        let declared = call(TEXT, name)?;
+        let (function, value) = (name.into(), Some("e_v".into()));
+        Some(Around { function, arguments: declared.arguments, value, how: How::TakesValue })
+    };
+    NAMES.into_iter().filter_map(around)
+}
+
 /// The functions about a fit, in a language.
 fn functions(language: Language, _: &Fit) -> Result<String, BakeError> {
     let source = Source::parse("coat.wgsl", TEXT).map_err(CodeError::from)?;
@@ -74,20 +95,24 @@ impl Effect for Clearcoat {
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
-        let least = scene.alpha.roughness(ALPHA_MIN);
         let demand = |(of, material): (usize, &Material)| {
-            let coat = material.coat.as_ref()?;
-            let [low, high] = coat.roughness;
-            let range = [low.max(least), high.max(least + ROUGHNESS_WIDTH_MIN)];
-            let mut demand = FITS.demand(scene, of, range, coat.goals.clone());
-            demand.spans.insert("ior", Span::at_least(coat.ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
-            Some(demand)
+            let least = scene.alpha.roughness(ALPHA_MIN);
+            let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: &Goals| {
+                let range = [low.max(least), high.max(least + ROUGHNESS_WIDTH_MIN)];
+                let mut demand = fits.demand(scene, of, range, goals.clone());
+                demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
+                demand
+            };
+            let coat = material.coat.as_ref().map(|coat| own(FITS, coat.roughness, coat.ior, &coat.goals));
+            let exact = material.wants.exact_fresnel.as_ref().and(material.lit_base()).zip(material.ior);
+            let exact = exact.map(|(base, ior)| own(OF_BASES, material.roughness, ior, &base.goals));
+            coat.into_iter().chain(exact)
         };
-        scene.materials.iter().enumerate().filter_map(demand).collect()
+        scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
     fn left_out(&self, _: &Scene) -> String {
-        "no material has a coat".into()
+        "no material has a coat, or a diffuse base below the exact Fresnel term".into()
     }
 
     fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {

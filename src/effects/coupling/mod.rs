@@ -24,7 +24,7 @@ use std::collections::BTreeMap;
 use super::context::Context;
 use super::demand::{Demand, Job, Span, hull};
 use super::effect::Note;
-use super::who::{about, named, reasons, rough, stay_smooth, verb};
+use super::who::{about, anisotropy, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
 use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Memo, Region, SafeRange, Wanted};
@@ -73,9 +73,14 @@ impl Effect for DiffuseCoupling {
             let of = if m.len() == 1 { "a rough base" } else { "rough bases" };
             format!("{} {} {of}, for which this version has no factor", named(m), verb(m, "have"))
         });
+        let (exact, lit): (Vec<&Material>, Vec<&Material>) = lit.into_iter().partition(|m| m.is_exact());
+        let exact = about(&exact, |m| {
+            let (named, want) = (named(m), verb(m, "want"));
+            format!("{named} {want} the exact Fresnel term, below which the base is of `clearcoat`")
+        });
         let lit =
             about(&lit, |m| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(m)));
-        let why = reasons([black, rough, lit]).unwrap_or_default();
+        let why = reasons([black, rough, exact, lit]).unwrap_or_default();
         format!("no dielectric with a diffuse base calls for it: {why}")
     }
 
@@ -140,6 +145,10 @@ impl Effect for DiffuseCoupling {
         true
     }
 
+    fn without(&self, material: &Material) -> Option<&'static str> {
+        anisotropy(material)
+    }
+
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         bake::bake(called, context)
     }
@@ -147,12 +156,12 @@ impl Effect for DiffuseCoupling {
 
 /// What a dielectric with a base that sends back light wants, if its lobe is rough.
 fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]) -> Option<Demand> {
-    let base = material.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())?;
+    let base = material.lit_base().filter(|_| !material.is_exact())?;
     let [first, rest @ ..] = material.f0?.map(twelve);
     let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
     let roughness = Span::roughness(roughness, scene.alpha);
     let (name, kind, specular) = (&material.name, material.kind.name(), base.specular.name());
-    let ignored = if material.anisotropy[1] > 0.0 { "; its anisotropy is left out of them" } else { "" };
+    let ignored = anisotropy(material).map_or("", |_| "; its anisotropy is left out of them");
     Some(Demand {
         job: format!("coupling-{specular}"),
         rank: base.specular as usize,
@@ -168,6 +177,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         // axes to fit over.
         spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
         goals: base.goals.clone(),
+        layer: None,
     })
 }
 

@@ -5,13 +5,14 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
-use super::who::{about, named, reasons, rough, verb};
-use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
+use super::who::{about, named, reasons, verb};
+use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
 use crate::data::Use;
+use crate::emit::call::Call;
 use crate::scene::limits::EXACT_IOR;
-use crate::scene::{Kind, Material, Scene};
+use crate::scene::{Goals, Kind, Material, Scene};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{GgxGlass, Quantity};
 
@@ -47,6 +48,7 @@ const FITS: ValueFits = ValueFits {
     role: "ggx_dielectric_albedo",
     of: "dielectrics",
     field: "wants.exact_fresnel",
+    layer: None,
     because: "with a rough specular lobe wants the exact Fresnel term",
     caption: "R of the lobe: the rest of the light goes in, or is lost between facets.",
     curves: &[0.1, 0.2, 0.4, 0.7, 1.0],
@@ -56,24 +58,38 @@ const FITS: ValueFits = ValueFits {
     around: None,
 };
 
+/// The same of coats, whose base keeps what their lobe leaves.
+const OF_COATS: ValueFits = ValueFits {
+    field: "coat",
+    layer: Some("coat"),
+    because: "with a coat whose base takes the albedo of its lobe",
+    ..FITS
+};
+
 impl Effect for Dielectric {
     fn name(&self) -> &'static str {
         "dielectric"
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
-        let demand = |(of, material, range): (usize, &Material, [f64; 2])| {
-            let (want, ior) = (material.wants.exact_fresnel.as_ref()?, material.ior?);
+        let demand = |(of, material): (usize, &Material)| {
             let least = scene.alpha.roughness(ALPHA_MIN);
-            if range[1] < least {
-                return None;
-            }
-            let range = [range[0].max(least), range[1]];
-            let mut demand = FITS.demand(scene, of, range, want.goals.clone());
-            demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
-            Some(demand)
+            let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: Goals| {
+                let mut demand = fits.demand(scene, of, [low.max(least), high], goals);
+                demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
+                demand
+            };
+            let want = material.wants.exact_fresnel.as_ref().zip(material.ior);
+            let rough = want.filter(|_| material.roughness[1] >= least);
+            let lobe = rough.map(|(want, ior)| own(FITS, material.roughness, ior, want.goals.clone()));
+            let coat = material.coat.as_ref().map(|coat| {
+                let [low, high] = coat.roughness;
+                let goals = Goals { norms: coat.goals.norms.clone(), ..Goals::default() };
+                own(OF_COATS, [low, high.max(least)], coat.ior, goals)
+            });
+            lobe.into_iter().chain(coat)
         };
-        rough(scene).filter_map(demand).collect()
+        scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -133,6 +149,15 @@ impl Effect for Dielectric {
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
+        let mut made = FITS.bake(called, context)?;
+        let above_base = |call: &&mut Call| {
+            let material = context.scene.materials.iter().find(|material| material.name == call.of);
+            call.layer.is_some() || material.is_some_and(|own| own.lit_base().is_some())
+        };
+        for call in made.part.entries.calls.iter_mut().filter(above_base) {
+            call.around.extend(clearcoat::taking());
+            call.then = call.around.first().map(|around| around.function.clone());
+        }
+        Ok(made)
     }
 }

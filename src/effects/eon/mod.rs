@@ -32,6 +32,7 @@ const FITS: ValueFits = ValueFits {
     role: "eon_albedo",
     of: "eon",
     field: "base",
+    layer: Some("base"),
     because: "with a rough diffuse base",
     caption: "E of the single-scattering lobe: 1 at grazing and where the base is smooth, smallest face on, where light is lost \
               between facets. The lobe of several bounces sends it back.",

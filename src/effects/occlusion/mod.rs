@@ -39,6 +39,7 @@ impl Effect for Occlusion {
             ),
             spans: Default::default(),
             goals: Goals::error(None),
+            layer: None,
         });
         demand.collect()
     }
@@ -134,17 +135,11 @@ fn call(function: &MaskFunction, cost: CostEntry) -> Call {
         effect: Occlusion.name().into(),
         of: CULLING.into(),
         purpose: function.name.into(),
-        recommended: false,
         function: function.name.into(),
         name: function.name.into(),
-        arguments: Vec::new(),
-        then: None,
-        around: Vec::new(),
-        file: None,
-        max_error: 0.0,
         metric: METRIC.into(),
         cost,
-        price: None,
+        ..Call::default()
     }
 }
 

@@ -64,6 +64,7 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
         because: format!("{name}: probe prefiltered with the {kernel} lobe ({ranges})"),
         spans: BTreeMap::from([("rho", rho), ("roughness", roughness)]),
         goals: probe.goals.clone(),
+        layer: None,
     }
 }
 

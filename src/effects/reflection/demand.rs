@@ -8,7 +8,7 @@ use crate::data::{AlphaMap, Smith};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
-use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
+use crate::effects::who::{about, anisotropy, is_rough, named, reasons, rough, stay_smooth, verb};
 use crate::emit::compensation;
 use crate::scene::{Lobe, Material, Scene, Serves};
 use lobefit_shade::ShadeError;
@@ -99,6 +99,7 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
             because: because.clone(),
             spans: BTreeMap::from([("mu", Span::new(scene.mu)), ("roughness", roughness)]),
             goals: want.goals.clone(),
+            layer: None,
         });
         tables.chain(fit).collect::<Vec<Demand>>()
     };
@@ -107,11 +108,10 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
 
 fn because(material: &Material, roughness: Span) -> String {
     let (name, kind, forms) = (&material.name, material.kind.name(), forms(material));
-    let ignored = if material.anisotropy[1] > 0.0 {
-        "; its anisotropy is left out of them: the layouts `optimised` and `azimuth` have it"
-    } else {
-        ""
-    };
+    let ignored = anisotropy(material).map_or(
+        "",
+        |_| "; its anisotropy is left out of them: the layouts `optimised` and `azimuth` have it",
+    );
     let range = roughness.text();
     format!("{name}: {kind} with a rough specular lobe (roughness {range}) wants {forms}{ignored}")
 }

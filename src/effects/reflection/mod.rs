@@ -12,11 +12,12 @@ mod table;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
+use super::who::anisotropy;
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::Entry;
 use crate::approximate::target::Target;
 use crate::data::Use;
-use crate::scene::Scene;
+use crate::scene::{Material, Scene};
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::{FitJob, NORMALISATION, REACHED};
@@ -88,6 +89,10 @@ impl Effect for Reflection {
 
     fn is_explored(&self) -> bool {
         true
+    }
+
+    fn without(&self, material: &Material) -> Option<&'static str> {
+        anisotropy(material)
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

@@ -30,6 +30,7 @@ const FITS: ValueFits = ValueFits {
     role: "sheen_albedo",
     of: "sheen",
     field: "sheen",
+    layer: Some("sheen"),
     because: "with a sheen layer",
     caption: "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where with its visibility \
               term it returns more than it receives the narrower it is: a value above 1 is the model's own, no error of its integral.",

@@ -9,6 +9,7 @@ use crate::data::{
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::effects::demand::Caller;
 use crate::emit::header;
 use crate::emit::lookup::TableNames;
 use crate::store::Key;
@@ -37,7 +38,7 @@ pub struct BakedTable {
     /// What the axes do not tell of the nodes, for headers.
     pub note: Option<&'static str>,
     /// Names of the materials that want it.
-    pub wanted_by: Vec<String>,
+    pub wanted_by: Vec<Caller>,
     /// Where it was measured: the judge of it alone.
     pub judge: Arc<Judge>,
 }
@@ -134,7 +135,7 @@ fn bake_job(
         let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
-            let judge = judge.closer((&table, spec.decode()), i, &context.memo)?;
+            let judge = judge.closer((&table, spec.decode()), (family, i), &context.memo)?;
             let baked = finish(&spec, &table, made, judge)?;
             let wanted_by = job.wanted_by.clone();
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })

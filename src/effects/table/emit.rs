@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::{BakedTable, LookupError};
 use crate::approximate::FitStageError;
-use crate::data::{Table, Use, lookup_features};
+use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
+use crate::emit::call::OVER;
 use crate::emit::compensation::Compensation;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
@@ -46,12 +47,9 @@ impl Made {
             };
             let known = self.part.entries.calls.len();
             self.called_by(by, function, (&baked.approximation, price), Some(&file));
-            if baked.approximation.used_as == Use::VALUE {
-                for call in &mut self.part.entries.calls[known..] {
-                    let material = materials.get(call.of.as_str());
-                    call.then =
-                        material.and_then(|material| then(material, &table.quantity)).map(String::from);
-                }
+            for call in &mut self.part.entries.calls[known..] {
+                let material = materials.get(call.of.as_str());
+                call.then = material.and_then(|material| then(material, &table.quantity)).map(String::from);
             }
         }
         self.code(context, |language| code(language, &tables, context))?;
@@ -65,7 +63,7 @@ fn then(material: &Material, quantity: &str) -> Option<&'static str> {
     let compensation = Compensation::of_quantity(quantity)?;
     match (compensation, material.specular()) {
         (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
-        (_, Specular::Normalised) => Some("f/E"),
+        (_, Specular::Normalised) => Some(OVER),
         (_, Specular::Single) => None,
     }
 }

@@ -177,7 +177,7 @@ fn in_place(
     if must && judge.exceeds((table, spec.decode()), 0, limit)? {
         return Ok(None);
     }
-    let judge = judge.closer((table, spec.decode()), 0, &context.memo)?;
+    let judge = judge.closer((table, spec.decode()), (family, 0), &context.memo)?;
     let certificate = finish(&spec, table, made, judge)?.approximation.certificate;
     let is_kept = certificate.max_rel <= limit;
     if must && !is_kept {
@@ -277,7 +277,7 @@ fn measured(
     let (mut error, mut bytes) = (0.0_f64, 0);
     for (i, table) in tables.iter().enumerate() {
         bytes = table.bytes();
-        let closer = judge.closer((table, spec.decode()), i, &context.memo)?;
+        let closer = judge.closer((table, spec.decode()), (family, i), &context.memo)?;
         error = error.max(finish(&spec, table, made, closer)?.errors.lookup.max);
     }
     let words = format!("{}{but}", size_text(size));

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
-use crate::effects::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
+use crate::effects::demand::{Caller, Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::emit::lookup::TableNames;
@@ -68,7 +68,7 @@ pub struct TableJob {
     /// where all can.
     pub unjudged_by: Option<String>,
     /// Names of the materials that want it.
-    pub wanted_by: Vec<String>,
+    pub wanted_by: Vec<Caller>,
 }
 
 /// What the materials of an effect's lobe want in the layouts that have slices.
@@ -147,6 +147,7 @@ pub fn demand(
         because,
         spans,
         goals: Goals::error(want.max_error),
+        layer: None,
     })
 }
 
@@ -186,7 +187,7 @@ impl TableJob {
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: (!unjudged.is_empty()).then(|| listed(&unjudged)),
-            wanted_by: job.wanted_by(),
+            wanted_by: job.callers(),
         })
     }
 

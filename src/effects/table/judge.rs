@@ -1,14 +1,16 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use super::lookup::Variable;
 use super::{
     BuildError, Family, Further, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, Truths, error_map,
 };
 use crate::approximate::Memo;
-use crate::data::{AXES, Axis, Decode, Smith, Surface, Table};
+use crate::data::{AXES, Axis, Decode, Layout, Smith, Surface, Table};
 use crate::effects::{Albedo, BakeError};
+use crate::store::Key;
 use lobefit_math::sobol::Sobol;
 
 /// Points even in the coordinates of a table.
@@ -35,8 +37,11 @@ pub struct Judge {
     pub truths: Vec<Albedo>,
     /// What they took.
     pub made: Made,
-    further: Further,
+    /// The truth elsewhere, once any of it is computed.
+    further: OnceLock<Further>,
+    smith: Smith,
     region: Region,
+    finer: bool,
 }
 
 impl Judge {
@@ -53,8 +58,42 @@ impl Judge {
         memo: &Memo,
     ) -> Result<Judge, BuildError> {
         let points = family.points(&region, finer)?;
-        let Truths { sides, made, further } = family.truths(smith, &points, finer, memo)?;
-        Ok(Judge { points, truths: sides, made, further, region })
+        let (truths, made, further) = (Vec::new(), Made::default(), OnceLock::new());
+        let empty = Judge { points, truths, made, further, smith, region, finer };
+        let (truths, made) = memo.kept(empty.key(family, "judge"), || {
+            let Truths { sides, made, further } = family.truths(smith, &empty.points, finer, memo)?;
+            // It is the first.
+            let _ = empty.further.set(further);
+            Ok::<_, BuildError>((sides, made))
+        })?;
+        Ok(Judge { truths, made, ..empty })
+    }
+
+    /// What determines its truths.
+    fn key(&self, family: &dyn Family, kind: &'static str) -> Key {
+        let of = (self.smith, self.region, self.finer);
+        Key::of(kind).with(family.prefix(Layout::Homogeneous)).with(&format!("{of:?}"))
+    }
+
+    /// The truth of side `i` at further points.
+    fn further(
+        &self,
+        (family, i): (&dyn Family, usize),
+        points: &LookupPoints,
+        memo: &Memo,
+    ) -> Result<Albedo, BakeError> {
+        let numbers = |p: &Point| [p.alpha, p.mu, p.anisotropy, p.ior, p.cos2_phi].map(f64::from);
+        let at: Vec<f64> = points.all.iter().flat_map(numbers).collect();
+        memo.kept(self.key(family, "judged").with(&i.to_string()).numbers(&at), || {
+            let further = match self.further.get() {
+                Some(further) => further,
+                None => {
+                    let made = family.truths(self.smith, &self.points, self.finer, memo)?.further;
+                    self.further.get_or_init(|| made)
+                }
+            };
+            Ok(further.at(i, points, memo)?)
+        })
     }
 
     /// The truth of side `i`.
@@ -88,40 +127,40 @@ impl Judge {
     pub fn closer(
         &self,
         (table, decode): (&Table, Decode),
-        i: usize,
+        side: (&dyn Family, usize),
         memo: &Memo,
     ) -> Result<Judge, BakeError> {
         let table = table.quantised();
         let lookup = Lookup::new(&table, decode)?;
         let over = (&table.axes[..], &self.region);
-        let (points, truths) = (self.points.clone(), vec![self.truths[i].clone()]);
-        let mut closer = Judge { points, truths, further: self.further.clone(), ..*self };
+        let truths = vec![self.truths[side.1].clone()];
+        let mut closer = Judge { truths, ..self.clone() };
         let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
-        errors.extend(closer.add((&lookup, decode), i, even(over), memo)?);
+        let mut near = even(over);
         for (places, n, width) in ROUNDS {
+            errors.extend(self.add(&mut closer, (side, (&lookup, decode)), near, memo)?);
             let worst = apart(&lookup, &closer.points.all, &errors, places);
-            let near = worst.iter().flat_map(|point| about(over, &lookup, point, (n, width))).collect();
-            errors.extend(closer.add((&lookup, decode), i, near, memo)?);
+            near = worst.iter().flat_map(|point| about(over, &lookup, point, (n, width))).collect();
         }
+        self.add(&mut closer, (side, (&lookup, decode)), near, memo)?;
         Ok(closer)
     }
 
-    /// Adds points with their truth of side `i`, which is the only one that is held; returns the errors of a
-    /// lookup there.
+    /// Adds points with their truth to a judge of one table; returns the errors of a lookup there.
     fn add(
-        &mut self,
-        (lookup, decode): (&Lookup, Decode),
-        i: usize,
+        &self,
+        closer: &mut Judge,
+        (side, (lookup, decode)): ((&dyn Family, usize), (&Lookup, Decode)),
         points: Vec<Point>,
         memo: &Memo,
     ) -> Result<Vec<f64>, BakeError> {
         let points = self.points.more(points);
-        let truth = self.further.at(i, &points, memo)?;
+        let truth = self.further(side, &points, memo)?;
         let errors = error_map(lookup, judged(decode), &points, Truth::of(&truth))?;
-        self.points.all.extend(points.all);
-        self.points.uniform.extend(points.uniform);
-        self.truths[0].e.extend(truth.e);
-        self.truths[0].b.extend(truth.b);
+        closer.points.all.extend(points.all);
+        closer.points.uniform.extend(points.uniform);
+        closer.truths[0].e.extend(truth.e);
+        closer.truths[0].b.extend(truth.b);
         Ok(errors)
     }
 }

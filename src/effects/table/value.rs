@@ -92,7 +92,7 @@ impl ValueTable<'_> {
                 max_error: want.max_error,
                 limited_by: limited_by.clone(),
                 unjudged_by: None,
-                wanted_by: job.wanted_by(),
+                wanted_by: job.callers(),
             })
         };
         let jobs: Vec<TableJob> = self.wants.iter().map(one).collect::<Result<_, BakeError>>()?;

@@ -44,6 +44,7 @@ const FITS: ValueFits = ValueFits {
     role: "refracted_roughness",
     of: "refraction",
     field: "wants.refracted_width",
+    layer: None,
     because: "with a rough surface wants the width of what it refracts",
     caption: "The roughness of the prefiltered lobe that holds half of its energy within the cone that holds half of the refracted one.",
     curves: &[0.1, 0.2, 0.4, 0.7, 1.0],

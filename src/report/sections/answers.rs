@@ -1,7 +1,10 @@
 //! What to take of a bake: a card for each purpose, and all that was measured in one chart.
 
-use super::{SCREEN, figures, words};
-use crate::emit::call as around;
+use std::collections::BTreeSet;
+
+use super::{SCREEN, figures, index::some, words};
+use crate::data::Use;
+use crate::emit::call::{Call, TIMES};
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -99,7 +102,8 @@ fn card(
     drawn: &Drawn,
     include: Option<&Include>,
 ) -> Result<Card, ReportError> {
-    let about = [&purpose.about, &purpose.caution, lacking(purpose)].into_iter();
+    let layers = layers(purpose, drawn.manifest);
+    let about = [&purpose.about, &layers, &purpose.caution, lacking(purpose)].into_iter();
     Ok(Card {
         id: purpose.name.clone(),
         title: purpose.name.clone(),
@@ -111,6 +115,17 @@ fn card(
             None => None,
         },
     })
+}
+
+/// Whose roughness the functions of a card take, where that is a layer's.
+fn layers(purpose: &Purpose, manifest: &Manifest) -> String {
+    let own = manifest.entries.calls.iter().filter(|call| call.purpose == purpose.name);
+    let layers: BTreeSet<Option<&str>> = own.map(|call| call.layer.as_deref()).collect();
+    let named: Vec<String> = layers.into_iter().flatten().map(|layer| format!("the {layer}'s")).collect();
+    match named.is_empty() {
+        true => String::new(),
+        false => format!("Its roughness and ior are {}.", named.join(" or ")),
+    }
 }
 
 /// What a reader may look for on a card and not find.
@@ -186,17 +201,23 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
     let mut found: Vec<(Language, Lines)> = Vec::new();
     let all = &drawn.manifest.entries.calls;
     let own = || all.iter().filter(|call| forms.contains(&call.function.as_str()));
+    let tables = &drawn.manifest.entries.tables;
+    let blends = |function: &&str| {
+        tables.iter().any(|table| table.function == **function && table.used_as == Use::F0_BLEND.name)
+    };
+    let value = if forms.iter().any(blends) { "the first component of this" } else { "this value" };
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let Some(text) = drawn.files.get(&include.file) else { continue };
         let text = String::from_utf8_lossy(text);
-        let then = own().filter_map(|one| one.then.as_ref()).find_map(|name| call(&text, name));
         let mut calls: Vec<Lines> = Vec::new();
         for function in forms {
             let Some(Called { call, parameters, .. }) = call(&text, function) else { continue };
-            let table = drawn.manifest.entries.tables.iter().find(|table| table.function == *function);
-            let file = if calls.is_empty() { include.file.as_str() } else { "or, for one channel" };
+            let table = tables.iter().find(|table| table.function == *function);
+            let file = if calls.is_empty() { include.file.as_str() } else { "or" };
             let mut lines = vec![format!("{file}: {parameters}")];
+            let by = all.iter().filter(|call| call.function == **function).map(|call| call.of.as_str());
+            lines.extend((forms.len() > 1).then(|| format!("for {}", some(&by.collect::<Vec<_>>()))));
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             // Of two calls the second is a comment, so that what is copied compiles.
             let line =
@@ -205,7 +226,8 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
         let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
-        code.extend(then.map(|then| comment(NOTE, &[with_value(&then)])));
+        let uses = uses(&own().collect::<Vec<_>>(), &text, value);
+        code.extend((!uses.is_empty()).then(|| comment(NOTE, &uses)));
         found.push((language, (call, code.join("\n"))));
     }
     found.sort_by_key(|(language, _)| *language != FIRST);
@@ -217,12 +239,34 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
 /// How comments of a snippet begin, in every language: it stands within a function.
 const NOTE: &str = "//";
 
+/// What takes the value of calls, as a language has it: of materials that differ in that with their names.
+fn uses(calls: &[&Call], text: &str, value: &str) -> Vec<String> {
+    let mut uses: Vec<(&str, &Call, Vec<&str>)> = Vec::new();
+    for &one in calls {
+        let Some(then) = &one.then else { continue };
+        match uses.iter_mut().find(|(known, ..)| known == then) {
+            Some((.., names)) => names.push(&one.of),
+            None => uses.push((then, one, vec![&one.of])),
+        }
+    }
+    let is_one = uses.len() < 2;
+    let of = |names: &[&str]| if is_one { String::new() } else { format!("{}: ", some(names)) };
+    uses.iter().map(|(then, one, names)| of(names) + &with_value((then, one), text, value)).collect()
+}
+
 /// What takes the value: an albedo of the view alone, or of the light as well, or a share.
-fn with_value(then: &Called) -> String {
-    let call = then.call.split_once(" = ").map_or(then.call.as_str(), |(_, call)| call).trim_end_matches(';');
-    match around::value(&then.arguments) {
-        Some("e_v") => format!("then {call}: e_v is this value, e_l the same with n_dot_l"),
-        Some(value) => format!("then {call}: {value} is this value"),
+fn with_value((then, of): (&str, &Call), text: &str, value: &str) -> String {
+    let Some(taker) = of.around.iter().find(|around| around.function == then) else {
+        let name = if then == TIMES { "N" } else { "E" };
+        return format!("then {then}: {name} is {value}, f the lobe");
+    };
+    let found = call(text, then).map_or_else(|| taker.signature(), |found| found.call);
+    let call = found.split_once(" = ").map_or(found.as_str(), |(_, call)| call).trim_end_matches(';');
+    match taker.value.as_deref() {
+        Some("e_v") if taker.arguments.iter().any(|name| name == "e_l") => {
+            format!("then {call}: e_v is {value}, e_l the same with n_dot_l")
+        }
+        Some(argument) => format!("then {call}: {argument} is {value}"),
         None => format!("then {call}"),
     }
 }

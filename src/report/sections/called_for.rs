@@ -2,6 +2,7 @@
 
 use super::words;
 use crate::report::{Block, EffectFinding, Findings, LeftOut, ReportError, Section, numbers};
+use lobefit_import::{About, Note};
 
 const COLUMNS: [(&str, bool); 7] = [
     ("effect", false),
@@ -15,6 +16,20 @@ const COLUMNS: [(&str, bool); 7] = [
 
 pub(crate) fn section(findings: &Findings) -> Result<Section, ReportError> {
     Ok(of(&findings.effects, &findings.left_out))
+}
+
+/// What a foreign file says that the scene does not hold.
+pub(crate) fn notes(notes: &[Note]) -> Option<Block> {
+    let about = |note: &Note| match note.about {
+        About::Missing => "not in this version",
+        About::Reading => "how it was read",
+    };
+    let row =
+        |note: &Note| vec![numbers::shortened(&note.of.join(", ")), about(note).into(), note.text.clone()];
+    let columns = [("material of the file", false), ("about", false), ("note", false)];
+    let caption = "What the file says that the scene does not hold, and how its values are passed.";
+    (!notes.is_empty())
+        .then(|| Block::Table(words::table(&columns, notes.iter().map(row).collect(), caption)))
 }
 
 /// The effects, and what was left out.

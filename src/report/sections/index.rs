@@ -38,6 +38,7 @@ const CALLS: [(&str, bool); 9] = [
 
 pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
+    called_for.blocks.extend(called_for::notes(&manifest.notes));
     if manifest.effects.is_empty() {
         return vec![called_for];
     }
@@ -135,7 +136,8 @@ fn of_callers(manifest: &Manifest) -> Block {
 fn calls(manifest: &Manifest) -> Block {
     let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
     for call in &manifest.entries.calls {
-        match found.iter_mut().find(|(known, _)| known.function == call.function) {
+        let same = |known: &Call| (&known.function, &known.layer) == (&call.function, &call.layer);
+        match found.iter_mut().find(|(known, _)| same(known)) {
             Some((_, names)) => names.push(&call.of),
             None => found.push((call, vec![&call.of])),
         }
@@ -147,8 +149,15 @@ fn calls(manifest: &Manifest) -> Block {
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
         let words = [
-            call.signature(),
-            if is_preferred(call) { "yes" } else { "" }.into(),
+            call.signature() + &call.of_layer(),
+            if is_preferred(call) {
+                "yes"
+            } else if call.recommended {
+                "the only one"
+            } else {
+                "no"
+            }
+            .into(),
             call.effect.clone(),
             numbers::shortened(&some(&names)),
             words::max(call.max_error),
@@ -165,9 +174,9 @@ fn calls(manifest: &Manifest) -> Block {
 }
 
 /// The first names, and how many more there are: [`of_callers`] has all.
-fn some(names: &[&str]) -> String {
+pub(super) fn some(names: &[&str]) -> String {
     match names.len().saturating_sub(NAMED) {
-        0 => names.join(", "),
+        0 | 1 => names.join(", "),
         more => format!("{} and {more} more", names[..NAMED].join(", ")),
     }
 }

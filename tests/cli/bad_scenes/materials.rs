@@ -88,7 +88,7 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         case(material(r#""kind":"glass","roughness":1"#), "materials[0]: glass needs `ior`"),
         case(
             material(r#""kind":"glass","f0":0.04,"roughness":1"#),
-            "materials[0]: `f0` is for metals and dielectrics; give the glass's `ior`",
+            "materials[0]: `f0` is for metals and dielectrics; of glass give `ior` alone",
         ),
         case(
             material(r#""kind":"glass","ior":1.5,"f0":0.04,"roughness":1"#),

@@ -174,7 +174,7 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
 }
 
 /// What is said of a coat and of a film.
-pub(crate) const COAT: &str = "clear coat: this version has its darkening of a diffuse base, and neither its lobe, nor its colour, nor how it widens the lobes below";
+pub(crate) const COAT: &str = "clear coat: this version has the albedo of its lobe and its darkening of a diffuse base, and neither its colour nor how it widens the lobes below";
 pub(crate) const FILM: &str = "iridescence: its film changes f0 with the angle, and what is promised for an f0 is void there: this version has no film";
 
 /// A look at a material: its textures, and what is said of it.

@@ -5,7 +5,8 @@ use crate::data::Place;
 use crate::effects::Effect;
 use crate::effects::parallax::Parallax;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
-use crate::emit::manifest::{Entries, FitEntry, MipEntry, SpreadEntry, VariationEntry};
+use crate::emit::call::MipEntry;
+use crate::emit::manifest::{Entries, FitEntry, SpreadEntry, VariationEntry};
 
 /// Notes the functions of levels and of lookups.
 pub(super) fn enter(lobe: &Lobe, alpha_map: &str, entries: &mut Entries) {

@@ -185,18 +185,13 @@ impl Lookup {
         let call = calling.map(|probe| Call {
             effect: Parallax.name().into(),
             of: probe.name.clone(),
-            purpose: String::new(),
-            recommended: false,
             function: name.clone(),
             name: self.fit.clone(),
-            arguments: Vec::new(),
-            then: None,
-            around: Vec::new(),
-            file: None,
             max_error: self.max_error,
             metric: PARALLAX.metric.into(),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
             price: self.price,
+            ..Call::default()
         });
         call.collect()
     }

@@ -11,7 +11,7 @@ use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all,
 use crate::approximate::{Dropped, Emission, Fit, FitSet};
 use crate::data::{Arguments, MipChain, Pick, Source};
 use crate::effects::context::Context;
-use crate::effects::demand::{Demand, Job, Promise};
+use crate::effects::demand::{Caller, Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Limited, Made};
 use crate::scene::Scene;
 use lobefit_shade::code::Float;
@@ -92,11 +92,10 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     made.code(context, |language| code::in_language(language, &lobes))?;
     for lobe in &lobes {
         let calling = |demand: &&Demand| context.scene.output.pick != Pick::Best || !lobe.looks_up(demand);
-        let names: Vec<String> =
-            lobe.job.demands.iter().filter(calling).map(|demand| demand.name.clone()).collect();
+        let callers: Vec<Caller> = lobe.job.demands.iter().filter(calling).map(Demand::caller).collect();
         for fit in lobe.fits.iter().filter(|fit| fit.emitted) {
             let price = context.scene.output.cost.map(|_| fit.price);
-            made.called_by(names.clone(), fit.hypothesis.name(), (&fit.approximation, price), None);
+            made.called_by(callers.clone(), fit.hypothesis.name(), (&fit.approximation, price), None);
         }
         made.part.entries.calls.extend(lobe.lookups.iter().flat_map(|lookup| lookup.calls(lobe)));
     }

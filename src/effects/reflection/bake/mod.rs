@@ -13,6 +13,7 @@ use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
+use crate::emit::call::TIMES;
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
 use crate::scene::Lobe;
@@ -95,7 +96,10 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
                 Use::VALUE if want.is_some_and(|want| want.average) => name.into(),
                 _ => continue,
             };
-            made.called_by(vec![demand.name.clone()], &function, (&a, price), None);
+            made.called_by(vec![demand.caller()], &function, (&a, price), None);
+            if let Some(call) = made.part.entries.calls.last_mut() {
+                call.then = (a.used_as == Use::NORMALISATION).then(|| TIMES.into());
+            }
         }
     }
     Ok(())
