@@ -287,14 +287,14 @@ fn worded(choice: &[&Call]) -> String {
         let within = call.around.iter().find(|around| around.how == How::Calls);
         let within = within.map_or_else(String::new, |around| format!(" in {}", around.function));
         let without = call.without.as_ref().map_or_else(String::new, |what| format!(", {what} left out"));
-        then + &within + &without
+        call.of_layer() + &then + &within + &without
     };
     let shared = choice.first().map(|call| then(call)).unwrap_or_default();
     let is_shared = choice.iter().all(|call| then(call) == shared);
     let (mut all, others): (Vec<&Call>, Vec<&Call>) = choice.iter().partition(|call| call.recommended);
     all.extend(others);
     let own = |call: &Call| if is_shared { String::new() } else { then(call) };
-    let mut words = all.iter().map(|call| call.function.clone() + &call.of_layer() + &own(call));
+    let mut words = all.iter().map(|call| call.function.clone() + &own(call));
     let first = words.next().unwrap_or_default();
     let rest: Vec<String> = words.collect();
     let or = if rest.is_empty() { String::new() } else { format!(" (or {})", rest.join(", ")) };

@@ -195,6 +195,12 @@ impl Column {
         self.albedo(self.value(base))
     }
 
+    /// Whether a lobe is multiplied by it to be white.
+    pub fn is_normalisation(self) -> bool {
+        use Column::{AverageInverse, AverageInverseRT, Inverse, InverseRT};
+        matches!(self, Inverse | InverseRT | AverageInverse | AverageInverseRT)
+    }
+
     /// Whether few tables hold it, so that the verdict takes it only where it is clearly better than
     /// what others hold.
     pub fn is_rare(self) -> bool {

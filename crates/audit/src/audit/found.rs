@@ -193,8 +193,20 @@ impl Audit {
         ))
     }
 
+    /// The furnace error |E N - 1| of a function that is a normalisation: what a limit is on, as 1/E may
+    /// be large.
+    pub fn furnace_error(&self) -> Option<f64> {
+        let held = || self.channels.iter().filter_map(|c| c.column);
+        let is_one = held().next().is_some() && held().all(Column::is_normalisation);
+        let furnace = self.furnace.as_ref().filter(|f| f.dark == 0 && self.source == Source::Function)?;
+        (is_one && self.plain.is_none()).then(|| furnace.range[0].abs().max(furnace.range[1].abs()))
+    }
+
     /// Largest error as the table will be read: plainly, but for what the user said of it.
     pub fn worst_as_read(&self) -> f64 {
+        if let Some(error) = self.furnace_error() {
+            return error;
+        }
         self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
     }
 

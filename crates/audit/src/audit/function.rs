@@ -88,6 +88,9 @@ fn of_feeds(
     let runs = blends.iter().map(|(f0, _)| run(*f0)).collect::<Result<Vec<_>, _>>()?;
     let constant = |values: &[f64]| values.iter().all(|v| *v == values[0]);
     let hidden = |k: usize| runs.len() > 1 && constant(&runs[0][k]) && !constant(&runs[1][k]);
+    // 1 + f0 (N - 1), a compensation in colour, is 1 there: what there is of it is N.
+    let factor = |k: usize| hidden(k) && runs[0][k][0] == 1.0;
+    let hidden = |k: usize| hidden(k) && !factor(k);
     let some = (0..function.results.len()).any(hidden).then(|| run(DIELECTRIC)).transpose()?;
     for ((_, words), (which, results)) in blends.iter().zip(runs.iter().enumerate()) {
         for (k, values) in results.iter().enumerate() {
@@ -101,6 +104,7 @@ fn of_feeds(
                     let values = pairs.map(|(at, one)| (at - low * one) / (1.0 - low)).collect();
                     add(format!("{component} less f0 A, by f0 = {DIELECTRIC} and 1"), values);
                 }
+                _ if which == 0 && factor(k) => {}
                 _ if blended => add(format!("{component} {words}"), values.clone()),
                 _ => add(component, values.clone()),
             }

@@ -16,9 +16,12 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
         };
     };
     let places = if function { "at the points judged" } else { "at a texel" };
-    if done.worst() > limit {
-        let worst = done.worst();
-        return format!("audit failed: the largest error {places} is {worst:.3e}, the limit {limit:e}");
+    let (what, worst) = match done.furnace_error() {
+        Some(error) => ("furnace error |E N - 1|", error),
+        None => ("error", done.worst()),
+    };
+    if worst > limit {
+        return format!("audit failed: the largest {what} {places} is {worst:.3e}, the limit {limit:e}");
     }
     match &done.plain {
         Some(plain) if plain.max > limit => format!(

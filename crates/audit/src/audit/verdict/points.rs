@@ -108,6 +108,13 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
         return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
     }
     let limit = of_another(audit) + &limit;
+    if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
+        let (error, at) = (number(error), place(&furnace.at));
+        return format!(
+            "{what} leaves |E N - 1| of at most {error} at {at} ({} points sampled){limit}",
+            worst.judged
+        );
+    }
     if audit.source == Source::Function {
         return format!("{what} is off by at most {max} at {at} ({} points sampled){limit}", worst.judged);
     }
