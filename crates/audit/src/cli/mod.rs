@@ -46,7 +46,7 @@ Examples:
   lobefit audit tables/ggx-dfg-correlated-32x32.exr     a table of this tool says itself what it stands for
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
-f0, ...;
+f0, 1/ior..ior (from inside, then from outside), ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 --smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
 of sheen neubelt, estevez-kulla.

@@ -19,7 +19,7 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, Quantity};
+use lobefit_truth::quantity::{Choice, GGX_REFLECTION, Quantity};
 pub(super) use spec::{MOST_IOR, Spec, averaged, spec, with_azimuth};
 
 /// What columns are made of at every combination of the inputs given, the first input fastest.
@@ -39,6 +39,9 @@ type Outer = BTreeMap<(usize, Vec<u64>), Base>;
 
 /// How near to 1 an index of refraction is one.
 const NO_INTERFACE: f64 = 1e-7;
+
+/// Fewest points of glass that share their work.
+const SHARED: usize = 256;
 
 /// Most of those that are kept.
 const OUTER: usize = 1 << 16;
@@ -295,7 +298,8 @@ impl<'a> Truth<'a> {
         let Spec { quantity, outputs, normal, .. } = self.specs[lobe];
         let variant = self.lobes[lobe].variant();
         let iors = points.column(Input::Ior.name()).map(<[f64]>::to_vec);
-        let points = self.inside(lobe, points);
+        let count = points.len();
+        let points = filled(quantity, self.inside(lobe, points));
         let mut columns = quantity.truth(&variant, &points, outputs, tolerance)?.columns;
         if normal {
             let ones = vec![1.0; points.len()];
@@ -306,7 +310,7 @@ impl<'a> Truth<'a> {
             let eta = |ior: f64| if self.lobes[lobe].side == Some(Side::Inside) { ior } else { 1.0 / ior };
             iors.as_ref().map_or(0.0, |iors| eta(iors[i]) * eta(iors[i]))
         };
-        Ok((0..columns[0].len()).map(|i| [columns[0][i], second(i), scale(i)]).collect())
+        Ok((0..count).map(|i| [columns[0][i], second(i), scale(i)]).collect())
     }
 
     /// Points with the columns of what integrates a lobe, moved into its domain.
@@ -336,6 +340,20 @@ impl<'a> Truth<'a> {
         };
         Points::new(quantity.inputs().iter().filter_map(column))
     }
+}
+
+/// Points of a quantity with sides, as many at least as share their work: fewer are integrated one by one,
+/// for a hundred times as long. Copies of the last are added.
+fn filled(quantity: &dyn Quantity, points: Points) -> Points {
+    let missing = SHARED.saturating_sub(points.len());
+    if !quantity.has(Choice::Side) || points.is_empty() || missing == 0 {
+        return points;
+    }
+    let column = |(name, column): (&str, &[f64])| {
+        let last = column[column.len() - 1];
+        (name.to_string(), [column, &vec![last; missing]].concat())
+    };
+    Points::new(points.columns().map(column))
 }
 
 #[cfg(test)]

@@ -149,7 +149,10 @@ impl<'a> Translator<'a> {
             let stop = self.expression(k, header.end);
             let value = (k..stop).find(|k| self.token(*k) == Some(Token::Mark(b'=')));
             arguments.push((k, value.unwrap_or(stop), stop));
-            k = if self.token(stop) == Some(Token::Mark(b',')) { stop + 1 } else { stop };
+            if self.token(stop) != Some(Token::Mark(b',')) {
+                break;
+            }
+            k = stop + 1;
         }
         let first = arguments.iter().position(|(_, value, stop)| value < stop).unwrap_or(arguments.len());
         for given in first..arguments.len() {
