@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::Vendor;
-use crate::emit::call::{Around, Call, Callers, How, NAMED, arounds, callers};
+use crate::emit::call::{Around, Call, Callers, How, NAMED, Uses, arounds, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
@@ -25,6 +25,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
             .iter_mut()
             .find(|(known, _)| (&known.function, &known.cost) == (&call.function, &call.cost))
         {
+            Some((_, names)) if names.last() == Some(&call.of.as_str()) => {}
             Some((_, names)) => names.push(&call.of),
             None => rows.push((call, vec![&call.of])),
         }
@@ -81,7 +82,7 @@ fn of_layers(function: &str, calls: &[Call]) -> String {
 
 /// A row for each function about calls: what it does with which.
 fn around(calls: &[Call]) -> Vec<[String; 2]> {
-    let row = |(around, of): (&Around, BTreeSet<(&str, Option<&str>)>)| {
+    let row = |(around, of): (&Around, Uses)| {
         let mut by_value: BTreeMap<Option<&str>, Vec<&str>> = BTreeMap::new();
         of.into_iter().for_each(|(function, value)| by_value.entry(value).or_default().push(function));
         let does = |(value, functions): (Option<&str>, Vec<&str>)| match (around.how, value) {

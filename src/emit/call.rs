@@ -232,9 +232,12 @@ impl Call {
     }
 }
 
-/// The functions about calls, each once: the function, and the calls and what it does with each, by argument.
-pub fn arounds(calls: &[Call]) -> Vec<(&Around, BTreeSet<(&str, Option<&str>)>)> {
-    let mut all: Vec<(&Around, BTreeSet<(&str, Option<&str>)>)> = Vec::new();
+/// What a function about calls does with them: each with the argument that takes its value, if any does.
+pub type Uses<'a> = BTreeSet<(&'a str, Option<&'a str>)>;
+
+/// The functions about calls, each once.
+pub fn arounds(calls: &[Call]) -> Vec<(&Around, Uses<'_>)> {
+    let mut all: Vec<(&Around, Uses)> = Vec::new();
     for (call, around) in calls.iter().flat_map(|call| call.around.iter().map(move |around| (call, around))) {
         let of = (call.function.as_str(), around.value.as_deref());
         match all.iter_mut().find(|(known, _)| known.function == around.function) {

@@ -120,6 +120,11 @@ impl Material {
         self.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())
     }
 
+    /// That base, where it lies below a lobe with the exact Fresnel term.
+    pub fn exact_base(&self) -> Option<&Base> {
+        self.lit_base().filter(|_| self.is_exact())
+    }
+
     /// Whether its lobe is asked for with the exact Fresnel term, and not with Schlick's.
     pub fn is_exact(&self) -> bool {
         self.wants.exact_fresnel.is_some() && self.wants.fit.is_none() && self.wants.tables.is_empty()

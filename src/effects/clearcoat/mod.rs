@@ -104,7 +104,7 @@ impl Effect for Clearcoat {
                 demand
             };
             let coat = material.coat.as_ref().map(|coat| own(FITS, coat.roughness, coat.ior, &coat.goals));
-            let exact = material.wants.exact_fresnel.as_ref().and(material.lit_base()).zip(material.ior);
+            let exact = material.exact_base().zip(material.ior);
             let exact = exact.map(|(base, ior)| own(OF_BASES, material.roughness, ior, &base.goals));
             coat.into_iter().chain(exact)
         };

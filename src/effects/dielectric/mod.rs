@@ -138,7 +138,7 @@ impl Effect for Dielectric {
             &[FITS.role],
             &[
                 "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
-                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R and reaches neither. Pass an ior",
+                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass an ior",
                 "within the stated domain.",
             ],
         )]
@@ -152,7 +152,7 @@ impl Effect for Dielectric {
         let mut made = FITS.bake(called, context)?;
         let above_base = |call: &&mut Call| {
             let material = context.scene.materials.iter().find(|material| material.name == call.of);
-            call.layer.is_some() || material.is_some_and(|own| own.lit_base().is_some())
+            call.layer.is_some() || material.is_some_and(|own| own.exact_base().is_some())
         };
         for call in made.part.entries.calls.iter_mut().filter(above_base) {
             call.around.extend(clearcoat::taking());

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{SCREEN, figures, index::some, words};
 use crate::data::Use;
-use crate::emit::call::{Call, TIMES};
+use crate::emit::call::{Call, How, TIMES};
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -120,11 +120,16 @@ fn card(
 /// Whose roughness the functions of a card take, where that is a layer's.
 fn layers(purpose: &Purpose, manifest: &Manifest) -> String {
     let own = manifest.entries.calls.iter().filter(|call| call.purpose == purpose.name);
+    let has_ior = own.clone().any(|call| call.arguments.iter().any(|argument| argument == "ior"));
     let layers: BTreeSet<Option<&str>> = own.map(|call| call.layer.as_deref()).collect();
     let named: Vec<String> = layers.into_iter().flatten().map(|layer| format!("the {layer}'s")).collect();
     match named.is_empty() {
         true => String::new(),
-        false => format!("Its roughness and ior are {}.", named.join(" or ")),
+        false => format!(
+            "{} {}.",
+            if has_ior { "Its roughness and ior are" } else { "Its roughness is" },
+            named.join(" or ")
+        ),
     }
 }
 
@@ -225,8 +230,10 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             calls.push((call.clone(), comment(NOTE, &lines) + &line));
         }
         let Some((call, _)) = calls.first().cloned() else { continue };
-        let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code).collect();
-        let uses = uses(&own().collect::<Vec<_>>(), &text, value);
+        let mut code: Vec<String> = calls.into_iter().map(|(_, code)| code.trim_end().into()).collect();
+        let mut uses = uses(&own().collect::<Vec<_>>(), &text, value);
+        let within = own().flat_map(|one| &one.around).find(|around| around.how == How::Calls);
+        uses.extend(within.map(|around| format!("{} calls it", around.signature())));
         code.extend((!uses.is_empty()).then(|| comment(NOTE, &uses)));
         found.push((language, (call, code.join("\n"))));
     }

@@ -21,7 +21,10 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
         None => ("error", done.worst()),
     };
     if worst > limit {
-        return format!("audit failed: the largest {what} {places} is {worst:.3e}, the limit {limit:e}");
+        let domain = if function { "; --domain judges it where it is meant to hold" } else { "" };
+        return format!(
+            "audit failed: the largest {what} {places} is {worst:.3e}, the limit {limit:e}{domain}"
+        );
     }
     match &done.plain {
         Some(plain) if plain.max > limit => format!(

@@ -42,7 +42,9 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let most = cell.energy[*channel];
     let broken = &found.reciprocity;
     let gains = most.value - most.error > 1.0 + allowed;
-    let open = most.value + most.error > 1.0 + allowed;
+    // Without symmetry to go by, whose cosine is missing cannot be known.
+    let unsure = allowance.one_way && found.cosine.known == "assumed";
+    let open = most.value + most.error > 1.0 + allowed || unsure;
     let one_way = broken.share > allowed && !allowance.one_way;
     let unusable = found.unusable.is_some();
     let grade = match (gains || one_way || unusable, open) {
@@ -52,7 +54,9 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     };
     let word = grade.word();
     let mut wrong = Vec::new();
-    if gains || open {
+    if unsure && !gains {
+        wrong.push("leaves the cosine of the light to the caller, or holds it (--cosine says)");
+    } else if gains || open {
         wrong.push("gains energy");
     }
     if one_way {
@@ -119,8 +123,12 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         )
     };
     let cosine = match (found.cosine.known, found.cosine.included) {
-        ("found", true) => "the function holds the cosine of the light: f/cos is symmetric, f is not.",
-        ("found", false) => "the function holds no cosine of the light: f itself is symmetric.",
+        ("found", true) => {
+            "the function holds the cosine of the light: f/cos is symmetric, or nearer to it than f."
+        }
+        ("found", false) => {
+            "the function holds no cosine of the light: f itself is symmetric, or nearer to it than f/cos."
+        }
         ("stated", true) => "the function is said to hold the cosine of the light.",
         ("stated", false) => "the function is said to hold no cosine of the light.",
         _ => {

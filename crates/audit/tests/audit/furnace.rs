@@ -106,7 +106,13 @@ fn a_lobe_that_prefers_a_direction_is_found() {
     let verdict = judgement("f", &found, within(Some(0.3)));
     assert!(verdict.grade == Grade::Fail && verdict.line.contains("is not reciprocal"), "{}", verdict.line);
     assert_eq!(judgement("f", &found, within(Some(0.5))).grade, Grade::Pass);
-    let verdict = judgement("f", &found, Allowance { one_way: true, ..within(Some(0.3)) });
+    // Neither way symmetric: whether the cosine is in it must be stated.
+    let one_way = Allowance { one_way: true, ..within(Some(0.3)) };
+    let verdict = judgement("f", &found, one_way);
+    assert!(verdict.grade == Grade::Unknown && verdict.line.contains("--cosine says"), "{}", verdict.line);
+    let asked = Asked { cosine: Some(false), roughness: vec![0.5], tolerance: 1e-3, ..Asked::default() };
+    let stated = furnace(&read(hlsl, "f.hlsl", "f"), &asked).unwrap_or_else(|e| panic!("{e}"));
+    let verdict = judgement("f", &stated, one_way);
     assert!(verdict.grade == Grade::Pass && verdict.line.contains("gains no energy"), "{}", verdict.line);
 }
 

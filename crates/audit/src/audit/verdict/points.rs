@@ -294,7 +294,10 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
 fn beyond_truth(audit: &Audit) -> String {
     let ior = audit.best().axes.iter().any(|axis| axis.scale.input() == Input::Ior);
     let beyond = format!(" (ior 1, where there is no interface, or above {MOST_IOR})");
-    format!("lie where the truth is not had{}", if ior { beyond } else { String::new() })
+    format!(
+        "lie where the truth is not had or outside of --domain{}",
+        if ior { beyond } else { String::new() }
+    )
 }
 
 /// Which texels of a large table are judged.
