@@ -60,7 +60,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
         rows.iter().map(|(call, _)| [format!("  {}", call.signature()), of_layers(&call.function, calls)]);
     let all: Vec<[String; 2]> = own.chain(around(calls)).collect();
     lines.extend(columns::lines([("arguments", Left), ("", Left)], &all));
-    if rows.iter().any(|(_, names)| names.len() > NAMED) {
+    if rows.iter().any(|(_, names)| names.len() > NAMED) || calls.iter().any(|call| call.without.is_some()) {
         let taken = callers(calls).into_iter();
         lines.extend(
             taken.map(|Callers { names, calls }| format!("{}: {}", names.join(", "), calls.join(", "))),

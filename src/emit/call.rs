@@ -194,8 +194,8 @@ pub struct MaskLookup {
     pub cost: CostEntry,
 }
 
-/// The layers of a material that functions are of, from the inside out.
-const LAYERS: [&str; 3] = ["base", "coat", "sheen"];
+/// The layers of a material that functions are of, from the inside out; none is the specular lobe.
+const LAYERS: [Option<&str>; 4] = [Some("base"), None, Some("coat"), Some("sheen")];
 
 /// Most callers that the row of a function names: more stand with all that they call.
 pub const NAMED: usize = 3;
@@ -267,8 +267,7 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
     let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
     for (name, mut choices) in each {
         // From the inside out.
-        choices
-            .sort_by_key(|choice| LAYERS.iter().position(|layer| choice[0].layer.as_deref() == Some(layer)));
+        choices.sort_by_key(|choice| LAYERS.iter().position(|layer| choice[0].layer.as_deref() == *layer));
         let calls: Vec<String> = choices.iter().map(|choice| worded(choice)).collect();
         let place = *places.entry(calls.clone()).or_insert(sets.len());
         match sets.get_mut(place) {

@@ -51,9 +51,7 @@ pub fn baked() -> &'static (Baked, Job) {
         let scene = in_little();
         let plan = plan(&scene);
         let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
-        // Not the number that the committed files were made with.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
-        let baked = pool.install(|| bake(&scene, &plan, &[], shared(), &Silent));
+        let baked = bake(&scene, &plan, &[], shared(), &Silent);
         (baked.expect("the built-in scene bakes"), fit)
     })
 }

@@ -129,8 +129,8 @@ fn a_white_base_is_white_below_a_coat() {
     assert!(worst < 1e-3, "{worst}");
 }
 
-/// A base below a lobe with the exact Fresnel term is scaled as one below a coat is, and takes no factor of Schlick's lobe;
-/// a coat on it has calls of its own roughness.
+/// A base below a lobe with the exact Fresnel term is scaled as one below a coat is, and takes no factor of
+/// Schlick's lobe; a coat on it has calls of its own roughness.
 #[test]
 fn a_base_below_the_exact_term_is_one_below_a_coat() {
     let json = r#"{ "schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [

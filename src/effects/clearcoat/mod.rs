@@ -104,7 +104,8 @@ impl Effect for Clearcoat {
                 demand
             };
             let coat = material.coat.as_ref().map(|coat| own(FITS, coat.roughness, coat.ior, &coat.goals));
-            let exact = material.exact_base().zip(material.ior);
+            let rough = material.roughness[1] >= least;
+            let exact = material.exact_base().zip(material.ior).filter(|_| rough);
             let exact = exact.map(|(base, ior)| own(OF_BASES, material.roughness, ior, &base.goals));
             coat.into_iter().chain(exact)
         };

@@ -122,8 +122,9 @@ fn layers(purpose: &Purpose, manifest: &Manifest) -> String {
     let own = manifest.entries.calls.iter().filter(|call| call.purpose == purpose.name);
     let has_ior = own.clone().any(|call| call.arguments.iter().any(|argument| argument == "ior"));
     let layers: BTreeSet<Option<&str>> = own.map(|call| call.layer.as_deref()).collect();
-    let named: Vec<String> = layers.into_iter().flatten().map(|layer| format!("the {layer}'s")).collect();
-    match named.is_empty() {
+    let all = layers.iter().map(|layer| format!("the {}'s", layer.unwrap_or("lobe")));
+    let named: Vec<String> = all.collect();
+    match layers.iter().all(Option::is_none) {
         true => String::new(),
         false => format!(
             "{} {}.",
@@ -222,7 +223,9 @@ fn called(forms: &[&str], drawn: &Drawn) -> (Option<String>, Vec<(String, String
             let file = if calls.is_empty() { include.file.as_str() } else { "or" };
             let mut lines = vec![format!("{file}: {parameters}")];
             let by = all.iter().filter(|call| call.function == **function).map(|call| call.of.as_str());
-            lines.extend((forms.len() > 1).then(|| format!("for {}", some(&by.collect::<Vec<_>>()))));
+            let mut by: Vec<&str> = by.collect();
+            by.dedup();
+            lines.extend((forms.len() > 1).then(|| format!("for {}", some(&by))));
             lines.extend(table.map(|table| format!("texels: {}", table.file)));
             // Of two calls the second is a comment, so that what is copied compiles.
             let line =

@@ -26,7 +26,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         verdict: audit.verdict(limit),
         otherwise: None,
         fits: word(audit.fit).into(),
-        max_error: audit.worst(),
+        max_error: audit.furnace_error().unwrap_or_else(|| audit.worst()),
         plain: audit.plain.as_ref().map(|p| AuditPlain {
             untold: p.untold.clone(),
             max: Some(p.max).filter(|m| m.is_finite()),

@@ -36,12 +36,14 @@ impl Sample {
         Sample { size: audited.size.clone(), texels, values: live.iter().map(of).collect(), at }
     }
 
-    /// Some of the rows of a table of two axes, and all of its columns.
+    /// Some of the rows of a table of two axes, and all of its columns, but for those that are dead.
     pub(super) fn rows(audited: &AuditedTable, live: &[usize], rows: std::ops::Range<usize>) -> Sample {
         let width = audited.size[0];
-        let of = |c: &usize| audited.channels[*c].values[rows.start * width..rows.end * width].to_vec();
+        let mut at: Vec<Vec<usize>> = vec![(0..width).collect(), rows.collect()];
+        at.iter_mut().zip(&audited.dead).for_each(|(at, dead)| at.retain(|k| !dead.contains(k)));
+        let texels = || at[1].iter().flat_map(|row| at[0].iter().map(move |column| row * width + column));
+        let of = |c: &usize| texels().map(|texel| audited.channels[*c].values[texel]).collect();
         let values = live.iter().map(of).collect();
-        let at = vec![(0..width).collect(), rows.collect()];
         Sample { size: audited.size.clone(), texels: alive(audited), values, at }
     }
 

@@ -65,7 +65,7 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
         Defect::Dead { line: [axis, index], .. } => {
             let (line, name) = (LINES[*axis], &axes[*axis]);
             return Some(format!(
-                "fill {line} {name} = {index}: take a coordinate near the end, as 0.001, where the end itself has no value"
+                "fill {line} {name} = {index}: take a coordinate near that end, by 0.001, where the end itself has no value"
             ));
         }
         Defect::Clamped { .. } if source == Source::Function => {

@@ -422,6 +422,9 @@ fn lookups(audit: &Audit) -> Option<String> {
 /// whose convention was found, at texels or points, and what lookups between them make of it.
 fn judged(audit: &Audit, limit: f64) -> String {
     let limit_text = number(limit);
+    if audit.furnace_error().is_some() {
+        return format!("The limit {limit_text} is that of |E N - 1| at those points of the arguments.");
+    }
     if audit.source == Source::Function {
         return format!("The limit {limit_text} is judged at those points of the arguments.");
     }

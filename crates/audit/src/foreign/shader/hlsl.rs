@@ -99,6 +99,9 @@ struct Translator<'a> {
     body: bool,
 }
 
+/// Most default values that a call may leave out.
+const DEFAULTS: usize = 16;
+
 impl<'a> Translator<'a> {
     fn token(&self, k: usize) -> Option<Token<'a>> {
         self.spans.get(k).map(|s| s.token)
@@ -139,7 +142,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// Overloads without the last arguments, for calls that leave them to their default values.
+    /// Overloads without the last arguments, for calls that leave up to [`DEFAULTS`] to their default values.
     fn defaults(&mut self) {
         let brace = (0..self.spans.len()).find(|k| self.token(*k) == Some(Token::Open(b'{')));
         let header = 0..brace.unwrap_or(0);
@@ -155,6 +158,8 @@ impl<'a> Translator<'a> {
             k = stop + 1;
         }
         let first = arguments.iter().position(|(_, value, stop)| value < stop).unwrap_or(arguments.len());
+        // Each overload is written out: no function of people has so many.
+        let first = first.max(arguments.len().saturating_sub(DEFAULTS));
         for given in first..arguments.len() {
             self.body = false;
             self.range(0, open + 1);
