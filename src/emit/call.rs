@@ -194,7 +194,8 @@ pub struct MaskLookup {
     pub cost: CostEntry,
 }
 
-/// The layers of a material that functions are of, from the inside out; none is the specular lobe.
+/// The layers of a material that functions are of, from the inside out; without a name, the specular
+/// lobe.
 const LAYERS: [Option<&str>; 4] = [Some("base"), None, Some("coat"), Some("sheen")];
 
 /// Most callers that the row of a function names: more stand with all that they call.

@@ -66,7 +66,8 @@ fn the_emitted_share_is_that_of_facets_within_its_promise() {
     certified(&LACQUER, HYPOTHESES.len(), (&places, &truths), 5e-4, 0.6);
 }
 
-/// A smooth coat, with the least roughness that formulas are fitted over in place of its own, as the header says.
+/// A smooth coat, with the least roughness that formulas are fitted over in place of its own, as the
+/// header says.
 #[test]
 fn a_smooth_coat_has_what_is_promised_of_rough_ones() {
     let source = Source::parse("lobefit.wgsl", &text(&LACQUER, Language::Wgsl)).expect("it parses");
