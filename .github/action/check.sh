@@ -3,6 +3,8 @@
 # changed, and a summary with the errors that the manifest states. Its exit code is that of `lobefit check`.
 #
 # Usage: check.sh PROGRAM, with SCENE, AGAINST, OPTIONS, ONLY and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
+# Programs of jq stand in single quotes.
+# shellcheck disable=SC2016
 set -uo pipefail
 program=$1
 against=${AGAINST:-.}
@@ -20,7 +22,6 @@ code=$?
 cat "$messages" >&2
 
 # As the runner's commands escape what they are given.
-# shellcheck disable=SC2016
 escape='def text: gsub("%"; "%25") | gsub("\r"; "%0D") | gsub("\n"; "%0A");
   def property: text | gsub(":"; "%3A") | gsub(","; "%2C");'
 
@@ -62,10 +63,12 @@ jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from i
   end' <<<"$verdict"
 echo
 if [ -f "$against/manifest.json" ]; then
-  jq -r "$cell"' "| table | quantity | largest error | RMS | bytes |", "|---|---|--:|--:|--:|",
-    (.tables[] | [.name, .quantity, .error.lookup.max, (.error.lookup.rms | digits), .bytes] | row),
-    "", "| function | quantity | use | largest error | RMS | operations |", "|---|---|---|--:|--:|--:|",
-    (.fits[] | [.function, .quantity, .use, .certificate.max_abs, (.certificate.rms | digits), .cost.ops] | row)' \
+  jq -r "$cell"' (.tables | select(length > 0) |
+      "| table | quantity | largest error | RMS | bytes | operations |", "|---|---|--:|--:|--:|--:|",
+      (.[] | [.name, .quantity, .error.lookup.max, (.error.lookup.rms | digits), .bytes, .cost.ops] | row), ""),
+    (.fits | select(length > 0) |
+      "| function | quantity | use | largest error | RMS | operations |", "|---|---|---|--:|--:|--:|",
+      (.[] | [.function, .quantity, .use, .certificate.max_abs, (.certificate.rms | digits), .cost.ops] | row))' \
     "$against/manifest.json"
 fi
 exit "$code"

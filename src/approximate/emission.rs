@@ -24,6 +24,8 @@ pub struct Emission {
     pub role: String,
     /// The error that the scene states.
     pub max_error: Option<f64>,
+    /// The largest budget that is stated without an error: what is taken is as accurate as all within it.
+    pub within: Option<u32>,
     /// Whether the most accurate is taken where the scene states neither an error nor a budget.
     pub most_accurate: bool,
     /// The vendor on whose GPUs they are to be cheap; none: by operations.
@@ -36,6 +38,8 @@ pub struct Emission {
     pub float: Float,
     /// Whether a page shows the fits that are not emitted.
     pub shown: bool,
+    /// How often a material evaluates the formula: the budget covers it.
+    pub times: u32,
     /// Operations that a material's call takes beside the formula; the budget covers them.
     pub beside: u32,
     /// What they cost on the vendor's GPUs.
@@ -50,12 +54,14 @@ impl Default for Emission {
             arguments: Arguments::default(),
             role: String::new(),
             max_error: None,
+            within: None,
             most_accurate: false,
             cost: None,
             budget: None,
             every_error: None,
             float: Float::F32,
             shown: true,
+            times: 1,
             beside: 0,
             beside_price: 0.0,
         }
@@ -88,12 +94,17 @@ impl Emission {
         self.cost.map_or_else(ops, |vendor| vendor.price(&formula.tape().features()))
     }
 
+    /// Operations of a material's call of a formula of so many.
+    pub fn ops(&self, formula: u32) -> u32 {
+        formula * self.times + self.beside
+    }
+
     /// What a call of a formula costs on the vendor's GPUs, where a budget there is exceeded.
     ///
     /// # Errors
     /// As [`Vendor::model`].
     pub fn beyond(&self, formula: &Hypothesis) -> Result<Option<f64>, WeightsError> {
-        let price = self.price(formula)? + self.beside_price;
+        let price = self.price(formula)? * f64::from(self.times) + self.beside_price;
         Ok(self.budget.is_some_and(|most| price > most).then_some(price))
     }
 
@@ -143,10 +154,12 @@ impl Emission {
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
         let limit = self.limit(max_ops);
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
-        let keeping = of_norm
-            .iter()
-            .copied()
-            .filter(|&i| limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit));
+        let affordable = |i: &usize| self.within.is_some_and(|most| self.ops(ops(&fits[*i])) <= most);
+        let bar = of_norm.iter().filter(|i| affordable(i)).map(|&i| error(&fits[i], norm)).reduce(f64::min);
+        let keeping = of_norm.iter().copied().filter(|&i| {
+            limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit)
+                && bar.is_none_or(|bar| error(&fits[i], norm) <= bar)
+        });
         let price = |i: &usize| fits[*i].price;
         let cheapest = keeping.min_by(|a, b| price(a).total_cmp(&price(b)).then(least(a, b)));
         cheapest.or_else(|| of_norm.iter().copied().min_by(least))
@@ -161,7 +174,8 @@ impl Emission {
     /// The error at which a search through formulas of growing cost ends: of what is dearer nothing is
     /// emitted or shown. None where all are asked for.
     pub(super) fn enough(&self, max_ops: Option<u32>) -> Option<f64> {
-        self.limit(max_ops).filter(|_| self.pick == Pick::Best && !self.shown)
+        let one = self.pick == Pick::Best && !self.shown && self.within.is_none();
+        self.limit(max_ops).filter(|_| one)
     }
 
     /// The formula as a function of this name with the arguments that are asked for. Its own

@@ -25,7 +25,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
             .iter_mut()
             .find(|(known, _)| (&known.function, &known.cost) == (&call.function, &call.cost))
         {
-            Some((_, names)) if names.last() == Some(&call.of.as_str()) => {}
+            Some((_, names)) if names.contains(&call.of.as_str()) => {}
             Some((_, names)) => names.push(&call.of),
             None => rows.push((call, vec![&call.of])),
         }

@@ -20,14 +20,19 @@ pub(super) struct Words {
     pub words: Vec<OsString>,
 }
 
-/// Verbs of other packages.
-const VERBS: [&str; 4] = ["audit", "fit", "furnace", "report"];
+/// Verbs of other packages: the binary of each, and the words before those of the verb.
+pub(super) const VERBS: [(&str, (&str, &[&str])); 4] = [
+    ("audit", ("lobefit-audit", &[])),
+    ("fit", ("lobefit-formula", &[])),
+    ("furnace", ("lobefit-audit", &["furnace"])),
+    ("report", ("lobefit-studies", &[])),
+];
 
 /// The arguments of the program; `help VERB` of another package's verb becomes `VERB --help`, which
 /// its binary answers.
 pub(super) fn help_of_verb(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<OsString> = arguments.into_iter().collect();
-    let external = arguments.get(2).is_some_and(|verb| VERBS.iter().any(|v| verb == v));
+    let external = arguments.get(2).is_some_and(|verb| VERBS.iter().any(|(own, _)| verb == own));
     if external && arguments.len() == 3 && arguments[1] == "help" {
         arguments.remove(1);
         arguments.push("--help".into());

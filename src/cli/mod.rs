@@ -8,6 +8,7 @@ mod calls;
 mod check;
 mod columns;
 pub mod cost;
+pub mod declared;
 mod error;
 mod eval;
 pub mod external;
@@ -120,8 +121,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Cache(options) => cache::run(&options),
         Verb::SceneFrom(options) => scene_from::run(&options),
         Verb::Schema(options) => schema::run(&options),
-        Verb::Completions(options) => manual::completions(&options, Cli::command()),
-        Verb::Man(options) => manual::man(&options, Cli::command()),
+        Verb::Completions(options) => {
+            declared::whole(Cli::command()).and_then(|all| manual::completions(&options, all))
+        }
+        Verb::Man(options) => declared::whole(Cli::command()).and_then(|all| manual::man(&options, all)),
     };
     output::finish(done)
 }

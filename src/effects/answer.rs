@@ -1,14 +1,12 @@
 //! What a reader takes from an effect: of everything that its bake measured, up to three choices
 //! for each purpose.
 
-use std::cmp::Reverse;
-
 use super::made::Limited;
 use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::{Emission, Fit};
 use crate::data::{Approximation, Axis, Cost, Form, Layout, Source, Table, Use, Warp};
-use crate::emit::call::{Call, LookupFunction};
+use crate::emit::call::{Call, LookupFunction, TIMES};
 use crate::emit::manifest::Entries;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::sections::words::{self, operations};
@@ -221,10 +219,11 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     }
 }
 
-/// The order in which lookups of probes are taken: by fetches, then by edges, then by operations.
-fn preference(lookup: &LookupFunction) -> (Reverse<u32>, Option<usize>, u32) {
+/// The order in which lookups of probes are taken: by edges, then by fetches and by operations, of which more
+/// are for those who ask for them.
+fn preference(lookup: &LookupFunction) -> (Option<usize>, u32, u32) {
     let edges = EDGES.iter().position(|edges| lookup.edges == *edges);
-    (Reverse(lookup.cost.fetches), edges, lookup.cost.ops)
+    (edges, lookup.cost.fetches, lookup.cost.ops)
 }
 
 /// The lookup of a probe that is taken before the others.
@@ -390,6 +389,18 @@ pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
             calls[i].recommended = best.is_some_and(|best| best.function == calls[i].function);
         }
     }
+    // A lobe is compensated once: by N, or by the E of a table.
+    for i in 0..calls.len() {
+        let (of, layer) = (&calls[i].of, &calls[i].layer);
+        if calls[i].file.is_none() || calls[i].then.is_none() {
+            continue;
+        }
+        let own = calls.iter().filter(|call| (&call.of, &call.layer) == (of, layer));
+        let factor = own.filter(|call| call.then.as_deref() == Some(TIMES)).find(|call| call.recommended);
+        if let Some(purpose) = factor.map(|call| call.purpose.clone()) {
+            (calls[i].purpose, calls[i].recommended) = (purpose, false);
+        }
+    }
 }
 
 /// Which functions to take where materials or probes have a choice, and why: for an include file.
@@ -422,7 +433,7 @@ pub(crate) fn rule(call: &Call) -> String {
     match (&call.file, call.cost.fetches) {
         (Some(_), _) => "the most accurate table".into(),
         (None, 0) => Emission::rule(),
-        _ => "the lookup with the most fetches, smooth edges before a traced hit, sharp edges last, and the fewest operations"
+        _ => "the lookup with smooth edges before a traced hit, sharp edges last, and of these the fewest fetches and operations"
             .into(),
     }
 }
@@ -450,26 +461,15 @@ fn conclusion(purpose: &Purpose) -> String {
                 &format!(", {times} times less than the best published formula that costs no more ({name})");
         }
     }
+    let as_table = of(Role::Table).map(|offer| ("as a table", offer));
+    if let Some((how, offer)) = as_table.or_else(|| Some(("cheaper", of(Role::Cheap)?))) {
+        text += &format!("; {how}: {}{}", taken(&offer.cost), kept(offer));
+    }
     text.push('.');
     if !purpose.caution.is_empty() {
         text += &format!(" {}", purpose.caution);
     }
-    let beside = [Role::Table, Role::Cheap].into_iter().find_map(of);
-    if let Some(offer) = beside {
-        text += &format!(" {}: {}{}.", titled(offer.role), taken(&offer.cost), kept(offer));
-    }
     text
-}
-
-/// A role as it begins a sentence.
-fn titled(role: Role) -> &'static str {
-    match role {
-        Role::Cheapest => "Cheapest",
-        Role::Cheap => "Cheaper",
-        Role::Recommended => "Recommended",
-        Role::Accurate => "More accurate",
-        Role::Table => "As a table",
-    }
 }
 
 /// `15 operations`, `20 operations and a fetch from 2 048 bytes`.

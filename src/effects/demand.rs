@@ -276,7 +276,8 @@ impl Job {
         let (role, max_error) = (role.into(), self.goals.max_error);
         let own =
             Emission { pick, arguments, cost, budget, every_error, float, shown, ..Emission::default() };
-        Emission { role, max_error, ..own }
+        let alone = self.demands.iter().map(|demand| &demand.goals).filter(|goals| goals.max_error.is_none());
+        Emission { role, max_error, within: alone.filter_map(|goals| goals.max_ops).max(), ..own }
     }
 
     /// Who sets the budget, with the field of each: `gold (materials[0].wants.fit)`.

@@ -366,7 +366,7 @@ fn put(out: &mut String, text: fmt::Arguments) {
 struct Broken<'a>(&'a str);
 
 /// Characters of a name that finds room on a line of the narrowest screen.
-const NAME: usize = 16;
+const NAME: usize = 14;
 
 impl Display for Broken<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {

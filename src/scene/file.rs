@@ -150,6 +150,19 @@ fn placed(bytes: &[u8], file: &str, path: &str, message: String) -> SceneError {
     }
 }
 
+/// An unknown field of a part of the scene, with what is said where the scene itself has one of that name.
+fn misplaced(error: SceneError) -> SceneError {
+    let SceneError::Field { file, at, path, mut message } = error else { return error };
+    if let Some((name, _)) = message.strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {
+        let alone = serde_json::Map::from_iter([(name.to_string(), serde_json::Value::Null)]);
+        let read = serde_json::from_value::<SceneFile>(alone.into());
+        if !read.is_err_and(|error| error.to_string().starts_with("unknown field")) {
+            message = format!("{message}; `{name}` belongs beside `materials`");
+        }
+    }
+    SceneError::Field { file, at, path, message }
+}
+
 impl Scene {
     /// Reads a scene that names no file of a kernel; `file` is its name in messages.
     ///
@@ -184,7 +197,7 @@ impl Scene {
 
     /// The fields, each right by itself.
     fn parsed(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
-        let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES)?;
+        let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES).map_err(misplaced)?;
         let whole = |field: &str, message: String| {
             let message = about(field, message);
             let (path, message) = told(&message);

@@ -235,6 +235,31 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
     );
 }
 
+/// A budget without an error asks for the most accurate within it, whatever another material puts up with.
+#[test]
+fn a_budget_alone_is_no_less_accurate_beside_others() {
+    let [lenient, exact] =
+        [metal("a", r#"{"max_ops": 16, "max_error": 0.3}"#), metal("b", r#"{"max_ops": 12}"#)];
+    let [alone, both] = [exact.clone(), [lenient, exact].join(",")].map(|materials| baked("", &materials));
+    let ([alone], [both]) = (&emitted(&alone)[..], &emitted(&both)[..]) else { panic!("a function each") };
+    assert!(alone.0 == 8 && both.1 <= alone.1, "{alone:?} {both:?}");
+}
+
+/// A base whose material has a reflectance for each channel evaluates its factor for each.
+#[test]
+fn a_budget_of_a_base_covers_three_channels() {
+    let base = |f0: &str| {
+        let text = format!(
+            r#"{{"name": "b", "kind": "dielectric", "f0": {f0}, "roughness": [0.4, 0.6], "base": {{"max_ops": 30}}, "wants": {{"fit": {{"max_ops": 8}}}}}}"#
+        );
+        let baked = baked(r#""languages": ["wgsl"],"#, &text);
+        let call = baked.calls.iter().find(|call| call.function == "diffuse_coupling").expect("a factor");
+        call.cost.ops
+    };
+    let [grey, coloured] = [base("0.04"), base("[0.02, 0.04, 0.08]")];
+    assert!(coloured.is_multiple_of(3) && coloured <= 30 && grey > coloured / 3, "{grey} {coloured}");
+}
+
 /// Without pages no formula is fitted beyond the cheapest that keeps the limit: what is emitted is
 /// what a bake with pages emits.
 #[test]

@@ -80,7 +80,7 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
 /// What the lobe of a dielectric is multiplied with follows its base; of an albedo in a table as of a fit.
 #[test]
 fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
-    let wants = r#""roughness": 0.5, "wants": {"fit": {"max_ops": 8}, "tables": [{"size": [8, 8]}]}"#;
+    let wants = r#""roughness": 0.5, "wants": {"fit": {"max_ops": 8}, "tables": [{"size": [8, 8]}, {"size": [8, 8], "serves": "split-sum"}]}"#;
     let dielectric = |specular: &str| {
         let base = format!(r#""base": {{"albedo": 0.5, "specular": "{specular}"}}"#);
         format!(r#"{{"name": "{specular}", "kind": "dielectric", "f0": 0.04, {base}, {wants}}}"#)
@@ -95,10 +95,11 @@ fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
     let selection = Selection { only: vec!["reflection".into()], ..shared() };
     let baked = bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake");
     let found = callers(&baked.calls);
-    let coloured = "ggx_energy_compensation_rgb then f*N (or ggx_albedo then ggx_compensate_reflection as e)";
+    let coloured = "ggx_energy_compensation_rgb then f*N (or ggx_albedo then ggx_compensate_reflection as e, \
+                    ggx_dfg then ggx_compensate_reflection as e)";
     let expected: [(&[&str], &str); 4] = [
         (&["metal", "compensated"], coloured),
-        (&["normalised"], "ggx_energy_compensation then f*N (or ggx_albedo then f/E)"),
+        (&["normalised"], "ggx_energy_compensation then f*N (or ggx_albedo then f/E, ggx_dfg then f/E)"),
         (&["single"], "ggx_albedo"),
         (&["brushed"], "ggx_energy_compensation_rgb then f*N, anisotropy left out"),
     ];

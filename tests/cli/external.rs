@@ -102,6 +102,30 @@ fn the_binary_beside_the_program_is_run_before_the_one_on_path() {
     }
 }
 
+/// Completions and manual pages know the options of packages that are built, as their binaries declare them.
+#[cfg(unix)]
+#[test]
+fn what_a_package_declares_is_completed_and_has_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let bin = folder.path().join("bin");
+    let declared = r#"{"about":"Measure","examples":"","arguments":[
+        {"name":"file","long":null,"short":null,"help":"The file","value":"FILE","values":[]},
+        {"name":"side","long":"side","short":"s","help":"Whence","value":"SIDE","values":["inside","outside"]}]}"#;
+    let answer = format!("test \"$1\" = --declared || exit 2\necho '{declared}'");
+    script(&bin, "lobefit-formula", &answer);
+    let zsh = run(&bin, folder.path(), &["completions", "zsh"]);
+    let zsh = String::from_utf8(zsh.stdout).unwrap();
+    assert!(zsh.contains("--side") && zsh.contains("inside outside"), "{zsh}");
+    let pages = folder.path().join("pages");
+    let man = run(&bin, folder.path(), &["man", pages.to_str().unwrap()]);
+    assert_eq!(man.status.code(), Some(0), "{}", stderr(&man));
+    let page = fs::read_to_string(pages.join("lobefit-fit.1")).unwrap();
+    assert!(page.contains("\\-\\-side") && page.contains("Whence"), "{page}");
+    script(&bin, "lobefit-formula", "echo broken >&2; exit 2");
+    let refused = run(&bin, folder.path(), &["completions", "zsh"]);
+    assert!(refused.status.code() == Some(2) && stderr(&refused).contains("broken"), "{}", stderr(&refused));
+}
+
 /// A bake leaves studies alone; `check` asks their package for what is wrong with them, and says
 /// where it is not built.
 #[cfg(unix)]

@@ -149,12 +149,31 @@ fn the_documented_workflows_are_well_formed() {
 const SCENE: &str = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
     "wants":{"tables":[{"size":[32,32],"layout":"plain"}]}}]}"#;
 
+/// Whether a program is there that a test calls.
+fn is_there(tool: &str) -> bool {
+    let found = Command::new(tool).arg("--version").output().is_ok();
+    let required = std::env::var("LOBEFIT_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+    assert!(found || !required, "{tool} is called for");
+    if !found {
+        eprintln!("skipped: no {tool}");
+    }
+    found
+}
+
+/// The scripts, as shellcheck reads them.
+#[test]
+fn the_scripts_are_without_findings() {
+    let scripts = ["check", "install", "package"].map(|name| root(&format!(".github/action/{name}.sh")));
+    if is_there("shellcheck") {
+        let output = Command::new("shellcheck").args(scripts).arg(root(".ci/run")).output().expect("it runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+    }
+}
+
 /// Runs the action's script in a folder as a runner does: exit code, annotations and summary.
 #[cfg(unix)]
 fn script(folder: &Path, environment: &[(&str, &str)]) -> Option<(i32, String, String)> {
-    if Command::new("jq").arg("--version").output().is_err() {
-        assert!(std::env::var_os("LOBEFIT_REQUIRE_TOOLS").is_none(), "jq is called for");
-        eprintln!("skipped: no jq");
+    if !is_there("jq") {
         return None;
     }
     let summary = folder.join("summary.md");

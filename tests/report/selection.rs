@@ -100,7 +100,7 @@ fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
     let measured = manifest["effects"][0]["measured_error"].as_f64().ok_or("no error")?;
     let limited = answer["purposes"][0]["choices"][0]["limited"].as_f64().ok_or("no limited error")?;
     assert_eq!(limited, lobefit_shade::round_up(measured, 4), "of {measured}");
-    assert!(conclusion.contains("a fetch, total variation at most 0."), "{conclusion}");
+    assert!(conclusion.contains("a fetch, total variation of the width at most 0."), "{conclusion}");
     assert!(!conclusion.contains("adjusted alpha"), "{conclusion}");
     let choices = answer["purposes"][0]["choices"].as_array().ok_or("no choices")?;
     let of = |choice: &Value| (choice["role"].as_str().map(String::from), choice["cost"]["ops"].as_u64());

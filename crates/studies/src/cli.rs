@@ -9,8 +9,9 @@ use serde::Serialize;
 
 use crate::study::{self, Given, STUDIES, Size, Stale, Study, Timed};
 use lobefit::cli::CliError;
+use lobefit::cli::declared;
 use lobefit::cli::options::ThreadsOption;
-use lobefit::cli::output::{self, Outcome, print, print_json};
+use lobefit::cli::output::{Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Folder};
 
@@ -70,10 +71,7 @@ struct Options {
 
 /// Runs the verb on its arguments (the first is the program's name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    match Options::try_parse_from(arguments) {
-        Ok(options) => output::finish(verb(&options)),
-        Err(usage) => output::usage(&usage),
-    }
+    declared::verb(arguments, |options| verb(&options))
 }
 
 fn verb(options: &Options) -> Result<Outcome, CliError> {

@@ -2,7 +2,7 @@
 
 use super::emitted::around as coupled;
 use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_emitted, page, role, specular};
-use crate::approximate::{Dropped, Fit, FitSet};
+use crate::approximate::{Dropped, Emission, Fit, FitSet};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::explore::Exploring;
@@ -10,6 +10,7 @@ use crate::effects::page::smallest_error;
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::manifest::{AnyF0Entry, FitEntry};
 use crate::report::explore::Drawn;
+use crate::scene::Material;
 use lobefit_truth::quantity::{COUPLING, GGX_REFLECTION};
 
 /// What was made for the bases under one kind of lobe.
@@ -21,6 +22,12 @@ pub(super) struct Lobe {
     pub nearest: Option<String>,
     /// The error of each of the fits over all f0.
     pub anywhere: Vec<AnyF0>,
+}
+
+/// How often a material evaluates the factor: for each channel of its f0, where they differ.
+fn evaluations(material: &Material) -> u32 {
+    let differs = material.f0.is_some_and(|[red, rest @ ..]| rest.iter().any(|f0| *f0 != red));
+    if differs { 3 } else { 1 }
 }
 
 /// Bakes the effect.
@@ -55,6 +62,12 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         let emitted = lobe.fits.iter().filter(|fit| fit.emitted);
         made.cautions.extend(emitted.map(|fit| (fit.hypothesis.name().to_string(), brdf.clone())));
     }
+    for call in &mut made.part.entries.calls {
+        let material = context.scene.materials.iter().find(|material| material.name == call.of);
+        let times = material.map_or(1, evaluations);
+        call.cost.ops *= times;
+        call.price = call.price.map(|price| price * f64::from(times));
+    }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
         made.fits(context, set, |i, fit, entry| lobe.entry(i, fit, entry))?;
@@ -73,8 +86,12 @@ impl Lobe {
             max_ops: job.goals.max_ops,
             norms: job.goals.norms.clone(),
         };
-        let FitSet { fits, dropped, nearest, .. } =
-            fit_emitted(&spec, job.emission(context.scene, &role(spec.specular)), &context.memo)?;
+        let bounding = job.demands.iter().filter(|demand| demand.goals.max_ops == job.goals.max_ops);
+        let times =
+            bounding.filter_map(|demand| context.scene.materials.get(demand.of)).map(evaluations).max();
+        let emission = job.emission(context.scene, &role(spec.specular));
+        let emission = Emission { times: times.unwrap_or(1), ..emission };
+        let FitSet { fits, dropped, nearest, .. } = fit_emitted(&spec, emission, &context.memo)?;
         let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.memo)?;
         Ok(Lobe { spec, fits, dropped, nearest, anywhere })
     }

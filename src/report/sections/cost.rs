@@ -126,11 +126,12 @@ fn measured(record: &GpuRecord) -> Block {
         ("function", false),
         ("ps per call", true),
         ("µs at 4K, a call for each pixel", true),
-        ("largest error", true),
+        ("largest error there", true),
         ("which error", false),
     ];
     let caption = format!(
-        "Measured on {}, throughput of the full device; the functions that the built-in scene emits.",
+        "Measured on {}, throughput of the full device; the functions that the built-in scene emits. The errors are those at the \
+         points of the run; the certificates are searched for the worst and so larger.",
         record.device.adapter
     );
     Block::Table(words::table(&columns, timed.filter_map(row).collect(), &caption))

@@ -12,8 +12,9 @@ use crate::audit::Grade;
 use crate::foreign::{self, ShaderFunction};
 use crate::furnace::{self, Allowance, Asked, FurnaceFindings, Role};
 use lobefit::cli::CliError;
+use lobefit::cli::declared;
 use lobefit::cli::options::{ThreadsOption, not_negative};
-use lobefit::cli::output::{self, Outcome, print};
+use lobefit::cli::output::{Outcome, print};
 use lobefit::cli::progress::Spinner;
 use lobefit::report::Origin;
 use lobefit::store::{self, Files, Folder};
@@ -92,10 +93,7 @@ const TOLERANCE: f64 = 1e-3;
 
 /// Runs the verb on its arguments (the first is the program's name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    match Options::try_parse_from(arguments) {
-        Ok(options) => output::finish(verb(&options)),
-        Err(usage) => output::usage(&usage),
-    }
+    declared::verb(arguments, |options| verb(&options))
 }
 
 fn role(text: &str) -> Result<(String, Role), String> {

@@ -24,8 +24,9 @@ use crate::cost;
 use crate::foreign::{self, RawFormat};
 use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
+use lobefit::cli::declared;
 use lobefit::cli::options::{ThreadsOption, not_negative};
-use lobefit::cli::output::{self, Outcome, print, say};
+use lobefit::cli::output::{Outcome, print, say};
 use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
@@ -189,10 +190,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         arguments.remove(1);
         return furnace::run(arguments);
     }
-    match Options::try_parse_from(arguments) {
-        Ok(options) => output::finish(verb(options)),
-        Err(usage) => output::usage(&usage),
-    }
+    declared::verb(arguments, verb)
 }
 
 fn verb(options: Options) -> Result<Outcome, CliError> {

@@ -247,6 +247,10 @@ fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
         help.contains("the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says"),
         "{help}"
     );
+    let declared = lobefit(folder.path(), &["audit", "--declared"], b"").stdout;
+    let declared: serde_json::Value = serde_json::from_slice(&declared).unwrap();
+    let arguments = declared["arguments"].as_array().unwrap();
+    assert!(arguments.iter().any(|own| own["long"] == "samples" && own["value"].is_string()), "{declared}");
 }
 
 #[test]

@@ -5,12 +5,11 @@ mod options;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::Parser;
-
 use crate::fitting::{self, Certified};
 use crate::search;
 use lobefit::cli::CliError;
-use lobefit::cli::output::{self, Outcome, print, say};
+use lobefit::cli::declared;
+use lobefit::cli::output::{Outcome, print, say};
 use lobefit::cli::progress::Spinner;
 use lobefit::data::Use;
 use lobefit::scene::escape::visible;
@@ -59,10 +58,7 @@ fn after_help() -> String {
 
 /// Runs the verb on its arguments (the first is the program's name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    match Options::try_parse_from(arguments) {
-        Ok(options) => output::finish(verb(&options)),
-        Err(usage) => output::usage(&usage),
-    }
+    declared::verb(arguments, |options| verb(&options))
 }
 
 fn verb(options: &Options) -> Result<Outcome, CliError> {

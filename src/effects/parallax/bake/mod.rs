@@ -115,7 +115,7 @@ fn limited(lobes: &[Lobe]) -> Limited {
             errors.entry(fit.approximation.name.clone()).or_insert(round_up(max, 4));
         }
     }
-    Limited { metric: "total variation".into(), errors }
+    Limited { metric: "total variation of the width".into(), errors }
 }
 
 /// A probe whose every fetch is saturated has nothing to fit. That of the smallest ratio at the
