@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::Vendor;
-use crate::emit::call::{Around, Call, Callers, How, NAMED, Uses, arounds, callers};
+use crate::emit::call::{Around, Call, Callers, How, NAMED, OVER, TIMES, Uses, arounds, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
@@ -92,7 +92,15 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
         };
         [format!("  {}", around.signature()), by_value.into_iter().map(does).collect::<Vec<_>>().join(", ")]
     };
-    arounds(calls).into_iter().map(row).collect()
+    // What no function does is written out: f is the lobe.
+    let written = [(OVER, "E"), (TIMES, "N")].into_iter().filter_map(|(how, value)| {
+        let of: BTreeSet<&str> =
+            calls.iter().filter(|c| c.then.as_deref() == Some(how)).map(|c| &*c.function).collect();
+        let of: Vec<&str> = of.into_iter().collect();
+        (!of.is_empty())
+            .then(|| [format!("  {how}, f the lobe"), format!("{value} from {}", of.join(" or "))])
+    });
+    written.chain(arounds(calls).into_iter().map(row)).collect()
 }
 
 /// The cosines over which the errors of the functions of materials hold, where there are any.

@@ -14,8 +14,9 @@ use crate::report::{Answer, Furnace, FurnaceRow, Measured, Offer, Purpose, Role}
 use crate::scene::limits::TABLE_MU;
 use lobefit_shade::code::{self, Language};
 
-/// What happens where planes of a proxy meet, as the manifest has it, the most accurate first.
-const EDGES: [&str; 3] = ["smooth", "none", "sharp"];
+/// What happens where planes of a proxy meet, as the manifest has it, the most accurate first; a hit, which
+/// has none, leaves the wall to the engine.
+const EDGES: [&str; 3] = ["smooth", "sharp", "none"];
 
 /// Every how many of the cosines of spheres a strip is drawn from.
 const EVERY: usize = 3;
@@ -433,7 +434,7 @@ pub(crate) fn rule(call: &Call) -> String {
     match (&call.file, call.cost.fetches) {
         (Some(_), _) => "the most accurate table".into(),
         (None, 0) => Emission::rule(),
-        _ => "the lookup with smooth edges before a traced hit, sharp edges last, and of these the fewest fetches and operations"
+        _ => "the lookup with smooth edges before sharp ones, a traced hit last, and of these the fewest fetches and operations"
             .into(),
     }
 }

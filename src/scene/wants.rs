@@ -20,6 +20,9 @@ pub struct FitWant {
     pub goals: Goals,
     /// Also fit the average albedo E_avg(alpha).
     pub average: bool,
+    /// Also emit the reciprocal lobe of what is lost, which takes E_avg.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub multiscatter: bool,
     /// Also fit f0 A + B.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
@@ -142,6 +145,9 @@ struct FitFile {
     norms: Norms,
     /// Also fit the average albedo E_avg(alpha); default false.
     average: Maybe<bool>,
+    /// Also emit the reciprocal lobe of the light that is lost between facets (Kulla and Conty 2017), and E_avg,
+    /// which it takes; default false.
+    multiscatter: Maybe<bool>,
     /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
     blend: Maybe<bool>,
     /// Hypotheses of your own: WGSL files, as relative paths from the scene file's folder, with `/`
@@ -155,7 +161,8 @@ impl TryFrom<FitFile> for FitWant {
     fn try_from(file: FitFile) -> Result<Self, String> {
         Ok(FitWant {
             goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
-            average: file.average.0.unwrap_or(false),
+            average: file.average.0.unwrap_or(false) || file.multiscatter.0 == Some(true),
+            multiscatter: file.multiscatter.0.unwrap_or(false),
             blend: file.blend.0.unwrap_or(false),
             hypotheses: file.hypotheses.0.map_or_else(Vec::new, |l| l.0.into_iter().map(|t| t.0).collect()),
         })

@@ -3,8 +3,8 @@
 use crate::baked_support::bake_scene;
 use lobefit::bake::Baked;
 use lobefit::scene::Scene;
-use lobefit_shade::Source;
 use lobefit_shade::code::Language;
+use lobefit_shade::{Source, Tape};
 
 use super::compilers::includes_in_cpp;
 use super::languages::compile;
@@ -13,6 +13,18 @@ use super::programs::compile_library;
 pub fn baked(json: &str) -> Baked {
     let scene = Scene::from_json(json.as_bytes(), "scene.json").expect("a scene");
     bake_scene(&scene).expect("a bake")
+}
+
+/// A function of an emitted text, its first channel where that has several.
+pub fn function(source: &Source, name: &str) -> impl Fn(&[(&str, f64)]) -> f64 + use<> {
+    let tape: Tape = source.tape(name, 0).expect("a function");
+    move |given| {
+        let of = |input: &String| {
+            let found = given.iter().find(|(name, _)| input.starts_with(name));
+            found.unwrap_or_else(|| panic!("{input} is not given")).1 as f32
+        };
+        f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+    }
 }
 
 /// The include file of a language.

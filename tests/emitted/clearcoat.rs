@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use emit_support::example::{baked, certified, compiled, text};
+use emit_support::example::{baked, certified, compiled, function, text};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Smith;
 use lobefit::effects::Effect;
@@ -20,8 +20,8 @@ use lobefit::emit::call::callers;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::gauss::Gauss;
+use lobefit_shade::Source;
 use lobefit_shade::code::Language;
-use lobefit_shade::{Source, Tape};
 use lobefit_truth::quantity::{GgxCoat, Quantity};
 
 const SCENE: &str = include_str!("../../examples/lacquer.json");
@@ -81,18 +81,6 @@ fn a_smooth_coat_has_what_is_promised_of_rough_ones() {
             let off = share(&[("roughness", least), ("alpha", least * least), ("ior", ior)]) / truth - 1.0;
             assert!(off.abs() <= stated + 1e-5, "{name} {ior}: {off}; stated {stated}");
         }
-    }
-}
-
-/// A function of an emitted text, its first channel where that has several.
-fn function(source: &Source, name: &str) -> impl Fn(&[(&str, f64)]) -> f64 + use<> {
-    let tape: Tape = source.tape(name, 0).expect("a function");
-    move |given| {
-        let of = |input: &String| {
-            let found = given.iter().find(|(name, _)| input.starts_with(name));
-            found.unwrap_or_else(|| panic!("{input} is not given")).1 as f32
-        };
-        f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
     }
 }
 

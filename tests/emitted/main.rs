@@ -28,6 +28,7 @@ mod lookup_heads;
 mod lookup_hit;
 mod lookup_pictures;
 mod lookups;
+mod multiscatter;
 mod parallax;
 mod sliced;
 mod subvoxels;

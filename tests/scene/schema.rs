@@ -386,6 +386,7 @@ fn it_names_and_describes_every_field() {
             "max_ops",
             "mips",
             "mu",
+            "multiscatter",
             "n_dot_v",
             "name",
             "name",

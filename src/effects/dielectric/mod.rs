@@ -138,8 +138,8 @@ impl Effect for Dielectric {
             &[FITS.role],
             &[
                 "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
-                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass an ior",
-                "within the stated domain, and of a smoother surface the least roughness there.",
+                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass",
+                "roughness and ior within the stated domain, of a smoother or rougher surface the nearest roughness there: beyond it R may leave [0, 1].",
             ],
         )]
     }

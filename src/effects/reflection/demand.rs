@@ -74,6 +74,8 @@ pub const REACHED: [(u32, f64); 17] = [
 pub struct FitJob {
     /// Also fit E_avg(alpha).
     pub average: bool,
+    /// Also emit the lobe that takes it.
+    pub multiscatter: bool,
     /// Also fit f0 A + B.
     pub blend: bool,
     /// Whether a material's compensation has a colour, as a metal's.
@@ -175,6 +177,7 @@ impl FitJob {
         let mut fits = FitJob { coloured, ..FitJob::default() };
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
+            fits.multiscatter |= want.multiscatter;
             fits.blend |= want.blend;
             let new = want.hypotheses.iter().filter(|path| !fits.hypotheses.contains(path));
             let new: Vec<String> = new.cloned().collect();

@@ -74,8 +74,8 @@ fn lead(results: &Results) -> String {
     let [width, height] = culling.buffer;
     format!(
         "{few}Where nothing may vanish take the conservative mode: of depth that is {} frames old it culls {} of the boxes that the frame shows, and keeps \
-         {} of those that it hides. {} With medians, voxels and dilation {} are kept and {} culled{}: take these only where an object may be missing for some frames.\n\
-         What fills holes also closes gaps that are there; old points alone keep {} and cull {}. \
+         {} of those that it hides.\n\
+         {} With medians, voxels and dilation {} are kept and {} culled{}: take these only where an object may be missing for some frames. What fills holes also closes gaps that are there; old points alone keep {} and cull {}. \
          {} is drawn on the CPU, with the camera on the path `{}` of {} frames; an occlusion buffer of {width} x {height} texels is made from the \
          depth that has arrived and is held against the depth of the frame itself, which only the study has. Work is texels and voxels read or \
          written, per texel of the buffer: a count, the same on every machine. All figures: results.json.",

@@ -17,8 +17,20 @@ use crate::emit::call::TIMES;
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
 use crate::scene::Lobe;
-use lobefit_shade::code::CodeError;
+use lobefit_shade::Source;
+use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::Specular;
+
+/// The lobe of what is lost, behind the averages of Fresnel factors that it takes.
+const MULTISCATTER: [&str; 3] = ["fresnel_average_schlick", "fresnel_average_f82", "ggx_multiscatter_lobe"];
+
+/// Its functions in a language.
+fn printed(language: Language) -> Result<String, BakeError> {
+    let text = include_str!("../multiscatter.wgsl");
+    let source = Source::parse("multiscatter.wgsl", text).map_err(CodeError::from)?;
+    let print = |name| Ok(format!("\n{}", source.print_documented(language, name)?));
+    MULTISCATTER.into_iter().map(print).collect()
+}
 
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
@@ -48,8 +60,12 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     let (measured, metric) = findings::measured(&tables, &fits);
     made.part.finding = called.finding(measured, metric);
-    let coloured = fit.is_some_and(|job| FitJob::of(context.scene, job).coloured);
-    made.code(context, |language| functions(language, &fits, coloured))?;
+    let FitJob { coloured, multiscatter, .. } =
+        fit.map(|job| FitJob::of(context.scene, job)).unwrap_or_default();
+    made.code(context, |language| {
+        let lobe = if multiscatter { printed(language)? } else { String::new() };
+        Ok(functions(language, &fits, coloured)? + &lobe)
+    })?;
     made.tables(context, tables)?;
     if context.reports(called.effect) {
         let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;
@@ -98,7 +114,11 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
             };
             made.called_by(vec![demand.caller()], &function, (&a, price), None);
             if let Some(call) = made.part.entries.calls.last_mut() {
-                call.then = (a.used_as == Use::NORMALISATION).then(|| TIMES.into());
+                let is_average = a.used_as == Use::VALUE && want.is_some_and(|want| want.multiscatter);
+                call.then = match a.used_as {
+                    Use::NORMALISATION => Some(TIMES.into()),
+                    _ => is_average.then(|| MULTISCATTER[2].into()),
+                };
             }
         }
     }
