@@ -31,7 +31,7 @@ pub use recipe::{TOOL, recipe};
 pub use shard::{ENDING as SHARD_ENDING, MOST as SHARDS, Shard, ShardError, merge, shard};
 
 /// What a bake made.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Baked {
     /// Contents by path.
     pub files: Files,

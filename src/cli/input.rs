@@ -301,23 +301,3 @@ fn hypothesis(file: &Path, scene: &str, field: String) -> Result<String, CliErro
         at: e.utf8_error().valid_up_to(),
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_header_names_a_foreign_file_and_stays_a_line() {
-        let (plain, images) = (
-            TexturesOption { textures: false, quantile: None },
-            TexturesOption { textures: true, quantile: Some(0.01) },
-        );
-        let named = |path: &str, images| in_command(Path::new(path), "gltf", images);
-        assert_eq!(named("art/room-2.glb", &plain), "room-2.glb");
-        assert_eq!(named("room.mtlx", &images), "room.mtlx --textures --quantile 0.01");
-        for hostile in ["a\nb.gltf", "-x.gltf", "a;b.gltf", "a b.gltf", "ä.gltf"] {
-            assert_eq!(named(hostile, &plain), "SCENE.gltf");
-        }
-        assert_eq!(in_command(Path::new("-"), "mtlx", &plain), "SCENE.mtlx");
-    }
-}

@@ -7,7 +7,7 @@ use crate::scene::escape::visible;
 use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
 
 /// Largest file of points, bytes: some ten million points.
-pub(super) const FILE_BYTES: u64 = 512 << 20;
+pub const FILE_BYTES: u64 = 512 << 20;
 
 /// A file of points that is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -38,7 +38,7 @@ pub enum PointsError {
 
 /// What a row asks for.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Row {
+pub struct Row {
     /// The inputs, in the quantity's order; NaN where an optional one has no column.
     pub inputs: Vec<f64>,
     /// The choices of the row's words.
@@ -47,7 +47,7 @@ pub(super) struct Row {
 
 /// The rows of a CSV file, and what they ask of a quantity.
 #[derive(Clone, Debug)]
-pub(super) struct Points {
+pub struct Points {
     file: String,
     bytes: Vec<u8>,
     header: Range<usize>,
@@ -59,7 +59,7 @@ impl Points {
     /// Reads a CSV (comma, double quotes, any line end, UTF-8 byte order mark allowed) with a
     /// header that names the quantity's inputs among its columns. Empty lines are skipped, and the
     /// byte order mark is not kept.
-    pub(super) fn parse(bytes: Vec<u8>, file: &str, quantity: &dyn Quantity) -> Result<Points, PointsError> {
+    pub fn parse(bytes: Vec<u8>, file: &str, quantity: &dyn Quantity) -> Result<Points, PointsError> {
         let mut points =
             Points { file: file.into(), bytes, header: 0..0, records: Vec::new(), rows: Vec::new() };
         let mut lines = Lines::new(&points.bytes);
@@ -91,17 +91,17 @@ impl Points {
     }
 
     /// What every row asks for.
-    pub(super) fn rows(&self) -> &[Row] {
+    pub fn rows(&self) -> &[Row] {
         &self.rows
     }
 
     /// The variants of all rows, to be completed by options.
-    pub(super) fn variants(&mut self) -> impl Iterator<Item = &mut Variant> {
+    pub fn variants(&mut self) -> impl Iterator<Item = &mut Variant> {
         self.rows.iter_mut().map(|row| &mut row.variant)
     }
 
     /// The error that a row (from 0) cannot be computed, with its line.
-    pub(super) fn refuse(&self, row: usize, message: &str) -> PointsError {
+    pub fn refuse(&self, row: usize, message: &str) -> PointsError {
         let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];
         let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
         PointsError::Row { file: self.file.clone(), line, message: format!("row {}: {message}", row + 1) }
@@ -110,11 +110,7 @@ impl Points {
     /// The file with the quantity's outputs appended: the bytes of every row as they were, line
     /// ends LF, empty lines left out; numbers in the shortest digits that read back to the same
     /// f64.
-    pub(super) fn with_columns(
-        &self,
-        quantity: &dyn Quantity,
-        values: &[Vec<f64>],
-    ) -> Result<Vec<u8>, PointsError> {
+    pub fn with_columns(&self, quantity: &dyn Quantity, values: &[Vec<f64>]) -> Result<Vec<u8>, PointsError> {
         let mut out = Vec::with_capacity(self.bytes.len() + 32 * values.len() * quantity.outputs().len());
         out.extend(&self.bytes[self.header.clone()]);
         for column in quantity.outputs() {
@@ -142,7 +138,7 @@ impl Points {
 
 /// The shortest digits that read back to the same f64: positional from 1e-5 to 1e16, else with an
 /// exponent; whole numbers without a point.
-pub(super) fn shortest(x: f64) -> String {
+pub fn shortest(x: f64) -> String {
     let text = format!("{x:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
@@ -287,100 +283,4 @@ fn wanted(quantity: &dyn Quantity) -> String {
     let inputs = quantity.inputs().iter().map(|input| input.name);
     let names = inputs.chain(choices(quantity).map(Choice::name)).map(|name| format!("`{name}`"));
     names.collect::<Vec<_>>().join(" and ")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::options::quantity as from_name;
-    use super::*;
-
-    fn parse(text: &str) -> Result<Points, String> {
-        let quantity = from_name("ggx-reflection").unwrap();
-        Points::parse(text.as_bytes().to_vec(), "p.csv", quantity).map_err(|e| e.to_string())
-    }
-
-    #[test]
-    fn rows_keep_their_bytes_and_order() {
-        let text = "\u{feff}note, mu ,alpha\r\n\"a,\"\"b\",0.50,1\r\n\r\n  x ,1e-3,0.250000000000000001\r\n\"two\nlines\",.5,-0";
-        let points = parse(text).unwrap();
-        let inputs: Vec<&[f64]> = points.rows().iter().map(|row| row.inputs.as_slice()).collect();
-        assert_eq!(inputs, [[1.0, 0.5], [0.25, 1e-3], [0.0, 0.5]]);
-        assert!(inputs[2][0].is_sign_positive());
-        let values = vec![vec![1.0, 0.1, 1e-17, 0.30000000000000004, 0.0]; 3];
-        let out = points.with_columns(from_name("ggx-reflection").unwrap(), &values).unwrap();
-        let tail = ",1,0.1,1e-17,0.30000000000000004,0\n";
-        let expected = format!(
-            "note, mu ,alpha,E,A,B,loss,error\n\"a,\"\"b\",0.50,1{tail}  x ,1e-3,0.250000000000000001{tail}\"two\nlines\",.5,-0{tail}"
-        );
-        assert_eq!(String::from_utf8(out).unwrap(), expected);
-    }
-
-    #[test]
-    fn a_row_can_be_refused_later() {
-        let points = parse("alpha,mu\r\n1,1\r\n\r\n0.5,1\r\n").unwrap();
-        assert_eq!(points.refuse(1, "no").to_string(), "p.csv:4: row 2: no");
-    }
-
-    #[test]
-    fn a_header_alone_is_fine() {
-        let points = parse("alpha,mu").unwrap();
-        let out = points.with_columns(from_name("ggx-reflection").unwrap(), &[]).unwrap();
-        assert_eq!(out, b"alpha,mu,E,A,B,loss,error\n");
-    }
-
-    #[test]
-    fn values_that_are_not_numbers_are_never_printed() {
-        let points = parse("alpha,mu\n1,1\n").unwrap();
-        let quantity = from_name("ggx-reflection").unwrap();
-        for values in [vec![], vec![vec![1.0, f64::NAN, 0.0, 0.0, 0.0]], vec![vec![1.0]]] {
-            assert!(points.with_columns(quantity, &values).is_err());
-        }
-    }
-
-    #[test]
-    fn errors_name_line_row_and_column() {
-        for (text, expected) in [
-            ("", "p.csv:1: the file is empty; a header with `alpha` and `mu` is called for"),
-            ("\n\n", "p.csv:1: the file is empty; a header with `alpha` and `mu` is called for"),
-            (
-                "alpha\n1\n",
-                "p.csv:1: column `mu` is missing, which ggx-reflection needs; the header has `alpha`",
-            ),
-            ("alpha,mu,alpha\n", "p.csv:1: column `alpha` is there twice"),
-            ("alpha,mu,x,x\n", "p.csv:1: column `x` is there twice"),
-            ("alpha,mu,E\n", "p.csv:1: column `E` is one that ggx-reflection appends; rename it"),
-            ("alpha,mu\n1,1\n\n1\n", "p.csv:4: row 2: 1 fields where the header has 2"),
-            ("alpha,mu\n1,1,1\n", "p.csv:2: row 1: 3 fields where the header has 2"),
-            ("alpha,mu\r\n1,\r\n", "p.csv:2: row 1: column `mu`: the field is empty"),
-            ("alpha,mu\n1,abc\n", "p.csv:2: row 1: column `mu`: `abc` is not a number"),
-            ("alpha,mu\n1,NaN\n", "p.csv:2: row 1: column `mu`: `NaN` is not a finite number"),
-            ("alpha,mu\ninf,1\n", "p.csv:2: row 1: column `alpha`: `inf` is not a finite number"),
-            ("alpha,mu\n1e999,1\n", "p.csv:2: row 1: column `alpha`: `1e999` is not a finite number"),
-            ("alpha,mu\n1,1\n1,1.5\n", "p.csv:3: row 2: column `mu`: 1.5 is outside [0, 1]"),
-            ("alpha,mu\n-1e-300,1\n", "p.csv:2: row 1: column `alpha`: -1e-300 is outside [0, 1]"),
-            ("alpha,mu\n0,5,1\n", "p.csv:2: row 1: 3 fields where the header has 2"),
-            ("alpha,mu,n\n1,1,\"x\n1,1,y\n", "p.csv:2: a double quote is not closed"),
-            (
-                "alpha;mu\n1;1\n",
-                "p.csv:1: columns `alpha`, `mu` are missing, which ggx-reflection needs; the header has `alpha;mu`",
-            ),
-        ] {
-            assert_eq!(parse(text).unwrap_err(), expected, "{text:?}");
-        }
-    }
-
-    #[test]
-    fn digits_are_the_shortest_that_read_back() {
-        for (x, text) in [
-            (1.0, "1"),
-            (0.1, "0.1"),
-            (1e-7, "1e-7"),
-            (1e22, "1e22"),
-            (0.0, "0"),
-            (0.1 + 0.2, "0.30000000000000004"),
-        ] {
-            assert_eq!(shortest(x), text);
-            assert_eq!(text.parse::<f64>().unwrap(), x);
-        }
-    }
 }

@@ -182,16 +182,3 @@ pub fn operations(n: u32) -> String {
 pub fn short(x: f64) -> String {
     format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |rounded| format!("{rounded}"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn figures_are_short_and_places_are_ordered() {
-        assert_eq!(short(0.00123456), "0.001235");
-        assert_eq!(short(-2.5e-9), "-0.0000000025");
-        let at: Place = [("mu".to_string(), 0.5), ("alpha".to_string(), 0.25)].into_iter().collect();
-        assert_eq!(place(&at), "alpha = 0.25, mu = 0.5");
-    }
-}

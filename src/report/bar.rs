@@ -61,24 +61,3 @@ pub fn bar_from(up: &str) -> Result<Vec<(String, String)>, ReportError> {
     let of_bake = of_bake.map(|page| (page.to_string(), format!("{up}{page}.html")));
     Ok(of_bake.chain(BESIDE.map(|(word, _, file)| (word.to_string(), format!("{up}{file}")))).collect())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn links_to_pages_that_are_not_there_are_left_out() {
-        let page = format!("<nav>\n<a>index</a>\n{}</nav>\n", beside("lobefit bake"));
-        let left = |root: &Path| {
-            let mut files = Files::from([("reports/index.html".to_string(), page.clone().into_bytes())]);
-            without_absent(&mut files, root);
-            String::from_utf8(files.remove("reports/index.html").expect("a page")).expect("text")
-        };
-        assert_eq!(left(Path::new(env!("CARGO_MANIFEST_DIR"))), page);
-        assert_eq!(
-            left(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")),
-            "<nav>\n<a>index</a>\n</nav>\n"
-        );
-        assert!(beside("lobefit bake SCENE.json").is_empty() && page.contains("studies/"));
-    }
-}

@@ -198,33 +198,3 @@ fn of_table(table: &TextTable) -> f64 {
     };
     table.rows.iter().map(row).sum()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::Origin;
-    use super::*;
-
-    fn page(blocks: Vec<Block>) -> Page {
-        let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
-        let origin = Origin {
-            scene: String::new(),
-            recipe: String::new(),
-            tool: String::new(),
-            command: String::new(),
-            pages: Vec::new(),
-        };
-        Page { title: String::new(), origin, lead: String::new(), sections: vec![section.clone(), section] }
-    }
-
-    #[test]
-    fn what_finds_no_room_is_folded_with_its_heading() {
-        let svg = format!("<svg width=\"400\" height=\"{}\"/>", TALL / 2.0 - FRAME);
-        let figure = Block::Figures { svg: vec![svg], caption: String::new() };
-        let heading = Block::Heading { text: "h".into() };
-        let found = fitted(&page(vec![figure.clone(), heading.clone(), figure.clone()]));
-        assert_eq!(found[0].len(), 2);
-        let more = Block::Fold { summary: "More: 1 figure".into(), blocks: vec![heading, figure] };
-        assert_eq!(found[0][1], more);
-        assert!(matches!(&found[1][0], Block::Fold { summary, .. } if summary == "Show: 2 figures"));
-    }
-}

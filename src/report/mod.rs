@@ -46,7 +46,7 @@ pub use json::document;
 pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Pixels, Scale,
-    Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
+    Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tick, Tile, Worst, disc, signed,
 };
 pub use sections::{figures, words};
 pub use timings::{

@@ -86,25 +86,3 @@ fn within(cells: u64, bytes: u64) -> Option<(u64, u64)> {
 
 /// Range of mu over which a table is measured where the scene does not say.
 pub const TABLE_MU: [f64; 2] = [1e-3, 1.0];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn texel_products_hold_at_the_limit_and_are_refused_beyond_it() {
-        assert_eq!(texels(4096, 4096, 8), Some((CELLS, 128 << 20)));
-        assert_eq!(texels(4096, 4097, 8), None);
-        assert_eq!(texels(4096, 4096, 32), Some((CELLS, TEXEL_BYTES)));
-        assert_eq!(texels(4096, 4096, 33), None);
-        assert_eq!(texels(usize::MAX, usize::MAX, 8), None);
-        assert_eq!(texels(1, 1, u64::MAX), None);
-    }
-
-    #[test]
-    fn texel_sums_hold_at_the_limit_and_are_refused_beyond_it() {
-        assert_eq!(add_texels((CELLS - 1, 0), (1, 0)), Some((CELLS, 0)));
-        assert_eq!(add_texels((CELLS, 0), (1, 0)), None);
-        assert_eq!(add_texels((0, u64::MAX), (0, u64::MAX)), None);
-    }
-}

@@ -367,16 +367,3 @@ fn check_path_tracer(wants: &Wants, ior: Option<[f64; 2]>) -> Result<(), String>
 }
 
 from_file!(Material, MaterialFile);
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_smooth_end_is_rough_in_f64() {
-        for map in AlphaMap::ALL {
-            let alpha = map.alpha(smallest_rough(map));
-            assert!((SMOOTH_ALPHA..SMOOTH_ALPHA * (1.0 + 1e-12)).contains(&alpha), "{map:?}: {alpha}");
-        }
-    }
-}

@@ -94,10 +94,10 @@ impl Cache {
         // The folder is listed now and then.
         let more = bytes.len() as u64;
         let before = self.added.fetch_add(more, Ordering::Relaxed);
-        match before == 0 || (before + more) / STEP > before / STEP {
-            true => self.bound(BYTES).map_err(io(Operation::List)),
-            false => Ok(()),
+        if before == 0 || (before + more) / STEP > before / STEP {
+            self.bound(BYTES)?;
         }
+        Ok(())
     }
 
     /// Why nothing could be put there, where that was so.
@@ -130,15 +130,18 @@ impl Cache {
         Ok(entries)
     }
 
-    /// Removes the oldest entries until the others are within so many bytes.
-    fn bound(&self, most: u64) -> io::Result<()> {
-        let entries = self.entries()?;
+    /// Removes the entries that were read longest ago, until the others are within so many bytes.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed, an entry that cannot be removed.
+    pub fn bound(&self, most: u64) -> Result<(), StoreError> {
+        let entries = self.entries().map_err(StoreError::writing(&self.folder, Operation::List))?;
         let mut total: u64 = entries.iter().map(|(_, _, bytes)| bytes).sum();
         for (_, path, bytes) in entries {
             if total <= most {
                 break;
             }
-            removed(&path)?;
+            removed(&path).map_err(StoreError::writing(&path, Operation::Remove))?;
             total -= bytes;
         }
         Ok(())
@@ -159,7 +162,7 @@ impl Cache {
     /// An entry that cannot be removed.
     pub fn clear(&self) -> Result<Held, StoreError> {
         let held = self.held()?;
-        self.bound(0).map_err(StoreError::writing(&self.folder, Operation::Remove))?;
+        self.bound(0)?;
         Ok(held)
     }
 }
@@ -169,56 +172,5 @@ fn removed(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(e) if e.kind() != io::ErrorKind::NotFound => Err(e),
         _ => Ok(()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn cache(folder: &tempfile::TempDir) -> Cache {
-        Cache::at(folder.path().join("results"))
-    }
-
-    #[test]
-    fn what_was_put_is_there_and_damage_is_not() {
-        let folder = tempfile::tempdir().unwrap();
-        let cache = cache(&folder);
-        assert_eq!((cache.get("a"), cache.held().unwrap()), (None, Held::default()));
-        cache.put("a", b"some content");
-        assert_eq!(cache.get("a").as_deref(), Some(&b"some content"[..]));
-        let path = cache.path("a");
-        let whole = fs::read(&path).unwrap();
-        for damaged in [&whole[..whole.len() - 1], &whole[..10], b""] {
-            fs::write(&path, damaged).unwrap();
-            assert_eq!(cache.get("a"), None);
-        }
-        cache.put("a", b"some content");
-        assert_eq!(cache.clear().unwrap(), Held { entries: 1, bytes: 44 });
-        assert_eq!((cache.get("a"), cache.failed().is_some()), (None, false));
-    }
-
-    #[test]
-    fn the_entries_that_were_read_longest_ago_go_first() {
-        let folder = tempfile::tempdir().unwrap();
-        let cache = cache(&folder);
-        for (key, age) in [("a", 3), ("b", 2), ("c", 1)] {
-            cache.put(key, &[0; 68]);
-            let time = SystemTime::now() - std::time::Duration::from_secs(100 * age);
-            File::options().write(true).open(cache.path(key)).unwrap().set_modified(time).unwrap();
-        }
-        assert!(cache.get("a").is_some());
-        cache.bound(250).unwrap();
-        assert_eq!(["a", "b", "c"].map(|key| cache.get(key).is_some()), [true, false, true]);
-    }
-
-    #[test]
-    fn a_place_that_cannot_be_written_is_named_and_no_error() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("results"), "a file").unwrap();
-        let cache = cache(&folder);
-        cache.put("a", b"content");
-        assert!(cache.failed().is_some_and(|error| error.to_string().contains("results")));
-        assert_eq!(cache.get("a"), None);
     }
 }

@@ -16,8 +16,6 @@ mod error;
 mod key;
 mod local;
 mod read;
-#[cfg(test)]
-mod tests;
 mod write;
 
 pub use beside::{beside, read_part};

@@ -41,22 +41,3 @@ fn ranks(values: &[f64]) -> Vec<f64> {
     };
     values.iter().map(rank).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn order_and_proportion_differ() {
-        let of = |pairs: &[(f64, f64)]| Correlation::of(pairs).map(|c| (c.values, c.ranks));
-        let close = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() + (b - d).abs() < 1e-12;
-        assert!(close(of(&[(1.0, 2.0), (2.0, 4.0), (3.0, 6.0)]).unwrap(), (1.0, 1.0)));
-        let (values, ranks) = of(&[(1.0, 1.0), (2.0, 2.0), (3.0, 100.0)]).unwrap();
-        assert!(values < 0.9 && (ranks - 1.0).abs() < 1e-12);
-        // Ranks 0, 1.5, 1.5, 3 against 3, 2, 1, 0: -4.5 / sqrt(4.5 x 5).
-        let (_, ranks) = of(&[(1.0, 9.0), (2.0, 8.0), (2.0, 7.0), (4.0, 6.0)]).unwrap();
-        assert!((ranks + 4.5 / 22.5_f64.sqrt()).abs() < 1e-12);
-        assert_eq!(of(&[(1.0, 1.0), (2.0, 2.0)]), None);
-        assert_eq!(of(&[(1.0, 1.0), (2.0, 1.0), (3.0, 1.0)]), None);
-    }
-}

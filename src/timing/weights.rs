@@ -247,8 +247,9 @@ fn prices(formulas: &[&Formula]) -> Features {
     Features::of(least_squares(&rows).map(decimals))
 }
 
-/// Prices that are not negative, by coordinate descent on the normal equations.
-fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> [f64; N] {
+/// Prices of kinds of work, from how much of each kind a row has and what it costs: the least squares
+/// among prices that are not negative, by coordinate descent on the normal equations.
+pub fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> [f64; N] {
     let (mut matrix, mut right) = ([[0.0; N]; N], [0.0; N]);
     for (row, cost) in rows {
         for i in 0..N {
@@ -270,48 +271,4 @@ fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> [f64; N] {
         }
     }
     prices
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn prices_are_found_again_and_are_not_negative() {
-        let rows: Vec<([f64; 2], f64)> = (1..6)
-            .map(|k| [f64::from(k), f64::from(k * k % 4)])
-            .map(|r| (r, 2.0 * r[0] + 0.5 * r[1]))
-            .collect();
-        let found = least_squares(&rows);
-        assert!((found[0] - 2.0).abs() + (found[1] - 0.5).abs() < 1e-9, "{found:?}");
-        let rows: Vec<([f64; 2], f64)> = rows.iter().map(|(r, _)| (*r, 2.0 * r[0] - 0.5 * r[1])).collect();
-        assert_eq!(least_squares(&rows)[1], 0.0);
-    }
-
-    #[test]
-    fn models_know_chains_where_they_cost_and_moves_of_literals() {
-        let tape = |body: &str| {
-            let code = format!("fn f(x: f32, y: f32) -> f32 {{\n    return {body};\n}}\n");
-            Source::parse("f.wgsl", &code).unwrap().tape("f", 0).unwrap()
-        };
-        // As many multiply-adds, in a chain of four and in one of three.
-        let chain = tape("((x * y + 0.3) * y + 0.7) * y + x * 0.9");
-        let tree = tape("(x * y + 0.3) * (y * 0.7 + x) + x * 0.9");
-        assert_eq!(chain.cost_ops(), tree.cost_ops());
-        for vendor in [Vendor::Intel, Vendor::Adreno] {
-            let model = vendor.model().unwrap();
-            assert!(model.cost(&chain) > model.cost(&tree) + 1.0, "{}", vendor.word());
-        }
-        // Two literals in a multiply-add are a move on NVIDIA GPUs.
-        let [one, two] = ["x * y + 0.3", "x * 0.7 + 0.3"].map(tape);
-        let model = Vendor::Nvidia.model().unwrap();
-        assert!(model.cost(&two) > model.cost(&one) + 0.5);
-        assert_eq!(one.cost_ops(), two.cost_ops());
-        for vendor in Vendor::ALL {
-            let model = vendor.model().unwrap();
-            assert!(model.cost(&tape("x / y")) > model.cost(&tape("x * y")), "{}", vendor.word());
-            assert!(model.agreement.pearson >= model.operations.pearson && model.left_out.pearson > 0.95);
-            assert_eq!(Vendor::of(vendor.word()), Some(vendor));
-        }
-    }
 }

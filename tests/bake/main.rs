@@ -7,6 +7,7 @@ mod common;
 #[path = "../sliced_support/mod.rs"]
 mod sliced_support;
 
+mod cached;
 mod deterministic;
 mod only;
 mod parallax;
@@ -15,3 +16,4 @@ mod regions;
 mod scenes;
 mod sheen;
 mod sliced;
+mod store;

@@ -209,6 +209,11 @@ fn a_table_may_state_the_cosines_that_it_is_judged_over() {
     assert!(text.contains("over n_dot_v [0.05, 1], roughness [0.3, 1]"), "{text}");
     let card = String::from_utf8_lossy(&narrow.files["reports/index.html"]).into_owned();
     assert!(card.contains("Its error is that over n_dot_v 0.05 to 1"), "the card says so");
+    let page = |b: &Baked| String::from_utf8_lossy(&b.files["reports/reflection.html"]).into_owned();
+    let part = "The part of the domain that the scene spans: roughness 0.3 to 1, ";
+    assert!(page(&narrow).contains(part), "the caption speaks of the part that is seen");
+    let whole = page(&baked(&metal("[0.1, 1]", r#"{"tables":[{"size": [16, 16], "layout": "plain"}]}"#)));
+    assert!(whole.contains("For the GGX lobe: E is 1 for a smooth surface"), "{whole}");
 }
 
 #[test]

@@ -12,4 +12,5 @@ mod containers;
 mod planted;
 mod sliced;
 mod strays;
+mod texts;
 mod values;

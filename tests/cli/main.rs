@@ -18,4 +18,6 @@ mod kernels;
 mod manual;
 mod records;
 mod shards;
+mod tables;
 mod usage;
+mod weights;

@@ -5,7 +5,13 @@ mod baked_support;
 #[path = "../published_support/mod.rs"]
 mod published_support;
 
+mod accuracy;
+mod axis;
+mod azimuth;
+mod catalogue;
+mod lookup;
 mod parallax;
+mod probe;
 mod published;
 mod published_coupling;
 mod reflection_field;

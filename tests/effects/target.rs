@@ -136,6 +136,47 @@ fn four_values_of_f0_stand_for_all() {
 }
 
 #[test]
+fn blends_are_affine_in_f0_and_powers_of_it_are_not() {
+    for (body, expected) in [
+        ("mix(mu, 1.0 - mu, f0)", true),
+        ("f0 * mu + (1.0 - f0) * mu * mu", true),
+        ("-f0 / mu", true),
+        ("mu", true),
+        ("f0 * f0 * mu", false),
+        ("mu / (1.0 + f0)", false),
+        ("max(f0, mu)", false),
+        ("sqrt(f0) + mu", false),
+    ] {
+        let source = format!("fn f(mu: f32, f0: f32) -> f32 {{ return {body}; }}");
+        let formula = Hypothesis::parse("f.wgsl", &source).expect("a formula");
+        let target = Target::new(&spec("ggx-reflection"), &formula).expect("a target");
+        assert_eq!(target.affine, expected, "{body}");
+    }
+}
+
+/// Up to the rounding of f0 to f32, and of each of its powers.
+#[test]
+fn means_over_the_values_of_f0_are_those_of_powers() {
+    let domain = [("f0", [0.25, 0.75]), ("mu", [0.5, 0.5]), ("roughness", [0.5, 0.5])];
+    let domain = domain.map(|(input, range)| (input.to_string(), range)).into();
+    let spec = TargetSpec { domain, ..spec("ggx-reflection") };
+    let curved = Hypothesis::parse("f.wgsl", "fn f(f0: f32) -> f32 { return f0 * f0; }");
+    let target = Target::new(&spec, &curved.expect("a formula")).expect("a target");
+    let even = target.even(&Memo::default()).expect("E and B");
+    let measured = target.measured(&Memo::default()).expect("E and B");
+    let measured = &measured.points.column("f0").expect("f0")[..measured.points.uniform];
+    for (values, degree) in [(even.points.column("f0").expect("f0"), 5), (measured, 3)] {
+        for k in 0..=degree {
+            let power = |x: f64| (0..k).fold(1.0, |p, _| p * x);
+            let mean = values.iter().map(|x| power(*x)).sum::<f64>() / values.len() as f64;
+            let exact = (power(0.75) * 0.75 - power(0.25) * 0.25) / (0.5 * f64::from(k + 1));
+            let rounding = f64::from(k) * f64::from(f32::EPSILON) / 2.0;
+            assert!((mean - exact).abs() < 1e-14 + rounding, "degree {k}: {mean} {exact}");
+        }
+    }
+}
+
+#[test]
 fn a_generic_quantity_is_sampled_over_all_its_inputs() {
     let variant = Variant { side: Some(Side::Outside), ..Smith::Correlated.into() };
     let domain = BTreeMap::from([("ior".to_string(), [1.5, 1.5]), ("roughness".to_string(), [0.3, 0.4])]);

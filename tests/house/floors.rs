@@ -68,22 +68,19 @@ pub(crate) fn heads(text: &str) -> Vec<String> {
 }
 
 /// Modules of the crate that a source names: through `crate::`, or through as many `super::` as
-/// lead to the root. `depth` is the depth of the file's module; a test module inside it (they stand
-/// last) is one deeper.
+/// lead to the root. `depth` is the depth of the file's module.
 fn imports(text: &str, depth: usize) -> BTreeSet<String> {
     let text = code(text);
     let mut found = BTreeSet::new();
     for (at, root) in text.match_indices("crate::") {
         found.extend(heads(&text[at + root.len()..]));
     }
-    let tests = text.find("mod tests {").unwrap_or(text.len());
     let mut at = 0;
     while let Some(next) = text[at..].find("super::") {
         at += next;
         let rest = text[at..].trim_start_matches("super::");
         let supers = (text.len() - at - rest.len()) / "super::".len();
-        let needed = depth + usize::from(at > tests);
-        if supers >= needed {
+        if supers >= depth {
             found.extend(heads(rest));
         }
         at = text.len() - rest.len();
@@ -135,6 +132,7 @@ fn modules_import_only_from_the_floors_below() {
         }
         let depth = parts.len() - usize::from(parts.last() == Some(&"mod.rs"));
         let text = fs::read_to_string(&path).unwrap();
+        assert!(!text.contains("#[cfg(test)]"), "{}: tests stand in tests/", path.display());
         bad.extend(forbidden(&inside.display().to_string(), parts[0], &text, depth, &floors));
         seen += 1;
     }
@@ -159,7 +157,6 @@ fn planted_edges_are_caught() {
     assert!(
         edges("plan", "// use crate::cli::X;\nuse crate::scene::Scene;\nuse super::job::Job;", 2).is_empty()
     );
-    assert!(edges("plan", "mod tests {\n use super::super::job::Job;\n}", 2).is_empty());
     assert!(edges("plan", "use crate::plan::job;\nuse crate::data::{self, Axis};", 2).is_empty());
 }
 

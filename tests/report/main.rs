@@ -6,7 +6,10 @@ mod baked_support;
 mod report_support;
 
 mod browser;
+mod explore;
 mod figures;
 mod input;
+mod numbers;
 mod page;
+mod plot;
 mod selection;

@@ -2,15 +2,18 @@
 
 use crate::report_support;
 
-use lobefit::report::{self, Block, File, Page, ReportError, Section, html};
-use report_support::{findings, timings};
+use std::path::Path;
+
+use lobefit::report::{self, Block, File, Origin, Page, ReportError, Section, html};
+use lobefit::store::Files;
+use report_support::{findings, origin, timings};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Writes files where a person can open them (`target/tmp/report_page`).
 fn show(files: &[File]) -> std::io::Result<()> {
     for file in files {
-        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("report_page").join(&file.path);
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report_page").join(&file.path);
         std::fs::create_dir_all(path.parent().unwrap_or(&path))?;
         std::fs::write(path, &file.bytes)?;
     }
@@ -169,5 +172,47 @@ fn a_fold_within_a_fold_is_open() -> Outcome {
         "</section>",
     ];
     assert!(lines.windows(wanted.len()).any(|lines| lines == wanted), "{lines:#?}");
+    Ok(())
+}
+
+#[test]
+fn what_finds_no_room_is_folded_with_its_heading() {
+    // Two of these are as tall as a page that is not opened.
+    let svg = "<svg width=\"400\" height=\"2600\"/>".to_string();
+    let figure = Block::Figures { svg: vec![svg], caption: String::new() };
+    let blocks = vec![figure.clone(), Block::Heading { text: "h".into() }, figure];
+    let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
+    let sections = vec![section.clone(), section];
+    let html = html(&Page { title: String::new(), origin: origin(), lead: String::new(), sections });
+    let drawn = "<svg width=\"400\" height=\"2600\"/>";
+    let marks = [drawn, "<details>", "<summary>", "<h3>", "</details>", "</section>"];
+    let lines = html.lines().filter(|line| marks.iter().any(|mark| line.contains(mark)));
+    let found: Vec<&str> = lines.map(|line| if line.contains(drawn) { drawn } else { line }).collect();
+    let folded = |summary: &'static str| ["<details>", summary];
+    let first =
+        [[drawn, "<details>"], ["<summary>More: 1 figure</summary>", "<h3>h</h3>"], [drawn, "</details>"]];
+    let second = [folded("<summary>Show: 2 figures</summary>"), [drawn, "<h3>h</h3>"], [drawn, "</details>"]];
+    assert_eq!(found, [&first.concat()[..], &["</section>"], &second.concat(), &["</section>"]].concat());
+}
+
+#[test]
+fn links_to_pages_that_are_not_there_are_left_out() -> Outcome {
+    let of = |command: &str| {
+        let pages = vec![("index".into(), "index.html".into())];
+        let origin = Origin { command: command.into(), pages, ..origin() };
+        html(&Page { title: String::new(), origin, lead: String::new(), sections: Vec::new() })
+    };
+    let (page, other) = (of("lobefit bake"), of("lobefit bake SCENE.json"));
+    let left = |root: &Path| -> Result<String, Box<dyn std::error::Error>> {
+        let mut files = Files::from([("reports/index.html".to_string(), page.clone().into_bytes())]);
+        report::without_absent(&mut files, root);
+        Ok(String::from_utf8(files.remove("reports/index.html").ok_or("no page")?)?)
+    };
+    assert_eq!(left(Path::new(env!("CARGO_MANIFEST_DIR")))?, page);
+    let bar = |page: &str| {
+        page.split_once("<nav ").and_then(|(_, rest)| Some(rest.split_once("</nav>")?.0.to_string()))
+    };
+    assert_eq!(bar(&left(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"))?), bar(&other));
+    assert!(bar(&page).is_some_and(|bar| bar.contains("studies/")) && !other.contains("studies/"));
     Ok(())
 }

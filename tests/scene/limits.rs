@@ -1,6 +1,7 @@
 //! The limits on a scene: at the limit, one beyond, and absurd.
 
-use lobefit::scene::{Scene, limits};
+use lobefit::data::AlphaMap;
+use lobefit::scene::{Scene, limits, smallest_rough};
 
 fn read(text: &str) -> Result<Scene, String> {
     Scene::from_json(text.as_bytes(), "s").map_err(|e| e.to_string())
@@ -150,4 +151,32 @@ fn sixteen_mebibytes_of_digits_are_a_number_or_an_error_but_no_hang() {
     assert_eq!(read(&text).unwrap().materials[0].f0, Some([1.0 / 9.0; 3]));
     let text = text.replace("0.1", "1");
     assert!(read(&text).unwrap_err().contains("materials[0].f0: number out of range"));
+}
+
+#[test]
+fn texel_products_hold_at_the_limit_and_are_refused_beyond_it() {
+    assert_eq!(limits::texels(4096, 4096, 8), Some((limits::CELLS, 128 << 20)));
+    assert_eq!(limits::texels(4096, 4097, 8), None);
+    assert_eq!(limits::texels(4096, 4096, 32), Some((limits::CELLS, limits::TEXEL_BYTES)));
+    assert_eq!(limits::texels(4096, 4096, 33), None);
+    assert_eq!(limits::texels(usize::MAX, usize::MAX, 8), None);
+    assert_eq!(limits::texels(1, 1, u64::MAX), None);
+}
+
+#[test]
+fn texel_sums_hold_at_the_limit_and_are_refused_beyond_it() {
+    assert_eq!(limits::add_texels((limits::CELLS - 1, 0), (1, 0)), Some((limits::CELLS, 0)));
+    assert_eq!(limits::add_texels((limits::CELLS, 0), (1, 0)), None);
+    assert_eq!(limits::add_texels((0, u64::MAX), (0, u64::MAX)), None);
+}
+
+#[test]
+fn the_smooth_end_is_rough_in_f64() {
+    for map in AlphaMap::ALL {
+        let alpha = map.alpha(smallest_rough(map));
+        assert!(
+            (limits::SMOOTH_ALPHA..limits::SMOOTH_ALPHA * (1.0 + 1e-12)).contains(&alpha),
+            "{map:?}: {alpha}"
+        );
+    }
 }

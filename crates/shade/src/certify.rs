@@ -245,8 +245,13 @@ fn halved(
 
 /// Numbers rounded to half precision, or the first that is infinite there.
 fn to_half(numbers: &[f32]) -> Result<Vec<Half>, f32> {
-    let one = |&x: &f32| Some(Half::nearest(x)).filter(|rounded| rounded.to_f32().is_finite()).ok_or(x);
-    numbers.iter().map(one).collect()
+    let finite = |x: &f32| Half::nearest(*x).to_f32().is_finite();
+    // Loops without a way out, which the compiler vectorises; the number is sought where there is one.
+    let all = numbers.iter().fold(true, |all, x| all & finite(x));
+    match numbers.iter().find(|x| !all && !finite(x)) {
+        Some(x) => Err(*x),
+        None => Ok(numbers.iter().map(|x| Half::nearest(*x)).collect()),
+    }
 }
 
 fn half_to_f64(x: Half) -> f64 {

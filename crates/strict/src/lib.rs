@@ -13,4 +13,4 @@ pub mod value;
 
 pub use error::{Position, SceneError};
 pub use object::{place, read_object};
-pub use text::{plain, refused};
+pub use text::{accept, plain, refused};

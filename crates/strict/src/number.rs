@@ -218,21 +218,3 @@ impl<'de, I: Interval, const ONE: bool> Deserialize<'de> for Span<I, ONE> {
         Ok(Span([lo.0, hi.0], PhantomData))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A number too many is refused as that, in the interval or not, and whatever it is.
-    #[test]
-    fn a_number_too_many_is_counted_and_not_judged() {
-        for more in ["0.5", "4", "\"x\"", "[]"] {
-            let text = format!("[0.1, 0.2, {more}]");
-            let found = serde_json::from_str::<Numbers<In<Unit>, 2, false>>(&text).map(|_| ());
-            let message = found.unwrap_err().to_string();
-            assert!(message.starts_with("more than 2 numbers"), "{text}: {message}");
-        }
-        let few = serde_json::from_str::<Numbers<In<Unit>, 2, false>>("[0.1]").map(|_| ());
-        assert!(few.unwrap_err().to_string().starts_with("1 number where 2 are called for"));
-    }
-}

@@ -130,32 +130,3 @@ fn meant(message: &str) -> Option<&str> {
     let alike = alike.filter(|(likeness, name)| *likeness > 0.7 && 2 * name.len() >= given.len());
     alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, name)| name)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at(text: &str, path: &str) -> Option<(usize, usize)> {
-        place(text.as_bytes(), path).map(|Position { line, column }| (line, column))
-    }
-
-    #[test]
-    fn places_are_of_what_is_there() {
-        let text = "{\"a\": {\"b\": [10, 20]},\n \"c\": 7, \"d\": {}}";
-        assert_eq!(at(text, "a.b[0]"), Some((1, 15)));
-        assert_eq!(at(text, "a.b[1]"), Some((1, 19)));
-        assert_eq!(at(text, "c"), Some((2, 7)));
-    }
-
-    /// What is absent has no place, whatever follows it; nor has what no step can name.
-    #[test]
-    fn what_is_absent_has_no_place() {
-        let text = "{\"a\": {\"b\": [10, 20], \"c\": 1}, \"d\": 7}";
-        for path in ["e", "a.d", "a.b[2]", "a.b[9]"] {
-            assert_eq!(at(text, path), None, "{path}");
-        }
-        assert_eq!((at("{ }", "a"), at("{ }", "a.b[3]"), at("[ ]", "[0]")), (None, None, None));
-        assert_eq!(at("{\"a\": 1, \"b\": 2}", "b.c"), None);
-        assert_eq!(at(text, "a.b[x]"), None);
-    }
-}

@@ -6,7 +6,10 @@ use super::limits;
 
 /// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and
 /// strings, which have at most `longest` bytes.
-pub(crate) fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
+///
+/// # Errors
+/// A file beyond a limit, one with a comment, and as [`plain`].
+pub fn accept<'a>(bytes: &'a [u8], file: &str, longest: usize) -> Result<&'a str, SceneError> {
     let text = plain(bytes, file, "; an object begins with `{`")?;
     nesting(bytes, longest).map_err(|(at, message)| refused(bytes, file, at, message))?;
     Ok(text)
@@ -96,54 +99,4 @@ fn position(bytes: &[u8], at: usize) -> Position {
     let before = &bytes[..at.min(bytes.len())];
     let line_start = before.iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
     Position { line: 1 + before.iter().filter(|&&b| b == b'\n').count(), column: 1 + at - line_start }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneError> {
-        super::accept(bytes, file, limits::STRING_BYTES)
-    }
-
-    #[test]
-    fn depth_holds_at_the_limit_only() {
-        let nested = |n: usize| "[".repeat(n) + &"]".repeat(n);
-        assert!(accept(nested(limits::DEPTH).as_bytes(), "s").is_ok());
-        for n in [limits::DEPTH + 1, 100_000] {
-            let error = accept(nested(n).as_bytes(), "s").unwrap_err();
-            assert_eq!(error.to_string(), "s:1:65: nested deeper than 64 levels");
-        }
-        // Brackets in strings do not nest.
-        assert!(accept(format!("\"{}\"", "[".repeat(1000)).as_bytes(), "s").is_ok());
-    }
-
-    #[test]
-    fn strings_hold_at_the_limit_only() {
-        let quoted = |n: usize| format!("[\"{}\"]", "x".repeat(n));
-        assert!(accept(quoted(limits::STRING_BYTES).as_bytes(), "s").is_ok());
-        for n in [limits::STRING_BYTES + 1, 10 << 20] {
-            let error = accept(quoted(n).as_bytes(), "s").unwrap_err();
-            assert_eq!(error.to_string(), "s:1:2: a string longer than 4096 bytes");
-        }
-    }
-
-    #[test]
-    fn files_hold_at_the_limit_only() {
-        let padded = |n: u64| {
-            let mut text = vec![b' '; n as usize];
-            text[0] = b'1';
-            text
-        };
-        assert!(accept(&padded(limits::FILE_BYTES), "s").is_ok());
-        let error = accept(&padded(limits::FILE_BYTES + 1), "s").unwrap_err();
-        assert_eq!(error.to_string(), "s: the file is larger than 16777216 bytes");
-    }
-
-    #[test]
-    fn positions_count_from_one() {
-        assert_eq!(position(b"ab\ncd", 4), Position { line: 2, column: 2 });
-        let error = accept(b"{\n \xff}", "s").unwrap_err();
-        assert!(error.to_string().starts_with("s:2:2: "), "{error}");
-    }
 }

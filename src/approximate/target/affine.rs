@@ -40,27 +40,3 @@ pub(super) fn affine_in(tape: &Tape, input: &str) -> bool {
     }
     degrees.last().is_none_or(|last| *last != Degree::Other)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use lobefit_shade::Hypothesis;
-
-    #[test]
-    fn blends_are_affine_in_f0_and_powers_of_it_are_not() {
-        for (body, expected) in [
-            ("mix(mu, 1.0 - mu, f0)", true),
-            ("f0 * mu + (1.0 - f0) * mu * mu", true),
-            ("-f0 / mu", true),
-            ("mu", true),
-            ("f0 * f0 * mu", false),
-            ("mu / (1.0 + f0)", false),
-            ("max(f0, mu)", false),
-            ("sqrt(f0) + mu", false),
-        ] {
-            let source = format!("fn f(mu: f32, f0: f32) -> f32 {{ return {body}; }}");
-            let formula = Hypothesis::parse("f.wgsl", &source).expect("a formula");
-            assert_eq!(affine_in(formula.tape(), "f0"), expected, "{body}");
-        }
-    }
-}

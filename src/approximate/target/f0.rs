@@ -57,22 +57,3 @@ pub(super) fn values(span: &Span, affine: bool, choice: Choice) -> Vec<f64> {
             .collect(),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn means_over_the_values_are_those_of_powers() {
-        let span = Span::new("f0", [0.25, 0.75]);
-        for (choice, degree) in [(Choice::Even, 5), (Choice::MeasuredMean, 3)] {
-            let values = values(&span, false, choice);
-            for k in 0..=degree {
-                let power = |x: f64| (0..k).fold(1.0, |p, _| p * x);
-                let mean = values.iter().map(|x| power(*x)).sum::<f64>() / values.len() as f64;
-                let exact = (power(0.75) * 0.75 - power(0.25) * 0.25) / (0.5 * f64::from(k + 1));
-                assert!((mean - exact).abs() < 1e-14, "{choice:?} {k}: {mean} {exact}");
-            }
-        }
-    }
-}

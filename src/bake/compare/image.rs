@@ -52,7 +52,7 @@ pub fn judged(
     if difference.max_abs != Some(0.0) {
         // So the order of texels is the table's.
         let again = |channels: &[Channel]| table.measured_again(channels).map_err(|e| e.to_string());
-        judge(table.errors.lookup.max, &found.channels, &mut difference, again);
+        difference.judge(table.errors.lookup.max, &found.channels, again);
     }
     difference
 }
@@ -118,49 +118,4 @@ fn ulps(a: f64, b: f64, format: TexelFormat) -> u64 {
 fn ordered(bits: u64, sign: u32) -> i64 {
     let magnitude = (bits & ((1 << sign) - 1)) as i64;
     if bits >> sign == 1 { -magnitude } else { magnitude }
-}
-
-/// Measures the texels found against the truth. A promise that cannot be measured is not kept.
-fn judge(
-    stated: f64,
-    channels: &[Channel],
-    difference: &mut Difference,
-    measured_again: impl Fn(&[Channel]) -> Result<f64, String>,
-) {
-    if channels.iter().any(|c| c.texels.iter().any(|t| !t.is_finite())) {
-        difference.promise_kept = Some(false);
-        difference.detail += "; promise broken: a texel is not finite";
-        return;
-    }
-    let (kept, says) = match measured_again(channels) {
-        Ok(error) => (error <= stated, format!("lookup error {error:.4e}, stated {stated:e}")),
-        Err(error) => (false, format!("its lookup cannot be measured: {error}")),
-    };
-    let word = if kept { "kept at the points tried" } else { "broken" };
-    difference.promise_kept = Some(kept);
-    difference.detail += &format!("; promise {word}: {says}");
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_promise_is_kept_only_where_it_is_measured() {
-        let judged = |measured: Result<f64, String>| {
-            let mut difference = Difference::plain("tables/t.exr", Kind::Different, "texels differ");
-            judge(0.5, &[], &mut difference, |_| measured.clone());
-            difference
-        };
-        assert_eq!(judged(Ok(0.5)).promise_kept, Some(true));
-        for broken in [Ok(0.6), Ok(f64::NAN), Err("a channel is missing".to_string())] {
-            let difference = judged(broken.clone());
-            assert_eq!(difference.promise_kept, Some(false), "{broken:?}");
-        }
-        let says = judged(Err("a channel is missing".into())).detail;
-        assert!(
-            says.ends_with("; promise broken: its lookup cannot be measured: a channel is missing"),
-            "{says}"
-        );
-    }
 }

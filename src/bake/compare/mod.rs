@@ -11,7 +11,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::{Baked, BakedTable};
-use crate::data::Container;
+use crate::data::{Channel, Container};
 use crate::effects::context::Progress;
 use crate::emit::container::{SIDECAR, packed};
 use crate::scene::escape::visible;
@@ -66,6 +66,28 @@ impl Difference {
             at: None,
             promise_kept: None,
         }
+    }
+
+    /// Adds whether texels keep a stated error, as it is measured again on them. A promise that cannot
+    /// be measured is not kept.
+    pub fn judge(
+        &mut self,
+        stated: f64,
+        channels: &[Channel],
+        measured_again: impl Fn(&[Channel]) -> Result<f64, String>,
+    ) {
+        if channels.iter().any(|c| c.texels.iter().any(|t| !t.is_finite())) {
+            self.promise_kept = Some(false);
+            self.detail += "; promise broken: a texel is not finite";
+            return;
+        }
+        let (kept, says) = match measured_again(channels) {
+            Ok(error) => (error <= stated, format!("lookup error {error:.4e}, stated {stated:e}")),
+            Err(error) => (false, format!("its lookup cannot be measured: {error}")),
+        };
+        let word = if kept { "kept at the points tried" } else { "broken" };
+        self.promise_kept = Some(kept);
+        self.detail += &format!("; promise {word}: {says}");
     }
 }
 

@@ -39,10 +39,11 @@ impl Between {
     }
 }
 
-/// Nodes per axis of roughness and mu, and values of f0: a survey beside the certificate, with a
-/// hundredth of its points.
+/// Nodes per axis of roughness and mu: a survey beside the certificate, with a hundredth of its points.
 const SIDE: usize = 64;
-const F0: usize = 17;
+
+/// Values of f0 from 0 to 1 that errors are looked at for.
+pub const F0: usize = 17;
 
 /// An error differs from its parabola in f0 by no more than this where it is one: eight roundings
 /// of f32, of values up to 1.
@@ -79,7 +80,7 @@ fn of_fit(fit: &Fit, sampled: &Sampled, places: usize) -> Result<AnyF0, FitStage
     let largest = measure(tape, &coefficients, &inputs, &sampled.scale, &sampled.target)?;
     let values = tape.evaluate(&inputs, &coefficients)?;
     let errors: Vec<f64> = values.iter().zip(&sampled.target).map(|(v, t)| f64::from(*v) - t).collect();
-    let parabolas: Option<Vec<Peak>> = (0..places).map(|i| peak(&errors[i..], places)).collect();
+    let parabolas: Option<Vec<Peak>> = (0..places).map(|i| Peak::of(|k| errors[i + k * places])).collect();
     let certificate = &fit.approximation.certificate;
     let mut any = AnyF0 {
         max: round_up(largest.max_abs, 4),
@@ -101,44 +102,32 @@ fn of_fit(fit: &Fit, sampled: &Sampled, places: usize) -> Result<AnyF0, FitStage
 }
 
 /// Where a parabola is farthest from 0.
-struct Peak {
-    f0: f64,
-    error: f64,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The reflectance at normal incidence.
+    pub f0: f64,
+    /// Distance from 0 there.
+    pub error: f64,
 }
 
-/// The peak of the errors of a place, every `stride`-th number for the values of f0 in turn; none
-/// if they are no parabola.
-fn peak(errors: &[f64], stride: usize) -> Option<Peak> {
-    let at = |k: usize| errors[k * stride];
-    let (first, middle, last) = (at(0), at(F0 / 2), at(F0 - 1));
-    // first + b x + c x^2 through three of them
-    let c = 2.0 * (first + last) - 4.0 * middle;
-    let b = last - first - c;
-    let value = |x: f64| first + x * (b + c * x);
-    let is_one = (0..F0).all(|k| (value(k as f64 / (F0 - 1) as f64) - at(k)).abs() <= ROUNDING);
-    let vertex = -b / (2.0 * c);
-    let candidates = [0.0, 1.0, if (0.0..=1.0).contains(&vertex) { vertex } else { 0.0 }];
-    let peaks = candidates.map(|x| Peak { f0: x, error: value(x).abs() });
-    let highest = peaks.into_iter().reduce(|a, b| if b.error > a.error { b } else { a });
-    highest.filter(|_| is_one)
+impl Peak {
+    /// The peak of the errors at [`F0`] even values of f0 from 0 to 1; none if they are no parabola.
+    pub fn of(at: impl Fn(usize) -> f64) -> Option<Peak> {
+        let (first, middle, last) = (at(0), at(F0 / 2), at(F0 - 1));
+        // first + b x + c x^2 through three of them
+        let c = 2.0 * (first + last) - 4.0 * middle;
+        let b = last - first - c;
+        let value = |x: f64| first + x * (b + c * x);
+        let is_one = (0..F0).all(|k| (value(k as f64 / (F0 - 1) as f64) - at(k)).abs() <= ROUNDING);
+        let vertex = -b / (2.0 * c);
+        let candidates = [0.0, 1.0, if (0.0..=1.0).contains(&vertex) { vertex } else { 0.0 }];
+        let peaks = candidates.map(|x| Peak { f0: x, error: value(x).abs() });
+        let highest = peaks.into_iter().reduce(|a, b| if b.error > a.error { b } else { a });
+        highest.filter(|_| is_one)
+    }
 }
 
 /// The values of the target's axes, in their order.
 fn place(target: &Target, roughness: f64, mu: f64) -> Vec<f64> {
     target.axes.iter().map(|axis| if axis.name == "mu" { mu } else { roughness }).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn peaks_of_parabolas_lie_between_their_values_too() {
-        let of = |f: &dyn Fn(f64) -> f64| -> Vec<f64> { (0..F0).map(|k| f(k as f64 / 16.0)).collect() };
-        let found = peak(&of(&|x| 0.25 - (x - 0.53) * (x - 0.53)), 1).expect("a parabola");
-        assert!((found.error - 0.25).abs() < 1e-12 && (found.f0 - 0.53).abs() < 1e-9);
-        let found = peak(&of(&|x| 0.1 * x - 0.3), 1).expect("a line");
-        assert!(found.f0 == 0.0 && (found.error - 0.3).abs() < 1e-12);
-        assert!(peak(&of(&|x| x * x * x), 1).is_none());
-    }
 }

@@ -53,20 +53,3 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 pub fn sources() -> impl Iterator<Item = &'static str> {
     entries().map(|entry| entry.source).chain(LIGHTS.map(|(_, light)| light))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use lobefit_shade::Hypothesis;
-
-    #[test]
-    fn functions_are_named_like_their_files_and_ours_like_their_cost() {
-        for entry in entries() {
-            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), entry.name());
-        }
-        for entry in Specular::ALL.into_iter().flat_map(hypotheses) {
-            let ops = Hypothesis::parse(entry.file, entry.source).expect("parses").tape().cost_ops();
-            assert!(entry.name().ends_with(&format!("_{ops}")), "{}: {ops}", entry.name());
-        }
-    }
-}

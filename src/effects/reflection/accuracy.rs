@@ -172,26 +172,3 @@ fn weights(smith: Smith, alpha: f64, mu: f64, [azimuth, height]: &[Pair; 2]) -> 
     }
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quadrature_wins_and_the_running_sum_is_biased() {
-        let studies = studies(Smith::Correlated).expect("in the domain");
-        for study in &studies {
-            let last = |i: usize| *study.series[i].points.last().expect("points");
-            let quadrature = last(4);
-            assert!(quadrature.0 < 400.0 && quadrature.1 < 1e-12, "{}: {quadrature:?}", study.name);
-            for i in 0..3 {
-                assert!(last(i).1 > 1e6 * quadrature.1, "{}: {:?}", study.name, last(i));
-            }
-            assert!(study.sources.noise < 2e-4 && study.sources.bias < 3e-3, "{:?}", study.sources);
-        }
-        assert!(
-            studies[1].sources.bias > 3.0 * studies[1].sources.noise,
-            "smooth texels are biased: {studies:?}"
-        );
-    }
-}

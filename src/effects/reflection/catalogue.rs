@@ -56,16 +56,3 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
     let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
     ours.chain(&PUBLISHED).chain(&PUBLISHED_BLENDS).chain(&PUBLISHED_AVERAGES)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use lobefit_shade::Hypothesis;
-
-    #[test]
-    fn functions_are_named_like_their_files() {
-        for entry in entries() {
-            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), entry.name());
-        }
-    }
-}

@@ -16,16 +16,3 @@ pub const HYPOTHESES: [Entry; 8] = own![
 
 /// E(roughness, mu) as engines ship it: measured and reported, not emitted.
 pub const PUBLISHED: [Entry; 1] = published!["charlie_e_threejs" by "three.js, IBLSheenBRDF, 2025"];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use lobefit_shade::Hypothesis;
-
-    #[test]
-    fn functions_are_named_like_their_files() {
-        for entry in HYPOTHESES.iter().chain(&PUBLISHED) {
-            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), entry.name());
-        }
-    }
-}

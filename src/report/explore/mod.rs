@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::{Furnace, Origin, ReportError, check};
 use crate::data::{Certificate, Cost, Smith, TexelFormat};
 use lobefit_truth::quantity::{F0Form, Parts, Specular};
-pub use truth::{ROWS, SIDE, TruthTexels, between, view};
+pub use truth::{ROWS, SIDE, TruthTexels, across, between, view};
 
 /// The file of the live page.
 pub const EXPLORE: &str = "reports/explore.html";

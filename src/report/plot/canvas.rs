@@ -321,27 +321,3 @@ fn style(size: f64, align: Align, colour: RGBColor) -> TextStyle<'static> {
         ..TextStyle::from((font::FAMILY, size * SCALE * FONT_RATIO))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_style_sheet_knows_the_inks() {
-        let css = include_str!("../assets/page.css");
-        for RGBColor(r, g, b) in [INK, GRID] {
-            let attribute = format!("=\"#{r:02X}{g:02X}{b:02X}\"]");
-            assert!(css.contains(&attribute), "{attribute} is themed");
-        }
-    }
-
-    #[test]
-    fn a_sheet_escapes_its_name_and_its_texts() -> Result<(), ReportError> {
-        let name = "<a href=\"x\" b='&'>";
-        let svg = sheet(name, (100.0, 40.0), "", |c| c.text(name, (5.0, 5.0), SMALL, Align::Left, INK))?;
-        assert!(svg.contains("aria-label=\"&lt;a href=&quot;x&quot; b=&#39;&amp;&#39;&gt;\""), "{svg}");
-        assert!(!svg.contains("<a "), "{svg}");
-        assert!(svg.ends_with("</svg>") && svg.matches("</svg>").count() == 1, "{svg}");
-        Ok(())
-    }
-}

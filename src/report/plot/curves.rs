@@ -377,24 +377,3 @@ fn beads(segment: Segment) -> impl Iterator<Item = Frame> {
         Frame { left: x - 2.0, top: y - 2.0, right: x + 2.0, bottom: y + 2.0 }
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn texts_at_ends_that_meet_stay_apart_and_beside_the_frame() {
-        let frame = Frame { left: 0.0, top: 50.0, right: 400.0, bottom: 300.0 };
-        for wanted in [
-            vec![50.0; 5],
-            vec![300.0; 5],
-            vec![200.0, 199.0, 60.0, 52.0, 51.0],
-            vec![300.0, 290.0, 150.0, 149.0, 55.0],
-        ] {
-            let heights = apart(&wanted, frame);
-            assert!(heights.windows(2).all(|w| w[0] - w[1] >= 12.0 - 1e-9), "{wanted:?}: {heights:?}");
-            assert!(heights.iter().all(|y| (50.0..=300.0).contains(y)), "{wanted:?}: {heights:?}");
-        }
-        assert_eq!(apart(&[200.0, 100.0], frame), [200.0, 100.0]);
-    }
-}

@@ -66,20 +66,3 @@ pub(crate) fn wrap(text: &str, size: f64, limit: f64, lines: usize) -> Result<Ve
     out.push(current);
     out.iter().map(|line| shorten(line.trim_end(), size, limit)).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_long_name_is_wrapped_and_keeps_its_end() -> Result<(), ReportError> {
-        let name = "ggx-dfg-correlated-64x64-split-sum";
-        let lines = wrap(name, 11.0, 170.0, 3)?;
-        assert!(lines.len() == 2 && lines.concat() == name, "{lines:?}");
-        assert_eq!(wrap("short", 11.0, 170.0, 3)?, ["short"]);
-        let endless = wrap(&"word-".repeat(100), 11.0, 170.0, 3)?;
-        assert!(endless.len() == 3 && endless[2].ends_with('…'), "{endless:?}");
-        assert_eq!(wrap(&"x".repeat(100), 11.0, 170.0, 3)?.len(), 1, "nowhere to break");
-        Ok(())
-    }
-}

@@ -25,7 +25,7 @@ pub use curves::{Annotation, Curves, Panel, Series, Style};
 pub use gallery::{Cells, Gallery, Tile};
 pub use heat_map::{HeatMap, Worst, signed};
 pub use raster::Pixels;
-pub use scale::{Scale, Spread};
+pub use scale::{Scale, Spread, Tick};
 pub(crate) use scatter::frontier;
 pub use scatter::{Dot, Frontiers, Scatter};
 pub use spheres::{SphereRow, Spheres, disc};

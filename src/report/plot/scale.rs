@@ -36,9 +36,11 @@ pub struct Scale {
 
 /// A tick: its value, its label (minor ticks have none).
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Tick {
-    pub(crate) value: f64,
-    pub(crate) label: Option<String>,
+pub struct Tick {
+    /// Where it stands.
+    pub value: f64,
+    /// What is written beside it.
+    pub label: Option<String>,
 }
 
 impl Scale {
@@ -69,7 +71,7 @@ impl Scale {
 
     /// The scale with room beyond an end on which a value sits, so that a mark there is not cut by
     /// the frame.
-    pub(crate) fn roomy(self, values: impl Iterator<Item = f64> + Clone) -> Scale {
+    pub fn roomy(self, values: impl Iterator<Item = f64> + Clone) -> Scale {
         const ROOM: f64 = 0.05;
         let near = |end: f64| values.clone().any(|v| (self.position(v) - end).abs() < ROOM / 2.0);
         let (below, above) = (if near(0.0) { ROOM } else { 0.0 }, if near(1.0) { ROOM } else { 0.0 });
@@ -92,7 +94,7 @@ impl Scale {
     }
 
     /// Position in [0, 1] of a value, clamped to the scale.
-    pub(crate) fn position(self, x: f64) -> f64 {
+    pub fn position(self, x: f64) -> f64 {
         let t = match self.spread {
             Spread::Linear => (x - self.min) / (self.max - self.min),
             Spread::Log => {
@@ -105,7 +107,7 @@ impl Scale {
     }
 
     /// Ticks inside the scale; about `count` of them have labels.
-    pub(crate) fn ticks(self, count: usize) -> Vec<Tick> {
+    pub fn ticks(self, count: usize) -> Vec<Tick> {
         match self.spread {
             Spread::Linear => linear_ticks(self.min, self.max, count),
             Spread::Log => log_ticks(self.min, self.max, count),
@@ -241,81 +243,4 @@ fn decade_above(x: f64) -> f64 {
         .filter_map(|t| t.parse().ok())
         .find(|&v: &f64| v >= x)
         .unwrap_or_else(|| format!("1e{}", e + 1).parse().unwrap_or(x))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ticks_are_round_numbers() {
-        let labels =
-            |s: Scale, n| -> Vec<String> { s.ticks(n).into_iter().filter_map(|t| t.label).collect() };
-        let linear = Scale { spread: Spread::Linear, min: 0.02, max: 1.0 };
-        assert_eq!(labels(linear, 5), ["0.2", "0.4", "0.6", "0.8", "1"]);
-        let log = Scale { spread: Spread::Log, min: 1e-3, max: 0.2 };
-        assert_eq!(labels(log, 5), ["0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2"]);
-    }
-
-    #[test]
-    fn an_axis_has_two_ticks_at_least() {
-        for (spread, min, max, wanted) in [
-            (Spread::Linear, 0.02, 0.33, &["0.1", "0.2", "0.3"][..]),
-            (Spread::Linear, 0.1, 0.26, &["0.1", "0.2"]),
-            (Spread::Log, 0.15, 0.45, &["0.2", "0.3", "0.4"]),
-            (Spread::Log, 0.21, 0.29, &["0.22", "0.24", "0.26", "0.28"]),
-        ] {
-            let ticks = Scale { spread, min, max }.ticks(2).into_iter();
-            let labels: Vec<String> = ticks.filter_map(|tick| tick.label).collect();
-            assert_eq!(labels, wanted, "{spread:?} {min} {max}");
-        }
-    }
-
-    #[test]
-    fn a_root_axis_has_ticks_at_any_size() {
-        for max in [0.7, 3.0, 56.0, 1584.0] {
-            let scale = Scale::around(Spread::Root, [max].into_iter());
-            let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
-            assert!((5..=11).contains(&labels.len()), "{max}: {labels:?}");
-        }
-        let scale = Scale { spread: Spread::Root, min: 0.0, max: 56.0 };
-        let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
-        assert_eq!(labels, ["0", "1", "5", "10", "20", "30", "40", "50"]);
-        let fine: Vec<String> = scale.ticks(15).into_iter().filter_map(|t| t.label).collect();
-        assert_eq!(fine[..3], ["0", "1", "2"], "whole operations alone");
-    }
-
-    #[test]
-    fn an_axis_by_root_begins_near_its_first_value() {
-        let late = [3.0, 4.0, 5.0, 12.0];
-        let scale = Scale::around(Spread::Root, late.into_iter()).roomy(late.into_iter());
-        assert!((0.03..0.1).contains(&scale.position(3.0)), "{scale:?}");
-        let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
-        assert_eq!((labels[0].as_str(), labels.last().map(String::as_str)), ("3", Some("10")));
-        let early = [1.0, 60.0];
-        assert_eq!(Scale::around(Spread::Root, early.into_iter()).min, 0.0);
-        let one_tick = [41.0, 43.0, 48.0];
-        let scale = Scale::around(Spread::Root, one_tick.into_iter());
-        assert!(scale.ticks(10).len() > 1, "{:?}", scale.ticks(10));
-    }
-
-    #[test]
-    fn a_value_on_the_frame_gets_room() {
-        for spread in [Spread::Linear, Spread::Log, Spread::Root] {
-            let values = [0.01, 0.4, 1.0];
-            let scale = Scale { spread, min: 0.01, max: 2.0 };
-            let roomy = scale.roomy(values.iter().copied());
-            assert!(roomy.position(0.01) > 0.03, "{roomy:?}");
-            assert_eq!(roomy.max, 2.0, "nothing sits at the upper end");
-        }
-    }
-
-    #[test]
-    fn a_scale_holds_its_values() {
-        let values = [3.2, 3.2];
-        for spread in [Spread::Linear, Spread::Log, Spread::Root] {
-            let scale = Scale::around(spread, values.iter().copied());
-            assert!(scale.min <= 3.2 && scale.max >= 3.2 && scale.min < scale.max, "{scale:?}");
-        }
-    }
 }

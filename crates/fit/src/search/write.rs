@@ -3,7 +3,7 @@
 use super::form::{Form, Term};
 use super::graph::{Graph, Node};
 use super::helper::Instance;
-use super::space::Space;
+use super::space::{SLOTS, Space};
 use super::writer::Writer;
 use lobefit_shade::tape::{BinaryOp, UnaryOp};
 
@@ -35,11 +35,15 @@ pub(super) struct Written {
 /// The cheapest layout among: each order of slots for each of the sums by itself, then each unit.
 /// `may_be_unit` excludes terms whose coefficient is not a number to divide by.
 pub(super) fn layout(space: &Space, form: &Form, may_be_unit: impl Fn(usize) -> bool) -> Option<Layout> {
-    let slots = space.axes.len() + form.helpers.len();
-    let orders = orders(slots);
     let alone = |terms: &[Term]| -> Vec<usize> {
-        let cost = |order: &Vec<usize>| Writer::cost(space, form, terms, order);
-        orders.iter().min_by_key(|order| cost(order)).cloned().unwrap_or_default()
+        let mut orders = orders(&varying(terms));
+        match orders.len() {
+            1 => orders.remove(0),
+            _ => {
+                let cost = |order: &Vec<usize>| Writer::cost(space, form, terms, order);
+                orders.into_iter().min_by_key(cost).unwrap_or_default()
+            }
+        }
     };
     let (over, under) = (alone(&form.over), alone(&form.under));
     let base = Layout { over, under, unit: None, ops: 0 };
@@ -121,13 +125,20 @@ fn signed(graph: &mut Graph, base: Option<Node>, value: Node, negative: bool) ->
     }
 }
 
-/// All orders of the first `n` slots.
-fn orders(n: usize) -> Vec<Vec<usize>> {
+/// The slots that terms have different powers of: a power that all have is a factor of the sum, whatever
+/// the order.
+fn varying(terms: &[Term]) -> Vec<usize> {
+    let varies = |slot: &usize| terms.iter().any(|term| term[*slot] != terms[0][*slot]);
+    (0..SLOTS).filter(varies).collect()
+}
+
+/// All orders of slots, which ascend.
+fn orders(slots: &[usize]) -> Vec<Vec<usize>> {
     let mut orders = vec![Vec::new()];
-    for _ in 0..n {
+    for _ in slots {
         let longer = |order: &Vec<usize>| {
-            let rest = (0..n).filter(|k| !order.contains(k)).collect::<Vec<_>>();
-            rest.into_iter().map(|k| order.iter().copied().chain([k]).collect()).collect::<Vec<Vec<usize>>>()
+            let rest = slots.iter().filter(|k| !order.contains(k)).collect::<Vec<_>>();
+            rest.into_iter().map(|k| order.iter().copied().chain([*k]).collect()).collect::<Vec<Vec<usize>>>()
         };
         orders = orders.iter().flat_map(longer).collect();
     }

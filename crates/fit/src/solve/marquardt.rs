@@ -84,6 +84,8 @@ pub struct Least {
     pub at: Vec<f64>,
     /// Its value.
     pub value: f64,
+    /// The value at the start.
+    pub start: f64,
     /// Why the search ended.
     pub halt: Halt,
     /// Evaluations of points and models.
@@ -114,7 +116,7 @@ pub fn least<S: Squares>(squares: &S, start: &[f64], limits: Limits) -> Result<L
     };
     let evaluations = outcome.solver.evaluations;
     let at = outcome.state.get_best_param().cloned().unwrap_or_else(|| start.to_vec());
-    Ok(Least { at, value: outcome.state.get_best_cost().min(value), halt, evaluations })
+    Ok(Least { at, value: outcome.state.get_best_cost().min(value), start: value, halt, evaluations })
 }
 
 type Walk = IterState<Vec<f64>, (), (), (), (), f64>;

@@ -4,7 +4,7 @@
 const LINE: usize = 112;
 
 /// What an argument is; none of what no lookup takes.
-pub(super) fn meaning(argument: &str) -> Option<&'static str> {
+pub fn meaning(argument: &str) -> Option<&'static str> {
     Some(match argument {
         "place" => "the shaded point",
         "ray" => "the reflected ray, of unit length",

@@ -1,6 +1,7 @@
 //! The constants of a rule, fitted over walls at every slant.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -21,8 +22,8 @@ pub struct Situation {
     pub case: Case,
     /// What one fetch of the lobe is off by.
     pub one: f64,
-    /// Its H^-1 norm.
-    distance: f64,
+    /// Its H^-1 norm, which fits alone look at.
+    distance: OnceLock<Option<f64>>,
 }
 
 /// Slants of the walls that the probe stands in front of, in degrees.
@@ -85,18 +86,25 @@ impl Situation {
     ) -> Result<Situation, IntegrateError> {
         let case = Case::new(kernel.clone(), alpha, slant, resolution)?;
         let one = TapRule::one().taps(&case.stretch, alpha);
-        let off = case.fetched(&one).map(|footprint| case.off(&footprint));
-        let off = off.ok_or_else(|| IntegrateError::NotFinite {
+        let one = case.fetched(&one).map(|footprint| case.variation(&footprint));
+        let one = one.ok_or_else(|| IntegrateError::NotFinite {
             quantity: "one fetch",
             place: format!("alpha = {alpha}, {slant:?}"),
         })?;
-        Ok(Situation { case, one: off.tv, distance: off.distance })
+        Ok(Situation { case, one, distance: OnceLock::new() })
+    }
+
+    fn distance(&self) -> Option<f64> {
+        *self.distance.get_or_init(|| {
+            let one = TapRule::one().taps(&self.case.stretch, self.case.alpha);
+            self.case.fetched(&one).map(|fetched| self.case.off(&fetched).distance)
+        })
     }
 
     /// Total variation of a rule's fetches; that of one where no ray of theirs meets the wall.
     pub fn variation(&self, rule: &TapRule) -> f64 {
         let taps = rule.taps(&self.case.stretch, self.case.alpha);
-        self.case.fetched(&taps).map_or(self.one, |footprint| self.case.off(&footprint).tv)
+        self.case.fetched(&taps).map_or(self.one, |footprint| self.case.variation(&footprint))
     }
 
     /// The normal equations of the weighted square of the distance over a rule's constants.
@@ -108,7 +116,7 @@ impl Situation {
         let here = at(rule);
         // rays that miss the wall are dropped
         let kept: Vec<usize> =
-            (0..here.len()).filter(|i| self.case.tapped(&self.case.tap(here[*i])).is_some()).collect();
+            (0..here.len()).filter(|i| self.case.meets(&self.case.tap(here[*i]))).collect();
         let normal = self.case.squares(&kept.iter().map(|i| here[*i]).collect::<Vec<_>>())?;
         let mut by = DMatrix::zeros(3 * kept.len(), rule.constants().len());
         for j in 0..rule.constants().len() {
@@ -121,8 +129,9 @@ impl Situation {
                 }
             }
         }
+        let distance = self.distance()?;
         // the 3/4 power of the square
-        Some((1.0 / (self.distance * self.distance.sqrt()).max(LEAST), normal, by))
+        Some((1.0 / (distance * distance.sqrt()).max(LEAST), normal, by))
     }
 }
 
@@ -168,12 +177,10 @@ pub fn fit(rule: &TapRule, situations: &[Situation], iterations: u64) -> Result<
         }
         sum.finite()
     };
-    let not_finite = || IntegrateError::NotFinite {
-        quantity: "fetches",
-        place: format!("constants {:?}", rule.constants()),
-    };
-    let start = squares(rule.constants()).ok_or_else(not_finite)?.value;
     let found = least(squares, rule.constants(), iterations)?;
-    let fitted = rule.with(&found.at).ok_or_else(not_finite)?;
-    Ok(RuleFit { rule: fitted, sums: [start, found.value], settled: found.settled })
+    let fitted = rule.with(&found.at).ok_or_else(|| IntegrateError::NotFinite {
+        quantity: "fetches",
+        place: format!("constants {:?}", found.at),
+    })?;
+    Ok(RuleFit { rule: fitted, sums: [found.start, found.value], settled: found.settled })
 }

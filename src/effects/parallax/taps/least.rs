@@ -11,6 +11,8 @@ pub struct Least {
     pub at: Vec<f64>,
     /// The sum of squares.
     pub value: f64,
+    /// That of the start.
+    pub start: f64,
     /// Whether nothing near is lower, not the iterations ran out.
     pub settled: bool,
 }
@@ -35,7 +37,8 @@ where
         start: start.to_vec(),
         reason: error.to_string(),
     })?;
-    Ok(Least { at: found.at, value: found.value, settled: found.halt != Halt::Cap })
+    let settled = found.halt != Halt::Cap;
+    Ok(Least { at: found.at, value: found.value, start: found.start, settled })
 }
 
 struct Walls<F>(F);

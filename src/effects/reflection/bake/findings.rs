@@ -201,22 +201,3 @@ fn study(study: &Study) -> report::Study {
         }),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_caption_speaks_of_the_part_that_is_seen() {
-        let map = |roughness: [f64; 2], mu: [f64; 2]| {
-            let ruler = |name: &str, [a, b]: [f64; 2]| Ruler::even(name, a, b, 8);
-            landscape(&Field::sample("E", false, ruler("roughness", roughness), ruler("mu", mu), |_, _| 0.9))
-        };
-        assert!(map([0.02, 1.0], [0.01, 1.0]).starts_with("For the GGX lobe: E is 1 for a smooth surface"));
-        let part = map([0.5, 0.55], [0.01, 1.0]);
-        assert!(
-            part.starts_with("The part of the domain that the scene spans: roughness 0.5 to 0.55"),
-            "{part}"
-        );
-    }
-}

@@ -1,5 +1,7 @@
 //! A lobe on a slanted wall, and fetches in its place.
 
+use std::sync::OnceLock;
+
 use super::QUANTITY;
 use super::geometry::{OUTWARD, Slant};
 use super::normal::Normal;
@@ -45,7 +47,8 @@ pub struct Case {
     pub stretch: Stretch,
     wall: Wall,
     target: Footprint,
-    whitened: Vec<f64>,
+    /// The target whitened, which searches alone look at.
+    whitened: OnceLock<Vec<f64>>,
 }
 
 /// The normal equations of the squared distance over the logarithms of the widths and weights and
@@ -78,8 +81,7 @@ impl Case {
             return Err(not_finite());
         }
         target.values.iter_mut().for_each(|value| *value /= whole);
-        let whitened = wall.whitened(&target);
-        Ok(Case { slant, kernel, alpha, stretch, wall, target, whitened })
+        Ok(Case { slant, kernel, alpha, stretch, wall, target, whitened: OnceLock::new() })
     }
 
     /// The footprint of one fetch about the probe's ray to the place looked at, of a width in (0,
@@ -87,6 +89,15 @@ impl Case {
     pub fn straight(&self, alpha: f64) -> Footprint {
         let probe = self.slant.probe_place();
         self.wall.footprint(&self.kernel.lobe(alpha), probe, normalise(scaled(probe, -1.0)))
+    }
+
+    fn whitened(&self) -> &[f64] {
+        self.whitened.get_or_init(|| self.wall.whitened(&self.target))
+    }
+
+    /// Whether the ray of a fetch meets the wall.
+    pub fn meets(&self, tap: &RuleTap) -> bool {
+        self.fetch(tap).is_some()
     }
 
     /// The footprint of one fetch of a rule, its weight apart; `None` where its ray misses the
@@ -115,16 +126,17 @@ impl Case {
         (whole > 0.0 && whole.is_finite()).then_some(footprint)
     }
 
+    /// Total variation between a normalised footprint and the lobe's: [`Off::tv`] alone, at half the
+    /// work.
+    pub fn variation(&self, footprint: &Footprint) -> f64 {
+        0.5 * self.wall.variation(&self.target, footprint)
+    }
+
     /// How far a normalised footprint is from the lobe's.
     pub fn off(&self, footprint: &Footprint) -> Off {
         let [rms, max, whole, peak] = self.wall.per_area(&self.target, footprint);
         let square: f64 = self.residuals(footprint).iter().map(|r| r * r).sum();
-        Off {
-            tv: 0.5 * self.wall.variation(&self.target, footprint),
-            l2: rms / whole,
-            max: max / peak,
-            distance: square.sqrt(),
-        }
+        Off { tv: self.variation(footprint), l2: rms / whole, max: max / peak, distance: square.sqrt() }
     }
 
     /// The normal equations at tilts over alpha, logarithms of widths and logarithms of weights;
@@ -137,14 +149,14 @@ impl Case {
         let energy: f64 = ones.iter().zip(&rule).map(|(one, tap)| tap.weight * one.energy).sum();
         let scale = 1.0 / energy;
         let sum = |of: &dyn Fn(&One) -> &[f64]| {
-            let mut sum = vec![0.0; self.whitened.len()];
+            let mut sum = vec![0.0; self.whitened().len()];
             for (one, tap) in ones.iter().zip(&rule) {
                 sum.iter_mut().zip(of(one)).for_each(|(s, v)| *s += tap.weight * scale * v);
             }
             sum
         };
         let fetched = sum(&|one| &one.white);
-        let residuals: Vec<f64> = fetched.iter().zip(&self.whitened).map(|(f, t)| f - t).collect();
+        let residuals: Vec<f64> = fetched.iter().zip(self.whitened()).map(|(f, t)| f - t).collect();
         let column = |white: &[f64], energy: f64, weight: f64| -> Vec<f64> {
             let off = white.iter().zip(&fetched).map(|(w, f)| weight * scale * (w - energy * f));
             off.collect()
@@ -171,7 +183,7 @@ impl Case {
 
     fn residuals(&self, footprint: &Footprint) -> Vec<f64> {
         let white = self.wall.whitened(footprint);
-        white.iter().zip(&self.whitened).map(|(f, t)| f - t).collect()
+        white.iter().zip(self.whitened()).map(|(f, t)| f - t).collect()
     }
 
     /// Axis and width of a fetch from the probe.

@@ -1,6 +1,7 @@
 //! The wall in coordinates that resolve every lobe.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use super::geometry::Slant;
 use crate::optics::kernel::Lobe;
@@ -44,6 +45,12 @@ pub struct Wall {
     radii: Vec<f64>,
     /// Cosine and sine of each column.
     angles: Vec<[f64; 2]>,
+    modes: OnceLock<Modes>,
+}
+
+/// The modes of a turn.
+#[derive(Clone, Debug)]
+struct Modes {
     /// exp(-m step) of each mode, the last below half the angles.
     decays: Vec<f64>,
     /// `waves[m][j]`: share of column j in mode m; the sine modes follow where nothing is mirrored.
@@ -71,13 +78,8 @@ fn per_area(lobe: &Lobe, from: Vec3, axis: Vec3, [x, y]: [f64; 2]) -> f64 {
     lobe.per_solid_angle(u) * from[2] / (square * distance)
 }
 
-impl Wall {
-    /// For lobes as narrow as `alpha` > 0 from the places of a slant.
-    pub fn new(slant: &Slant, alpha: f64, resolution: Resolution) -> Wall {
-        let (near, far) = (slant.shading.distance, slant.probe.distance);
-        let (from, to) = (ops::log(INNERMOST * alpha * near), ops::log(OUTERMOST * near.max(far)));
-        let rows = ((to - from) / resolution.step).ceil() as usize + 1;
-        let mirrored = slant.mirrored();
+impl Modes {
+    fn new(resolution: Resolution, mirrored: bool) -> Modes {
         let count = resolution.angles;
         let columns = if mirrored { count / 2 } else { count };
         let turn = 2.0 * PI / count as f64;
@@ -96,15 +98,33 @@ impl Wall {
             waves.extend((1..modes).map(|m| wave(m, true)));
             decays.extend_from_within(1..);
         }
+        Modes { decays, waves }
+    }
+}
+
+impl Wall {
+    /// For lobes as narrow as `alpha` > 0 from the places of a slant.
+    pub fn new(slant: &Slant, alpha: f64, resolution: Resolution) -> Wall {
+        let (near, far) = (slant.shading.distance, slant.probe.distance);
+        let (from, to) = (ops::log(INNERMOST * alpha * near), ops::log(OUTERMOST * near.max(far)));
+        let rows = ((to - from) / resolution.step).ceil() as usize + 1;
+        let mirrored = slant.mirrored();
+        let count = resolution.angles;
+        let columns = if mirrored { count / 2 } else { count };
+        let turn = 2.0 * PI / count as f64;
+        let column = |j: usize| turn * (j as f64 + 0.5);
         Wall {
             resolution,
             columns,
             mirrored,
             radii: (0..rows).map(|i| ops::exp(from + resolution.step * i as f64)).collect(),
             angles: (0..columns).map(|j| ops::sincos(column(j))).map(|(s, c)| [c, s]).collect(),
-            decays,
-            waves,
+            modes: OnceLock::new(),
         }
+    }
+
+    fn modes(&self) -> &Modes {
+        self.modes.get_or_init(|| Modes::new(self.resolution, self.mirrored))
     }
 
     /// What a lobe about an axis from a place before the wall leaves on it.
@@ -150,13 +170,14 @@ impl Wall {
     /// Numbers whose squares sum to 2 pi times the square of the H^-1 norm of a footprint, int
     /// (encircled energy)^2 d ln R of a round one; linear in it.
     pub fn whitened(&self, footprint: &Footprint) -> Vec<f64> {
-        let (step, modes) = (self.resolution.step, self.waves.len());
+        let (step, Modes { decays, waves }) = (self.resolution.step, self.modes());
+        let modes = waves.len();
         let mut out = Vec::with_capacity(self.radii.len() * modes);
         let (mut last, mut average) = (vec![0.0; modes], vec![0.0; modes]);
         for row in footprint.values.chunks(self.columns) {
-            for (m, wave) in self.waves.iter().enumerate() {
+            for (m, wave) in waves.iter().enumerate() {
                 let now: f64 = row.iter().zip(wave).map(|(f, w)| f * w).sum();
-                average[m] = self.decays[m] * (average[m] + 0.5 * step * last[m]) + 0.5 * step * now;
+                average[m] = decays[m] * (average[m] + 0.5 * step * last[m]) + 0.5 * step * now;
                 last[m] = now;
                 out.push(average[m] * step.sqrt());
             }

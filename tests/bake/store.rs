@@ -6,7 +6,10 @@ use std::io;
 use std::path::Path;
 use std::rc::Rc;
 
-use super::*;
+use lobefit::store::{
+    Disk, Files, Folder, Kind, Layout, LocalDisk, LocalTemp, MANIFEST, SUBFOLDERS, StoreError, Temp, Written,
+    list, read, read_set, read_stream, write,
+};
 
 /// What happens at the k-th operation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +61,8 @@ struct FaultyTemp {
 impl Drop for FaultyTemp {
     fn drop(&mut self) {
         if let Some(inner) = self.inner.take().filter(|_| self.count.killed()) {
-            inner.path.keep().expect("a killed process leaves its temporary files");
+            // A killed process leaves its temporary files.
+            std::mem::forget(inner);
         }
     }
 }
