@@ -84,7 +84,8 @@ impl FitSpec {
     fn averages(&self) -> Wanted<'_> {
         let mut wanted = Wanted {
             own: &AVERAGES,
-            emission: self.emission_as("ggx_average_albedo"),
+            // What it is for divides by 1 - E_avg.
+            emission: Emission { most_accurate: true, ..self.emission_as("ggx_average_albedo") },
             ..self.of(&GgxAverage, "E_avg", Use::VALUE)
         };
         wanted.spec.domain.remove("mu");
