@@ -8,6 +8,7 @@ is on PATH. Results stay in FOLDER/audits; a result that is newer than its file 
 A file that is not there, and an audit that fails, is a row that says so, and exit code 1.
 """
 import base64
+import hashlib
 import json
 import os
 import re
@@ -18,7 +19,10 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+# Texels that recompute.py integrates again.
+POINTS = "200"
 FITS = {"whole": "is", "part": "is, but for a part,", "none": "follows no convention; the nearest is"}
+BRIEFLY = {"whole": "", "part": " (but for a part)", "none": " (follows no convention)"}
 
 
 def place(folder, artefact):
@@ -50,6 +54,15 @@ def place(folder, artefact):
     return made
 
 
+def digest(file):
+    with open(file, "rb") as content:
+        return hashlib.sha256(content.read()).hexdigest()
+
+
+def listed():
+    return json.load(open(os.path.join(HERE, "zoo.json")))
+
+
 def options(folder, artefact):
     """The options of an artefact, and the folders of what it includes."""
     repository, path = artefact["file"].split(": ")
@@ -60,14 +73,12 @@ def options(folder, artefact):
 
 def audit(folder, artefact):
     """The result as JSON, or why there is none."""
-    if "otherwise" in artefact:
-        return f"by the second integration, not by audit: {artefact['otherwise']}"
     file = place(folder, artefact)
     if not os.path.exists(file):
         return "the file is not there"
     result = os.path.join(folder, "audits", artefact["id"] + ".json")
     newest = max(os.path.getmtime(f) for f in (file, os.path.realpath(shutil.which("lobefit"))))
-    command = ["lobefit", "audit", file, *options(folder, artefact), "--json", "--quiet"]
+    command = ["lobefit", "audit", file, *options(folder, artefact), "--points", POINTS, "--json", "--quiet"]
     said = result + ".command"
     same = os.path.exists(result) and os.path.exists(said) and open(said).read() == shlex.join(command)
     if not (same and os.path.getmtime(result) > newest):
@@ -132,11 +143,34 @@ def reading(found):
     return (f"{axes}; {first['lobe']}" if first.get("lobe") else axes) + decoded
 
 
-def rows(artefact, found, compare):
+def integrated():
+    """The entries of recompute.py, by artefact."""
+    file = os.path.join(HERE, "recomputed.json")
+    return {e["id"]: e for e in json.load(open(file))["artefacts"]} if os.path.exists(file) else {}
+
+
+def unknown(folder, artefact, entry):
+    """Why the second integration says nothing of a file; None where it does."""
+    if entry is None:
+        return "none"
+    file = place(folder, artefact)
+    return "of another file" if os.path.exists(file) and entry.get("sha256") != digest(file) else None
+
+
+def again(entry, name):
+    """What the second integration found of a channel."""
+    own = next((c for c in entry.get("channels", []) if c["name"] == name), None)
+    if own is None:
+        return entry.get("why", "none")
+    said = f"{number(own['max'])}, RMS {number(own['rms'])}; {own['points']} ± {number(own['standard_error'])}"
+    return said if own["agrees"] else f"{said}; differs: {own['why']}"
+
+
+def rows(artefact, found, compare, entry):
     """A row for each channel that is judged."""
     name = f"`{artefact['id']}` {artefact['what']}"
     if isinstance(found, str):
-        return [f"| {name} | | {found} | | | {compare} |"]
+        return [f"| {name} | | {found} | | | | {compare} |"]
     white = found.get("furnace") if artefact["quantity"] != "sheen-charlie" else None
     furnace = f"{white['least']:+.1%} to {white['most']:+.1%} ({where(white['at'])})" if white else ""
     out = []
@@ -145,7 +179,7 @@ def rows(artefact, found, compare):
             continue
         lookup = used(artefact, channel) if channel.get("lookup") else None
         out.append(
-            f"| {name} | {channel['holds'].split(' (')[0]} | {error(channel['texels'])} "
+            f"| {name} | {channel['holds'].split(' (')[0]} | {error(channel['texels'])} | {again(entry, channel['name'])} "
             f"| {error(lookup) if lookup else ''} | {furnace} | {compare} |"
         )
         name = furnace = compare = ""
@@ -171,17 +205,19 @@ def glance(projects, found):
                 worst = max((c for c in result["channels"] if "texels" in c), key=lambda c: used(artefact, c)["max"])
                 figures = used(artefact, worst)
                 said = f"{worst['holds'].split(' (')[0]} {number(figures['max'])}, RMS {number(figures['rms'])}"
-                said += "" if result["fits"] == "whole" else " (follows no convention)"
+                said += BRIEFLY[result["fits"]]
+                said += f" (decoded from {result['encoding']})" if result.get("encoding") else ""
             lines.append(f"| [{name}](#{anchor}) | {artefact['what']} | {said} | {issues or ''} |")
     return lines + [""]
 
 
-def section(project, found, compares):
+def section(project, found, compares, entries):
     lines = [f"## {project['project']}", "", f"{project['at']}. {project['notes']}", ""]
-    lines += ["| artefact | holds | error at its points | error of a lookup | white furnace | ours |"]
-    lines += ["|---|---|---|---|---|---|"]
+    lines += ["| artefact | holds | error at its points | second integration | error of a lookup | white furnace | ours |"]
+    lines += ["|---|---|---|---|---|---|---|"]
     for artefact in project["artefacts"]:
-        lines += rows(artefact, found[artefact["id"]], compares[artefact["id"]])
+        name = artefact["id"]
+        lines += rows(artefact, found[name], compares[name], entries[name])
     lines += ["", "```sh"]
     for artefact in project["artefacts"]:
         name, file = artefact["id"], artefact["file"]
@@ -192,6 +228,9 @@ def section(project, found, compares):
         lines.append(shlex.join(command))
         if isinstance(found[name], dict):
             lines.append(f"# {FITS[found[name]['fits']]} {reading(found[name])}")
+        if "other" in entries[name]:
+            other = entries[name]["other"]
+            lines.append(f"# by the second integration, as {other['lobe']}: {number(other['max'])}, RMS {number(other['rms'])}")
     lines += ["```", ""]
     for issue in project["issues"]:
         lines += [f"> **{issue['title']}**", ">", f"> {issue['text']}", ""]
@@ -199,23 +238,30 @@ def section(project, found, compares):
 
 
 def main(folder):
-    zoo = json.load(open(os.path.join(HERE, "zoo.json")))
+    zoo = listed()
     os.makedirs(os.path.join(folder, "audits"), exist_ok=True)
     artefacts = [a for p in zoo["projects"] for a in p["artefacts"]]
     found = {a["id"]: audit(folder, a) for a in artefacts}
     tables, formulas = ours(folder)
     compares = {a["id"]: compared(a["ours"], tables, formulas) if "ours" in a else "" for a in artefacts}
+    known = integrated()
+    stale = {a["id"]: unknown(folder, a, known.get(a["id"])) for a in artefacts}
+    entries = {i: {"why": why} if why else known[i] for i, why in stale.items()}
     page = open(os.path.join(HERE, "head.md")).read().splitlines() + [""]
     page += glance(zoo["projects"], found)
     for project in zoo["projects"]:
-        page += section(project, found, compares)
+        page += section(project, found, compares, entries)
     with open(os.path.join(ROOT, "docs", "audits.md"), "w") as out:
         out.write("\n".join(page).rstrip() + "\n")
     missing = [i for i, f in found.items() if isinstance(f, str)]
-    if missing:
-        sys.exit("not audited: " + ", ".join(missing))
+    unsure = [f"{i} ({why})" for i, why in stale.items() if why]
+    said = ["not audited: " + ", ".join(missing)] * bool(missing)
+    said += ["no second integration: " + ", ".join(unsure)] * bool(unsure)
+    if said:
+        sys.exit("\n".join(said))
 
 
-if len(sys.argv) != 2:
-    sys.exit(__doc__)
-main(sys.argv[1])
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

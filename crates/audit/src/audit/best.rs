@@ -1,10 +1,10 @@
 //! The best convention of a table: of the quantity's own lobes, then of the shadowings of others.
 
 use super::column::Column;
-use super::convention::{Fixed, Misfit};
+use super::convention::Fixed;
 use super::errors::Residuals;
 use super::found::Audit;
-use super::judge::quickly;
+use super::judge::ranked;
 use super::lobe::Form;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
@@ -31,8 +31,6 @@ pub(super) struct Best<'a> {
     pub truth: Truth<'a>,
     pub found: Vec<Candidate>,
     pub sieved: Vec<Candidate>,
-    /// What was left open.
-    pub tried: Fixed,
     /// Of the first of those that were found, [`off`].
     pub off: f64,
 }
@@ -68,7 +66,7 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'
     let found = candidates(&truth, case, sieved.clone())?;
     let off = off(&truth, case, &found[0])?;
     if fixed.form.is_some() || others.is_empty() || off <= CLOSE {
-        return Ok(Best { truth, found, sieved, tried, off });
+        return Ok(Best { truth, found, sieved, off });
     }
     progress("other shadowings");
     let rough = Truth::rough(spec_of(table, quantity)?, &forms, &sides(fixed))?.within(&fixed.domain);
@@ -77,17 +75,17 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'
     let likely = screen::screen(&rough, &few, &tried, &lobes)?;
     let rank = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.fitted.rank);
     if rank(&likely) * WORTH_A_TRY >= rank(&sieved) {
-        return Ok(Best { truth, found, sieved, tried, off });
+        return Ok(Best { truth, found, sieved, off });
     }
     let all = truth_of(table, quantity, fixed, &forms)?;
     let mut others = candidates(&all, case, likely)?;
     if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
-        return Ok(Best { truth, found, sieved, tried, off });
+        return Ok(Best { truth, found, sieved, off });
     }
     let first = others.remove(0);
     others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
     let off = self::off(&all, case, &others[0])?;
-    Ok(Best { truth: all, found: others, sieved, tried, off })
+    Ok(Best { truth: all, found: others, sieved, off })
 }
 
 /// How many times better the shadowing of another than the quantity's variants must rank to be
@@ -101,17 +99,16 @@ const WORTH_A_TRY: f64 = 1.2;
 /// by another shadowing: sampling noise and rounding leave less.
 pub(super) const CLOSE: f64 = 4e-3;
 
-/// Root mean square of the errors of a candidate's worst channel beside the spread of its truth.
-pub(super) fn off(truth: &Truth, case: &Case, candidate: &Candidate) -> Result<f64, AuditError> {
+/// The largest misfit of a candidate's channels.
+fn off(truth: &Truth, case: &Case, candidate: &Candidate) -> Result<f64, AuditError> {
     let Case { table, live, .. } = *case;
     let sample = Sample::new(table, live, QUICK_ROUND[usize::from(table.size.len() == 3)], false);
-    let judgement = quickly(truth, &sample, &candidate.axes, candidate.lobe)?;
-    let fitted = candidate.fitted.columns.iter().zip(&candidate.fitted.misfits);
-    let channel = |(values, (column, misfit)): (&Vec<f64>, (&Option<Column>, &Option<Misfit>))| {
+    let judgement = ranked(truth, &sample, &candidate.axes, candidate.lobe)?;
+    let channel = |(values, column): (&Vec<f64>, &Option<Column>)| {
         let residuals = Residuals::new(&sample, &judgement, (*column)?, values);
-        Some((*misfit)?.rms / residuals.spread().max(0.0))
+        Some(if residuals.judged.is_empty() { f64::INFINITY } else { residuals.misfit(&residuals.judged) })
     };
-    Ok(sample.values.iter().zip(fitted).filter_map(channel).fold(0.0, f64::max))
+    Ok(sample.values.iter().zip(&candidate.fitted.columns).filter_map(channel).fold(0.0, f64::max))
 }
 
 /// The shadowing forms that may be meant, of a form that is given and that the quantity's variants

@@ -173,6 +173,17 @@ impl Column {
         }
     }
 
+    /// How far it moves at most for what it is made of: 1 of E, 1/E^2 of a normalisation.
+    pub fn slope(self, base: Base) -> f64 {
+        const STEP: f64 = 1e-6;
+        let moved = |k: usize| {
+            let [mut low, mut high] = [base; 2];
+            (low[k], high[k]) = (low[k] - STEP, high[k] + STEP);
+            ((self.value(high) - self.value(low)) / (2.0 * STEP)).abs()
+        };
+        moved(0).max(moved(1))
+    }
+
     /// The albedo that a value of this column stands for; none for those that are parts of one.
     pub fn albedo(self, value: f64) -> Option<f64> {
         match self {

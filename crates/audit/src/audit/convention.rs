@@ -43,6 +43,8 @@ pub struct Fixed {
     pub encoding: Option<&'static Encoding>,
     /// Samples that each texel is the mean of.
     pub samples: Option<u32>,
+    /// Texels of each channel that are drawn for whoever integrates them again.
+    pub points: usize,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
@@ -55,7 +57,7 @@ pub struct Fixed {
 impl Fixed {
     /// Whether nothing but the column, and where and how strictly it is judged, is given.
     pub fn is_free(&self) -> bool {
-        Fixed { column: None, inverse: false, samples: None, domain: Vec::new(), ..self.clone() }
+        Fixed { column: None, inverse: false, samples: None, points: 0, domain: Vec::new(), ..self.clone() }
             == Fixed::default()
     }
 

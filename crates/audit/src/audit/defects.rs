@@ -108,12 +108,12 @@ pub(super) struct Grain {
 }
 
 impl Grain {
-    /// The largest error that these leave at a texel that holds a value. Samples of visible normals
-    /// weigh 0 to 1, so that their standard deviation is at most 1/2 (Popoviciu's inequality): four
-    /// standard errors of the mean of n are 2/sqrt(n).
-    pub(super) fn leaves(self, value: f64) -> f64 {
-        let sampled = self.samples.map_or(0.0, |n| 2.0 / f64::from(n).sqrt());
-        BIASED_STEPS * self.step.rounding(value) + sampled
+    /// The largest error that these leave at a texel. Samples of visible normals weigh 0 to 1, so that
+    /// their standard deviation is at most 1/2 (Popoviciu's inequality): four standard errors of the mean
+    /// of n are 2/sqrt(n), of what the column is made of.
+    pub(super) fn leaves(self, r: &Residuals, i: usize) -> f64 {
+        let sampled = |n: u32| 2.0 / f64::from(n).sqrt() * r.column.slope(r.judgement.base[i]);
+        BIASED_STEPS * self.step.rounding(r.values[i]) + self.samples.map_or(0.0, sampled)
     }
 }
 
@@ -138,8 +138,9 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
         found.push(Defect::Noise { rms: noise, share: noise / rms });
     }
     if let Some(samples) = grain.samples {
-        let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r.values[**i])).count();
-        found.push(Defect::Sampled { samples, left: grain.leaves(0.0), texels: [over, r.judged.len()] });
+        let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r, **i)).count();
+        let left = r.judged.iter().map(|i| grain.leaves(r, *i)).fold(0.0, f64::max);
+        found.push(Defect::Sampled { samples, left, texels: [over, r.judged.len()] });
     }
     found.extend(bias(r, rms));
     found
@@ -180,7 +181,7 @@ fn rms(r: &Residuals) -> f64 {
 
 fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
     let over = (OFF * r.median()).max(SEEN * r.spread());
-    let beyond = |i: &usize, share: f64| r.errors[*i].abs() > share * over.max(grain.leaves(r.values[*i]));
+    let beyond = |i: &usize, share: f64| r.errors[*i].abs() > share * over.max(grain.leaves(r, *i));
     let off: Vec<usize> = r.judged.iter().copied().filter(|i| beyond(i, 1.0)).collect();
     let squares = |list: &[usize]| list.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>();
     let small = off.is_empty() || off.len() as f64 > PART_OF_TEXELS * r.judged.len() as f64;
@@ -207,7 +208,7 @@ fn edge(r: &Residuals, grain: Grain) -> Option<Defect> {
         let (line, rest): (Vec<usize>, Vec<usize>) =
             r.judged.iter().partition(|i| place(**i, &dims)[axis] == end);
         let over = rest.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
-        let beyond = |i: &usize| r.errors[*i].abs() > over.max(grain.leaves(r.values[*i]));
+        let beyond = |i: &usize| r.errors[*i].abs() > over.max(grain.leaves(r, *i));
         let off: Vec<usize> = line.into_iter().filter(beyond).collect();
         (!off.is_empty() && !rest.is_empty() && fits(&rest)).then(|| these(r, &off, over))
     })

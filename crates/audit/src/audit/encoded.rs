@@ -1,15 +1,12 @@
 //! Values that were encoded, for display or to hold more than the format can: a table that fits only
 //! once that is undone.
 
-use super::best::off;
 use super::plain::Plain;
-use super::sample::Sample;
-use super::screen::screen;
 use super::table::{AuditedTable, Source};
-use super::truth::Truth;
-use super::{Audit, AuditError, Case, FITS, Fit, Fixed, SIEVE, candidates};
+use super::{Audit, AuditError, Case, FITS, Fit, best};
 use crate::foreign::{Channel, Step};
 use lobefit_math::ops;
+use lobefit_truth::quantity::Quantity;
 
 /// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have
 /// two.
@@ -116,11 +113,11 @@ impl Encoding {
 /// The encoding of a table that fits nothing as it is stored, but does when its values are decoded; none
 /// if it does not.
 pub(super) fn found(
-    truth: &Truth,
     case: &Case,
-    fixed: &Fixed,
+    quantity: &dyn Quantity,
     done: &Audit,
 ) -> Result<Option<&'static Encoding>, AuditError> {
+    let fixed = case.fixed;
     let said = fixed.meanings.as_ref().map(Vec::len);
     if done.fit != Fit::None || case.table.size.len() > AXES || fixed.encoding.is_some() {
         return Ok(None);
@@ -132,16 +129,16 @@ pub(super) fn found(
             continue;
         }
         let case = Case { table: &linear, live: &live, fixed, progress: &|_| () };
-        if follows(truth, &case)? {
+        if follows(&case, quantity)? {
             return Ok(Some(encoding));
         }
         if said.is_none() && live.len() > 2 {
             // A channel of another quantity does not condemn the others.
             let mut own = Vec::new();
             for k in &live {
-                own.extend(follows(truth, &Case { live: &[*k], ..case })?.then_some(*k));
+                own.extend(follows(&Case { live: &[*k], ..case }, quantity)?.then_some(*k));
             }
-            if own.len() > 1 && follows(truth, &Case { live: &own, ..case })? {
+            if own.len() > 1 && follows(&Case { live: &own, ..case }, quantity)? {
                 return Ok(Some(encoding));
             }
         }
@@ -150,11 +147,8 @@ pub(super) fn found(
 }
 
 /// Whether a table follows a convention, as far as some of its texels tell.
-fn follows(truth: &Truth, case: &Case) -> Result<bool, AuditError> {
-    let Case { table, live, fixed, .. } = *case;
-    let few = Sample::new(table, live, SIEVE[0], true);
-    let found = candidates(truth, case, screen(truth, &few, fixed, &fixed.lobes(truth))?)?;
-    Ok(off(truth, case, &found[0])? <= FITS)
+fn follows(case: &Case, quantity: &dyn Quantity) -> Result<bool, AuditError> {
+    Ok(best(case, quantity)?.off <= FITS)
 }
 
 /// The linear value of an sRGB one in [0, 1] (IEC 61966-2-1).

@@ -1,6 +1,8 @@
 //! The error of a channel at its texels under one reading, and what it tells of how the table was
 //! made.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use super::column::Column;
@@ -48,6 +50,22 @@ impl TexelErrors {
         let worst = if other.max > self.max { other } else { self };
         TexelErrors { rms, mean, judged, ..worst }
     }
+}
+
+/// Less 1 of the golden ratio: its multiples are spread evenly, however many they are.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// A texel as an audit reads it, for whoever integrates its truth again.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Drawn {
+    /// Index along every axis.
+    pub texel: Vec<usize>,
+    /// Its inputs.
+    pub at: Place,
+    /// What the table holds there.
+    pub value: f64,
+    /// What is true there.
+    pub truth: f64,
 }
 
 /// A channel beside its truth at the texels that are judged.
@@ -123,6 +141,23 @@ impl<'a> Residuals<'a> {
     pub(super) fn texel(&self, i: usize) -> Vec<usize> {
         let places = place(i, &self.sample.dims());
         places.iter().zip(&self.sample.at).map(|(k, at)| at[*k]).collect()
+    }
+
+    /// At most `count` of the judged texels, by steps of the golden ratio through them: all of so few.
+    pub(super) fn drawn(&self, count: usize, at: impl Fn(&[usize]) -> Place) -> Vec<Drawn> {
+        let n = self.judged.len();
+        let step = |k: usize| ((k as f64 * GOLDEN).fract() * n as f64) as usize;
+        let mut places = BTreeSet::new();
+        let mut k = 0;
+        while places.len() < count.min(n) {
+            k += 1;
+            places.insert(step(k));
+        }
+        let one = |i: usize| {
+            let texel = self.texel(i);
+            Drawn { at: at(&texel), texel, value: self.values[i], truth: self.truth(i) }
+        };
+        places.into_iter().map(|k| one(self.judged[k])).collect()
     }
 
     /// The figures, with the inputs of a texel as `at` gives them.

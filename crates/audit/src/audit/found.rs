@@ -4,12 +4,13 @@ use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::encoded::Encoding;
-use super::errors::TexelErrors;
+use super::errors::{Drawn, TexelErrors};
 use super::lobe::Lobe;
 use super::lookup::LookupErrors;
 use super::plain::Plain;
 use super::published::Published;
 use super::table::Source;
+use super::truth::Beyond;
 use super::two_lobes::TwoLobes;
 use super::verdict::Verdict;
 use lobefit::data::Place;
@@ -71,6 +72,8 @@ pub struct ChannelAudit {
     pub other: Option<Other>,
     /// Its errors at the texels, where it is judged.
     pub errors: Option<TexelErrors>,
+    /// Texels that were drawn from those that are judged, as many as were asked for.
+    pub points: Vec<Drawn>,
     /// How it fits.
     pub fit: Fit,
     /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096
@@ -126,6 +129,8 @@ pub struct Audit {
     /// The parts of a table that was made with two shadowing forms; the best convention is that of
     /// the larger part.
     pub two_lobes: Option<TwoLobes>,
+    /// Why texels are not judged, where some are not.
+    pub beyond: Vec<Beyond>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
     /// What its values were decoded from.

@@ -6,12 +6,13 @@ use rayon::prelude::*;
 use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::convention::{Fixed, Misfit};
-use super::sample::{Candidate, Fitted, Sample, View, fit_columns, judged, ranked, shared, steps};
+use super::sample::{self, Candidate, Fitted, Sample, View, fit_columns, judged, shared, steps};
 use super::screen::best;
 use super::truth::{Truth, Truths, Values};
 
-/// Least values that tables clamp alpha and mu to.
-const FLOORS: [f64; 7] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2];
+/// Least values that tables clamp alpha and mu to; the last two are the first centre of 16 texels, which
+/// a table keeps that was made larger, and the least alpha of a sheen that Khronos ships.
+const FLOORS: [f64; 9] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2];
 
 /// Base values at every texel of a sample under a reading, in the table's order, and which are
 /// judged.
@@ -40,6 +41,16 @@ pub(super) fn quickly(
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
     judged_by(truth, sample, axes, lobe, Truth::quick)
+}
+
+/// The truth under a reading by which conventions are ranked.
+pub(super) fn ranked(
+    truth: &Truth,
+    sample: &Sample,
+    axes: &[AxisReading],
+    lobe: usize,
+) -> Result<Judgement, AuditError> {
+    judged_by(truth, sample, axes, lobe, Truth::ranked)
 }
 
 fn judged_by<'a>(
@@ -75,8 +86,8 @@ fn refit(
     axes: Vec<AxisReading>,
     lobe: usize,
 ) -> Result<Option<Candidate>, AuditError> {
-    let judgement = judged_by(truth, sample, &axes, lobe, Truth::ranked)?;
-    let judged = ranked(judgement.judged, shared(truth, sample, fixed, lobe).as_ref());
+    let judgement = ranked(truth, sample, &axes, lobe)?;
+    let judged = sample::ranked(judgement.judged, shared(truth, sample, fixed, lobe).as_ref());
     let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
     Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
 }
@@ -106,7 +117,7 @@ pub(super) fn requick(
 ) -> Result<Vec<Candidate>, AuditError> {
     let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
         let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
-        let judged = ranked(judgement.judged, shared(truth, sample, fixed, c.lobe).as_ref());
+        let judged = sample::ranked(judgement.judged, shared(truth, sample, fixed, c.lobe).as_ref());
         let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
         Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
     };

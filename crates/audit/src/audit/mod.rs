@@ -44,7 +44,7 @@ pub use declared::{Declared, Held, declared, declared_findings, stated_quantity}
 pub use defects::Defect;
 pub use encoded::{ENCODINGS, Encoding};
 pub use error::AuditError;
-pub use errors::TexelErrors;
+pub use errors::{Drawn, TexelErrors};
 pub use found::{Audit, ChannelAudit, Fit, Furnace, Other, Tried};
 pub use function::{sampled, sampled_inverse};
 pub use lobe::{FORMS, Form, Lobe};
@@ -53,6 +53,7 @@ pub use page::findings;
 pub use plain::Plain;
 pub use published::Published;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
+pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
 pub(crate) use verdict::place;
 pub use verdict::{Grade, Verdict};
@@ -147,9 +148,9 @@ pub fn audit(
     let case = Case { table: &table, live: &live, fixed, progress };
     let chosen = best(&case, quantity)?;
     let mut done = chosen.audit(&case)?;
-    let Best { truth, found, sieved, tried, off } = chosen;
+    let Best { truth, found, sieved, off } = chosen;
     let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
-    if let Some(encoding) = encoded::found(&truth, &case, &tried, &done)? {
+    if let Some(encoding) = encoded::found(&case, quantity, &done)? {
         let decoded = Fixed { encoding: Some(encoding), ..fixed.clone() };
         let read = audit(audited, quantity, &decoded, progress)?;
         if read.fit != Fit::None {
@@ -327,6 +328,7 @@ fn finish(
             truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
+            points: residuals.drawn(fixed.points, at),
             defects,
             lookup: looked(None)?,
             plain_lookup: looked(Some(Registration::Centre))?,
@@ -355,6 +357,7 @@ fn finish(
         channels,
         furnace,
         two_lobes,
+        beyond: sample::beyond(truth, &sample, &best.axes, best.lobe),
         truth_error: truth.bound(best.lobe),
         published: None,
         encoding: fixed.encoding,
@@ -385,6 +388,7 @@ fn unjudged(name: &str) -> ChannelAudit {
         constant: None,
         other: None,
         errors: None,
+        points: Vec::new(),
         fit: Fit::None,
         map: Vec::new(),
         truth: Vec::new(),

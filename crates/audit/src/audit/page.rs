@@ -100,6 +100,7 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
         holds: column.words(),
         fits: word(c.fit).into(),
         texels: e.clone(),
+        points: c.points.clone(),
         defects: c
             .defects
             .iter()

@@ -94,7 +94,7 @@ fn is_quantised(
         let grain = Grain { step, samples: None };
         let residuals = Residuals::new(sample, &judgement, column, &sample.values[place]);
         let within = |i: &usize| {
-            let left = grain.leaves(residuals.values[*i]);
+            let left = grain.leaves(&residuals, *i);
             left > 0.0 && residuals.errors[*i].abs() <= left
         };
         residuals.judged.iter().all(within)

@@ -5,7 +5,7 @@ use super::axis::AxisReading;
 use super::column::Column;
 use super::convention::{Convention, Fixed, Misfit};
 use super::table::{AuditedTable, flat, place};
-use super::truth::{Truth, Values};
+use super::truth::{Beyond, Truth, Values};
 
 /// Texels of some places along every axis.
 pub(super) struct Sample {
@@ -150,6 +150,18 @@ pub(super) fn judged_along(
 ) -> Vec<bool> {
     let input = reading.scale.input();
     sample.nodes(axis, reading).iter().map(|x| truth.judges(lobe, input, *x)).collect()
+}
+
+/// Why places of a sample are not judged, each cause once.
+pub(super) fn beyond(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe: usize) -> Vec<Beyond> {
+    let mut found: Vec<Beyond> = Vec::new();
+    for (axis, reading) in axes.iter().enumerate() {
+        for x in sample.nodes(axis, reading) {
+            let cause = truth.beyond(lobe, reading.scale.input(), x);
+            found.extend(cause.filter(|cause| !found.contains(cause)));
+        }
+    }
+    found
 }
 
 /// At every texel whether all of its places along the axes are marked, the first axis fastest.

@@ -100,6 +100,9 @@ struct Options {
     /// Samples that each texel is the mean of: what so many leave is no defect
     #[arg(long, value_name = "N")]
     pub samples: Option<NonZero<u32>>,
+    /// Texels of each channel, or points of a function, that --json and --out list with value and truth
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub points: usize,
     /// Texels along each axis, x fastest: `64x64`
     #[arg(long, value_name = "WxH[xD]", value_parser = size)]
     pub size: Option<Size>,
@@ -408,6 +411,7 @@ fn fixed(options: &Asked) -> Result<Fixed, CliError> {
         floors: options.clamp.clone(),
         encoding: options.encoding,
         samples: options.samples.map(NonZero::get),
+        points: options.points,
         roles: None,
         inverse: false,
         domain: words::domain(&options.domain, &options.axes),

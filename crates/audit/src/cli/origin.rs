@@ -32,6 +32,7 @@ fn command(options: &Asked) -> String {
         ("--clamp", list(options.clamp.iter().map(|(input, x)| format!("{}={x}", input.name())).collect())),
         ("--encoding", options.encoding.map(|e| e.word.into())),
         ("--samples", options.samples.map(|n| n.to_string())),
+        ("--points", Some(options.points).filter(|n| *n > 0).map(|n| n.to_string())),
         ("--size", options.size.as_ref().map(size)),
         ("--channels", options.channels.map(|n| n.to_string())),
         ("--raw-format", options.raw_format.map(|f| f.name().into())),

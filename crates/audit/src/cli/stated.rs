@@ -6,6 +6,12 @@ use lobefit::cli::CliError;
 use lobefit::cli::output::say;
 use lobefit::cli::progress::Spinner;
 
+/// An option that bears on texels alone.
+fn texels_only(options: &Asked) -> Option<&'static str> {
+    let given = [("--samples", options.samples.is_some()), ("--points", options.points > 0)];
+    given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+}
+
 /// The table as its own statement has it; none if it makes none, or options say how it is read, or
 /// what it says cannot be understood (which is said).
 pub(super) fn stated(
@@ -28,7 +34,14 @@ pub(super) fn stated(
     let (quantity, column) = options.wanted;
     let found = options.threads.install(|| Ok(audit::declared(audited, quantity, column, note)))?;
     match found {
-        Ok(found) => Ok(Some(found)),
+        Ok(found) => match texels_only(options) {
+            Some(option) => Err(CliError::Usage(format!(
+                "{option}: {} says itself how it is looked up, and is judged at lookups, not at texels; an option that says how it is \
+                 read (--registration) has it judged as any table",
+                super::file_name(options)
+            ))),
+            None => Ok(Some(found)),
+        },
         Err(AuditError::Statement { reason, .. }) => {
             if !options.quiet {
                 let what = super::file_name(options);

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::AuditCost;
-use crate::audit::{LookupErrors, TexelErrors, Verdict};
+use crate::audit::{Drawn, LookupErrors, TexelErrors, Verdict};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
 
@@ -144,6 +144,9 @@ pub struct AuditChannel {
     pub fits: String,
     /// Errors at the texels.
     pub texels: TexelErrors,
+    /// Texels with what they hold and what is true, where `--points` asks for them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<Drawn>,
     /// What is wrong with it.
     pub defects: Vec<AuditDefect>,
     /// Lookup at the coordinates that the texels have.

@@ -159,6 +159,12 @@ fn the_command_line_reads_it_unless_told_otherwise() {
     // Its coordinate is none of those that are tried.
     let (code, out, err) = with("own.exr", &["--registration", "endpoint"]);
     assert!(code == Some(1) && !out.contains("is what it says") && !err.is_empty(), "{code:?} {out} {err}");
+    // What is asked of texels says nothing of lookups.
+    for option in ["--samples", "--points"] {
+        let (code, out, err) = with("own.exr", &[option, "64"]);
+        assert!(code == Some(2) && out.is_empty(), "{out}");
+        assert!(err.contains(option) && err.contains("own.exr says itself how it is looked up"), "{err}");
+    }
     let (code, _, err) = with("own.exr", &["--limit", "1"]);
     assert_eq!(code, Some(0), "{err}");
 }

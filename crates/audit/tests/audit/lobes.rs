@@ -126,3 +126,24 @@ fn estevez_and_kulla_s_own_table_of_sheen_is_recognised() {
         audit(&table, quantity::find("sheen-charlie").unwrap(), &Fixed { form, ..Fixed::default() }, &|_| ());
     assert!(refused.unwrap_err().to_string().contains("neubelt, estevez-kulla"));
 }
+
+/// A sheen as glTF's sample viewer ships it: no alpha below 0.07, nothing beyond the first centre of the 16
+/// texels that it was made larger from, encoded for display.
+#[test]
+fn a_sheen_that_was_clamped_and_encoded_is_recognised() {
+    let at = |i: usize| (i as f64 + 0.5) / 24.0;
+    let stored = |i: usize| {
+        let x = [(at(i / 24) * at(i / 24)).max(0.07), at(i % 24).max(1.0 / 32.0)];
+        let e = EstevezKulla.at(&quantity::Variant::default(), &x, 1e-4).expect("a truth")[0];
+        let encoded = if e <= 0.0031308 { 12.92 * e } else { 1.055 * ops::pow(e, 1.0 / 2.4) - 0.055 };
+        (encoded.min(1.0) * 65535.0).round() / 65535.0
+    };
+    let found = run(&shipped(24, vec![("R", (0..576).map(stored).collect())]), "sheen-charlie", None);
+    assert_eq!(found.encoding.map(|encoding| encoding.word), Some("srgb"));
+    assert_eq!((found.best().lobe.form.word, found.fit), ("estevez-kulla", Fit::Whole));
+    assert_eq!(
+        found.best().axes.iter().map(|axis| axis.scale).collect::<Vec<_>>(),
+        [Scale::Mu, Scale::Roughness]
+    );
+    assert!(found.best().axes[1].floor == 0.07 && found.worst() < 0.01, "{}", found.worst());
+}

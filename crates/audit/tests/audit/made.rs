@@ -79,6 +79,27 @@ fn what_samples_leave_is_no_part_of_other_code() {
     assert!(over(64) == 0 && over(1 << 20) > 50, "{} {}", over(64), over(1 << 20));
 }
 
+/// A normalisation is off by the error of E over E^2, of the same samples.
+#[test]
+fn what_samples_leave_is_in_the_unit_of_the_column() {
+    let at = |i: usize| (i as f64 + 0.5) / 24.0;
+    let mut random = Pcg64::seed_from_u64(3);
+    let e: Vec<f64> =
+        (0..576).map(|i| sampled(at(i / 24) * at(i / 24), at(i % 24), 8192, &mut random)).collect();
+    let over = |values: Vec<f64>| {
+        let fixed = Fixed { samples: Some(1 << 18), ..Fixed::default() };
+        let found = run(&shipped(&[24, 24], values), "ggx-reflection", &fixed);
+        let said = found.channels[0].defects.iter().find_map(|d| match d {
+            Defect::Sampled { texels, .. } => Some(texels[0]),
+            _ => None,
+        });
+        said.expect("samples are spoken of")
+    };
+    let inverse = over(e.iter().map(|e| 1.0 / e).collect());
+    let plain = over(e);
+    assert!(plain > 20 && inverse.abs_diff(plain) <= 2, "{plain} {inverse}");
+}
+
 #[test]
 fn what_the_format_holds_is_no_part_of_other_code() {
     // Smooth surfaces are exact in any format; in ten bits the rest is off by up to a step.

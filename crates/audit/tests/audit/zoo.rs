@@ -63,6 +63,35 @@ fn the_page_has_the_places_the_commands_and_the_issues_of_the_list() {
     }
 }
 
+/// `recomputed.json`, which a script of its own integration writes, against the list and the page.
+#[test]
+fn a_second_integration_agrees_with_each_audit_or_the_page_says_where_it_does_not() {
+    let page = text("audits.md");
+    let done: Value = serde_json::from_str(&text("audits/recomputed.json")).expect("JSON");
+    let entries = list(&done, "artefacts");
+    let projects = projects();
+    let artefacts = projects.iter().flat_map(|project| list(project, "artefacts"));
+    let names: Vec<&str> = artefacts.map(|a| word(a, "id")).collect();
+    assert_eq!(entries.iter().map(|e| word(e, "id")).collect::<Vec<_>>(), names);
+    let figure =
+        |channel: &Value, key: &str| channel[key].as_f64().unwrap_or_else(|| panic!("{key}: {channel}"));
+    for entry in entries {
+        let name = word(entry, "id");
+        assert_eq!(word(entry, "sha256").len(), 64, "{name}");
+        assert!(!list(entry, "channels").is_empty(), "{name}");
+        for channel in list(entry, "channels") {
+            assert!(figure(channel, "points") >= 16.0, "{name}: {channel}");
+            if channel["agrees"] == true {
+                let most = figure(channel, "audit_max") + 4.0 * figure(channel, "standard_error");
+                assert!(figure(channel, "max") <= most * (1.0 + 1e-3), "{name}: {channel}");
+            } else {
+                let why = word(channel, "why");
+                assert!(page.contains(&format!("differs: {why}")), "{name}: the page does not say `{why}`");
+            }
+        }
+    }
+}
+
 /// The file of an artefact is `owner/name: path`: no address, no path of a machine.
 #[test]
 fn artefacts_are_named_by_repository_and_path() {

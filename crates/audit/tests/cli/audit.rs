@@ -59,6 +59,28 @@ fn a_table_is_read_judged_and_reported() {
 }
 
 #[test]
+fn points_are_drawn_for_whoever_integrates_them_again() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    let drawn = |count: &str| {
+        let all =
+            ["audit", "tables.h", "--as", "ggx-reflection", "--size", "16x16", "--points", count, "--json"];
+        let found: Value = serde_json::from_slice(&lobefit(folder.path(), &all, b"").stdout).unwrap();
+        assert!(found["origin"]["command"].as_str().unwrap().contains(&format!("--points {count}")));
+        found["channels"][0]["points"].as_array().unwrap().clone()
+    };
+    let points = drawn("20");
+    assert!(points.len() == 20 && drawn("1000").len() == 256);
+    let number = |value: &Value| value.as_f64().unwrap();
+    for point in points {
+        let i = number(&point["texel"][0]) as usize;
+        let alpha = number(&point["at"]["alpha"]);
+        assert!((alpha.sqrt() - i as f64 / 15.0).abs() < 1e-6, "{point}");
+        assert!((number(&point["value"]) - number(&point["truth"])).abs() < 1e-4, "{point}");
+    }
+}
+
+#[test]
 fn the_limit_and_a_wrong_guess_are_exit_1() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tables.h"), array()).unwrap();

@@ -66,6 +66,7 @@ fn channel(found: &Declared, held: &Held) -> AuditChannel {
         holds: held.column.words(),
         fits: if found.holds() { "whole" } else { "none" }.into(),
         texels: held.figures.clone(),
+        points: Vec::new(),
         defects: Vec::new(),
         lookup: None,
         plain_lookup: None,

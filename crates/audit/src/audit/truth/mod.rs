@@ -1,6 +1,7 @@
 //! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of
 //! conventions.
 
+mod beyond;
 mod knots;
 mod spec;
 
@@ -13,6 +14,7 @@ use super::AuditError;
 use super::axis::Input;
 use super::column::{Base, Column};
 use super::lobe::{Form, Lobe};
+pub use beyond::Beyond;
 use knots::along;
 use lobefit::effects::table::aspect;
 use lobefit_math::gauss::Gauss;
@@ -20,7 +22,7 @@ use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Choice, GGX_REFLECTION, Quantity};
-pub(super) use spec::{MOST_IOR, Spec, averaged, spec, with_azimuth};
+pub(super) use spec::{Spec, averaged, spec, with_azimuth};
 
 /// What columns are made of at every combination of the inputs given, the first input fastest.
 pub(super) type Values = Vec<Base>;
@@ -150,18 +152,23 @@ impl<'a> Truth<'a> {
 
     /// Whether a texel with this value of an input is judged of a lobe.
     pub(super) fn judges(&self, lobe: usize, input: Input, x: f64) -> bool {
+        self.beyond(lobe, input, x).is_none()
+    }
+
+    /// Why a texel with this value of an input is not judged of a lobe; `None` of one that is.
+    pub(super) fn beyond(&self, lobe: usize, input: Input, x: f64) -> Option<Beyond> {
         let asked = |(own, [low, high]): &(Input, [f64; 2])| *own != input || (*low..=*high).contains(&x);
-        if !self.domain.iter().all(asked) {
-            return false;
-        }
-        // At an index of 1 there is no interface: what a table holds there is its maker's choice.
-        if input == Input::Ior && (x - 1.0).abs() < NO_INTERFACE {
-            return false;
-        }
         let [low, high] = self.range(lobe, input);
         let Spec { mirror_only, narrowest, .. } = self.specs[lobe];
         let narrow = input == Input::Alpha && mirror_only && x > 0.0 && x < narrowest;
-        (low..=high).contains(&x) && !narrow
+        let causes = [
+            (!self.domain.iter().all(asked), Beyond::Asked),
+            (input == Input::Ior && (x - 1.0).abs() < NO_INTERFACE, Beyond::NoInterface),
+            (x < low, Beyond::Below(input, low)),
+            (x > high, Beyond::Above(input, high)),
+            (narrow, Beyond::Narrow(narrowest)),
+        ];
+        causes.into_iter().find(|(holds, _)| *holds).map(|(_, cause)| cause)
     }
 
     /// Largest error of an exact value of a lobe.

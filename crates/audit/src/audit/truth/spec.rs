@@ -110,7 +110,7 @@ const ANISO_FLOOR: f64 = 1e-4;
 const GLASS_ALPHA: f64 = 4e-4;
 
 /// Largest index of refraction that is judged.
-pub(in crate::audit) const MOST_IOR: f64 = 3.0;
+const MOST_IOR: f64 = 3.0;
 
 /// What is known of a quantity; `None` of a quantity that is not audited.
 pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {

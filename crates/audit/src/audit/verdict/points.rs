@@ -2,12 +2,12 @@
 
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
-use crate::audit::axis::{Input, Registration};
+use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
-use crate::audit::truth::MOST_IOR;
+use crate::audit::truth::Beyond;
 use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
@@ -242,10 +242,10 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     let e = channel.errors.as_ref()?;
     let column = channel.column?.name();
     let part = if e.judged < e.all {
-        let beyond = e.all - e.judged - e.unsampled;
+        let left = e.all - e.judged - e.unsampled;
         let points = if audit.source == Source::Table { "texels" } else { "points" };
         let told = [
-            (beyond, beyond_truth(audit)),
+            (left, beyond(audit)),
             (
                 e.unsampled,
                 format!(
@@ -290,14 +290,10 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     ))
 }
 
-/// Why texels are not judged.
-fn beyond_truth(audit: &Audit) -> String {
-    let ior = audit.best().axes.iter().any(|axis| axis.scale.input() == Input::Ior);
-    let beyond = format!(" (ior 1, where there is no interface, or above {MOST_IOR})");
-    format!(
-        "lie where the truth is not had or outside of --domain{}",
-        if ior { beyond } else { String::new() }
-    )
+/// Where the texels lie that are not judged.
+fn beyond(audit: &Audit) -> String {
+    let causes: Vec<String> = audit.beyond.iter().map(Beyond::to_string).collect();
+    format!("lie {}", causes.join(", or "))
 }
 
 /// Which texels of a large table are judged.
