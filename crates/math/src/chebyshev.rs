@@ -37,14 +37,32 @@ impl Chebyshev {
             if x == *node {
                 return *value;
             }
-            let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = if i == 0 || i == last { 0.5 * sign } else { sign };
-            let term = weight / (x - node);
+            let term = term(i, last, x - node);
             above += term * value;
             below += term;
         }
         above / below
     }
+}
+
+/// The term of a node, of which `last` is the last, at a distance from it.
+fn term(i: usize, last: usize, distance: f64) -> f64 {
+    let sign = if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+    (if i == 0 || i == last { 0.5 * sign } else { sign }) / distance
+}
+
+/// [`Chebyshev::at`] of interpolants over the same nodes, to the bit, with one division for a node of all.
+pub fn all_at(rows: &[Chebyshev], x: f64) -> Vec<f64> {
+    let Some(Chebyshev { nodes, .. }) = rows.first() else { return Vec::new() };
+    if let Some(hit) = nodes.iter().position(|node| *node == x) {
+        return rows.iter().map(|row| row.values[hit]).collect();
+    }
+    let last = nodes.len() - 1;
+    let terms: Vec<f64> = nodes.iter().enumerate().map(|(i, node)| term(i, last, x - node)).collect();
+    let below = terms.iter().fold(0.0, |sum, term| sum + term);
+    let above =
+        |row: &Chebyshev| terms.iter().zip(&row.values).fold(0.0, |sum, (term, value)| sum + term * value);
+    rows.iter().map(|row| above(row) / below).collect()
 }
 
 /// Weights of the values at Chebyshev nodes of the second kind, ascending, for the interpolant's
@@ -54,11 +72,7 @@ pub fn weights(nodes: &[f64], x: f64) -> Vec<f64> {
         return (0..nodes.len()).map(|i| if i == hit { 1.0 } else { 0.0 }).collect();
     }
     let last = nodes.len() - 1;
-    let term = |(i, node): (usize, &f64)| {
-        let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
-        (if i == 0 || i == last { 0.5 * sign } else { sign }) / (x - node)
-    };
-    let mut terms: Vec<f64> = nodes.iter().enumerate().map(term).collect();
+    let mut terms: Vec<f64> = nodes.iter().enumerate().map(|(i, node)| term(i, last, x - node)).collect();
     let sum: f64 = terms.iter().sum();
     terms.iter_mut().for_each(|t| *t /= sum);
     terms
@@ -73,9 +87,12 @@ mod tests {
         let at = nodes(-1.0, 2.0, 9);
         let values: Vec<f64> = at.iter().map(|x| ops::exp(*x)).collect();
         let interpolant = Chebyshev::new(-1.0, 2.0, values.clone());
+        let other = Chebyshev::new(-1.0, 2.0, values.iter().map(|v| 1.0 / v).collect());
+        let both = [interpolant.clone(), other.clone()];
         for x in [-1.0, -0.3, at[4], 1.99, 2.0] {
             let value: f64 = weights(&at, x).iter().zip(&values).map(|(w, v)| w * v).sum();
             assert!((value - interpolant.at(x)).abs() < 1e-14, "{x}");
+            assert_eq!(all_at(&both, x), [interpolant.at(x), other.at(x)]);
         }
     }
 

@@ -168,7 +168,8 @@ impl Averages {
         let x = ops::log(alpha).clamp(self.alpha[0], self.alpha[1]);
         let last = self.iors.len() - 1;
         let y = (ior - 1.0).sqrt().clamp(self.iors[0], self.iors[last]);
-        chebyshev::weights(&self.iors, y).iter().zip(&self.rows).map(|(w, row)| w * row.at(x)).sum()
+        let rows = chebyshev::all_at(&self.rows, x);
+        chebyshev::weights(&self.iors, y).iter().zip(rows).map(|(w, row)| w * row).sum()
     }
 }
 
