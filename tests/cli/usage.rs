@@ -327,7 +327,10 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     assert_eq!(lines[3], "arguments", "{out}");
     assert_eq!(lines[4], "  ggx_albedo(table, roughness, n_dot_v)", "{out}");
     assert_eq!(lines[5], "  ggx_energy_compensation_rgb(roughness, n_dot_v, f0)", "{out}");
-    assert!(lines[6].starts_with("  f*N, f the lobe  ") && lines[6].ends_with("  N from ggx_energy_compensation_rgb"));
+    assert!(
+        lines[6].starts_with("  f*N, f the lobe  ")
+            && lines[6].ends_with("  N from ggx_energy_compensation_rgb")
+    );
     assert!(
         lines[7].starts_with("  ggx_compensate_reflection(") && lines[7].ends_with("  e from ggx_albedo")
     );

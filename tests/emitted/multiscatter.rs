@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use emit_support::example::{baked, compiled, function, text};
 use lobefit::bake::Baked;
-use lobefit::data::Smith;
+use lobefit::data::{Form, Smith};
 use lobefit::effects::table::{Lookup, Point};
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::Source;
@@ -47,10 +47,12 @@ fn sent_back(lobe: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn lobe_and_lost_light_make_a_white_furnace() {
-    let table = STEEL.tables.iter().find(|table| table.names.lookup == "ggx_albedo").expect("a table of E");
-    let lookup = Lookup::new(&table.table, table.decode).expect("of its decoding");
+    let [baked] = &STEEL.tables[..] else { panic!("a table of E") };
+    let Form::Table(table) = &baked.approximation.form else { panic!("texels") };
+    let lookup = Lookup::new(table, baked.decode).expect("of its decoding");
     let held = |roughness: f64, mu: f64| {
-        f64::from(lookup.at(&Point { roughness: roughness as f32, mu: mu as f32, ..Point::default() }).e)
+        let (roughness, mu) = (roughness as f32, mu as f32);
+        f64::from(lookup.at(&Point { roughness, alpha: roughness * roughness, mu, ..Point::default() }).e)
     };
     let (lobe, average) = (lobe(), emitted("ggx_average_albedo", ["roughness"]));
     let (mut exact, mut by_table) = (0.0_f64, 0.0_f64);

@@ -29,8 +29,9 @@ Arguments are known by their names: a normal, view, light or half vector, tangen
 a roughness or alpha, colours and F0, which are white. --role says what a name does not: n, v, l, h, t, b, a cosine as n.l, roughness or white.
 
 Exit codes:
-  0  without --limit: whatever the verdict is; with --limit: no energy is above 1 + X, and without --one-way f(l, v) within X of f(v, l)
-  1  with --limit: an energy is above 1 + X or its error bars hold 1 + X, f is not reciprocal, or has values that are no numbers
+  0  without a limit: whatever the verdict is; with --limit X: no energy is above 1 + X, and without --one-way f(l, v) within X of f(v, l);
+     with --max-loss X: none is below 1 - X
+  1  with a limit: an energy is beyond it or its error bars hold it, f is not reciprocal, or has values that are no numbers
   2  options, or a file or function that cannot be read
   3  --out, or standard output, cannot be written";
 
@@ -72,6 +73,9 @@ struct Options {
     /// Largest energy above 1, and largest difference of f(l, v) and f(v, l) as a share, that is accepted
     #[arg(long, value_name = "X", value_parser = not_negative)]
     pub limit: Option<f64>,
+    /// Largest energy below 1 that is accepted; without it any, as a lobe alone loses light between facets
+    #[arg(long, value_name = "X", value_parser = not_negative)]
+    pub max_loss: Option<f64>,
     /// Accept a function that is not reciprocal: --limit is on energy alone
     #[arg(long)]
     pub one_way: bool,
@@ -113,14 +117,15 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         set: options.set.clone(),
         roughness: options.roughness.clone(),
         cosine: options.cosine.map(|c| matches!(c, CosineOption::Included)),
-        tolerance: options.limit.map_or(TOLERANCE, |limit| TOLERANCE.min(limit / 4.0)),
+        tolerance: options.limit.iter().chain(&options.max_loss).fold(TOLERANCE, |all, x| all.min(x / 4.0)),
     };
     let found = options.threads.install(|| Ok(furnace::furnace(&function, &asked)?))?;
     drop(progress);
     let name = options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
-    let allowance = Allowance { limit: options.limit, one_way: options.one_way };
+    let allowance = Allowance { limit: options.limit, loss: options.max_loss, one_way: options.one_way };
     let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, allowance);
-    let passed = options.limit.is_none() || judgement.grade == Grade::Pass;
+    let is_limited = options.limit.is_some() || options.max_loss.is_some();
+    let passed = !is_limited || judgement.grade == Grade::Pass;
     let found = FurnaceFindings {
         origin: origin(options, &bytes, &name),
         file: name.clone(),
@@ -178,6 +183,7 @@ fn origin(options: &Options, bytes: &[u8], name: &str) -> Origin {
     let cosine = options.cosine.and_then(|c| c.to_possible_value());
     cosine.iter().for_each(|c| add("--cosine", c.get_name().into()));
     options.limit.iter().for_each(|l| add("--limit", l.to_string()));
+    options.max_loss.iter().for_each(|x| words.push(format!("--max-loss {x}")));
     words.extend(options.one_way.then(|| "--one-way".to_string()));
     Origin {
         scene: String::new(),

@@ -30,6 +30,8 @@ pub struct Allowance {
     /// The largest energy above 1, and the largest difference of f(l, v) and f(v, l); `ALLOWED` where it
     /// is not given.
     pub limit: Option<f64>,
+    /// The largest energy below 1; any where it is not given: a lobe alone loses light between facets.
+    pub loss: Option<f64>,
     /// Whether it may differ for directions that are exchanged, by whatever much.
     pub one_way: bool,
 }
@@ -44,10 +46,13 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let gains = most.value - most.error > 1.0 + allowed;
     // Without symmetry to go by, whose cosine is missing cannot be known.
     let unsure = allowance.one_way && found.cosine.known == "assumed";
-    let open = most.value + most.error > 1.0 + allowed || unsure;
+    let lossy = |least: f64| allowance.loss.is_some_and(|loss| least < 1.0 - loss);
+    let least = found.least.0.energy[found.least.1];
+    let loses = lossy(least.value + least.error);
+    let open = most.value + most.error > 1.0 + allowed || unsure || lossy(least.value - least.error);
     let one_way = broken.share > allowed && !allowance.one_way;
     let unusable = found.unusable.is_some();
-    let grade = match (gains || one_way || unusable, open) {
+    let grade = match (gains || loses || one_way || unusable, open) {
         (true, _) => Grade::Fail,
         (false, true) => Grade::Unknown,
         (false, false) => Grade::Pass,
@@ -56,8 +61,11 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let mut wrong = Vec::new();
     if unsure && !gains {
         wrong.push("leaves the cosine of the light to the caller, or holds it (--cosine says)");
-    } else if gains || open {
+    } else if gains || most.value + most.error > 1.0 + allowed {
         wrong.push("gains energy");
+    }
+    if lossy(least.value - least.error) {
+        wrong.push("loses energy");
     }
     if one_way {
         wrong.push("is not reciprocal");
@@ -72,8 +80,11 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     };
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
+    let loss = allowance.loss.map_or_else(String::new, |loss| {
+        format!(", the least {} at {}, where {loss} may be lost", energy(least), place(&found.least.0.at))
+    });
     let line = format!(
-        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}",
+        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}{loss}",
         energy(most),
         place(&cell.at)
     );

@@ -13,7 +13,7 @@ fn read(text: &str, file: &str, name: &str) -> ShaderFunction {
 }
 
 fn within(limit: Option<f64>) -> Allowance {
-    Allowance { limit, one_way: false }
+    Allowance { limit, ..Allowance::default() }
 }
 
 fn measured(text: &str, file: &str, name: &str, roughness: &[f64]) -> Furnace {
@@ -52,6 +52,10 @@ fn the_energy_of_ggx_is_its_directional_albedo() {
     }
     assert!(found.reciprocity.share < 1e-5 && !found.cosine.included && found.cosine.known == "found");
     assert_eq!(judgement("ggx", &found, within(Some(0.01))).grade, Grade::Pass);
+    let losing = |loss: f64| judgement("ggx", &found, Allowance { loss: Some(loss), ..within(Some(0.01)) });
+    let verdict = losing(0.01);
+    assert!(verdict.grade == Grade::Fail && verdict.line.contains("loses energy"), "{}", verdict.line);
+    assert_eq!(losing(0.9).grade, Grade::Pass);
 }
 
 #[test]
