@@ -519,7 +519,7 @@ fn the_reciprocal_material_is_reciprocal_and_white() {
 fn a_table_of_e_and_b_makes_an_exact_factor() {
     const TABLE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [
         {"name": "b", "kind": "dielectric", "f0": [0.02, 0.05, 0.08], "roughness": [0.01, 1],
-         "base": {"max_ops": 8, "norms": ["max"]},
+         "base": {"max_ops": 24, "norms": ["max"]},
          "wants": {"tables":[{"size": [32, 32], "format": "f32", "serves": "split-sum"}]}}]}"#;
     let scene = Scene::from_json(TABLE.as_bytes(), "table.json").expect("a scene");
     let baked = bake_scene(&scene).expect("a bake");

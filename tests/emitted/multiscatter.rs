@@ -1,4 +1,5 @@
 //! The reciprocal lobe of the light that is lost between facets, as emitted.
+#![allow(clippy::disallowed_methods)]
 
 use crate::emit_support;
 
@@ -14,12 +15,16 @@ use lobefit_shade::Source;
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::reflection::{self, Effort};
 
-static STEEL: LazyLock<Baked> = LazyLock::new(|| {
-    baked(
-        r#"{"schema_version": 1, "name": "steel", "reports": false, "materials": [{"name": "steel", "kind": "metal", "f0": [0.56, 0.57, 0.58],
-            "roughness": [0.1, 1], "wants": {"tables": [{"size": [32, 32]}], "fit": {"max_error": 0.012, "multiscatter": true}}}]}"#,
-    )
-});
+/// The bake of steel that wants this.
+fn steel(wants: &str) -> Baked {
+    baked(&format!(
+        r#"{{"schema_version": 1, "name": "steel", "reports": false, "materials": [{{"name": "steel", "kind": "metal", "f0": [0.56, 0.57, 0.58],
+            "roughness": [0.1, 1], "wants": {wants}}}]}}"#
+    ))
+}
+
+static STEEL: LazyLock<Baked> =
+    LazyLock::new(|| steel(r#"{"fit": {"max_error": 0.012, "multiscatter": true}}"#));
 
 /// An emitted function of these arguments.
 fn emitted<const N: usize>(name: &str, arguments: [&'static str; N]) -> impl Fn([f64; N]) -> f64 {
@@ -47,7 +52,8 @@ fn sent_back(lobe: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn lobe_and_lost_light_make_a_white_furnace() {
-    let [baked] = &STEEL.tables[..] else { panic!("a table of E") };
+    let tabulated = steel(r#"{"tables": [{"size": [32, 32]}]}"#);
+    let [baked] = &tabulated.tables[..] else { panic!("a table of E") };
     let Form::Table(table) = &baked.approximation.form else { panic!("texels") };
     let lookup = Lookup::new(table, baked.decode).expect("of its decoding");
     let held = |roughness: f64, mu: f64| {
@@ -55,7 +61,7 @@ fn lobe_and_lost_light_make_a_white_furnace() {
         f64::from(lookup.at(&Point { roughness, alpha: roughness * roughness, mu, ..Point::default() }).e)
     };
     let (lobe, average) = (lobe(), emitted("ggx_average_albedo", ["roughness"]));
-    let (mut exact, mut by_table) = (0.0_f64, 0.0_f64);
+    let (mut exact, mut by_table) = (0.0_f64, [0.0_f64; 2]);
     for roughness in [0.1, 0.25, 0.5, 0.75, 1.0] {
         let mean = Gauss::new(40).integrate(0.0, 1.0, |mu| 2.0 * mu * albedo(roughness, mu));
         for mu in [0.02, 0.1, 0.3, 0.7, 1.0] {
@@ -63,8 +69,9 @@ fn lobe_and_lost_light_make_a_white_furnace() {
             let white = sent_back(|light| lobe([1.0, view, albedo(roughness, light), mean]));
             exact = exact.max((view + white - 1.0).abs());
             let white = sent_back(|light| lobe([1.0, held(roughness, mu), held(roughness, light), e_avg]));
-            println!("{roughness} {mu}: {:.5}", view + white - 1.0);
-            by_table = by_table.max((view + white - 1.0).abs());
+            let off = (view + white - 1.0).abs();
+            // Where little is lost, what is lost on average divides the table's error.
+            by_table[usize::from(roughness < 0.25)] = by_table[usize::from(roughness < 0.25)].max(off);
             // Each bounce from the second on is tinted once more: the sum of them, one by one.
             let tinted = sent_back(|light| lobe([0.6, view, albedo(roughness, light), mean]));
             let bounces = (0..200).map(|k| 0.6 * 0.6 * mean * (0.6 * (1.0 - mean)).powi(k));
@@ -72,9 +79,9 @@ fn lobe_and_lost_light_make_a_white_furnace() {
             assert!((tinted - expected).abs() < 2e-5, "{roughness} {mu}: {tinted} {expected}");
         }
     }
-    println!("furnace: exact arguments within {exact:.1e}, emitted ones within {by_table:.4}");
+    println!("furnace: exact arguments within {exact:.1e}, by a table within {by_table:.4?}");
     assert!(exact < 2e-5, "{exact:e}");
-    assert!(by_table < 0.01 && by_table > 1e-5, "{by_table}");
+    assert!(by_table[0] < 1e-3 && by_table[1] < 0.025, "{by_table:?}");
 }
 
 #[test]

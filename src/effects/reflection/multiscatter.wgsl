@@ -11,8 +11,8 @@ fn fresnel_average_f82(f0: vec3f, f82: vec3f) -> vec3f {
 }
 
 /// The lobe of light that leaves after more than one bounce between facets, 1/sr per colour channel: add it to the lobe f_ss, in place
-/// of a factor on it. f_avg is the mean of the Fresnel factor; e_v and e_l are E of the view and of the light, by the table of E or
-/// 1/N; e_avg is their mean. Energy: lobe and f_ss with F = 1 send back E + (1 - E) = 1, as far as e_l has the mean e_avg; each
+/// of a factor on it. f_avg is the mean of the Fresnel factor; e_v and e_l are E of the view and of the light, by a table of E (where
+/// little is lost, 1/N is not near enough); e_avg is their mean. Energy: lobe and f_ss with F = 1 send back E + (1 - E) = 1, as far as e_l has the mean e_avg; each
 /// bounce from the second on is tinted once more. Reciprocal. Where nothing is lost, e_avg = 1, it is 0.
 /// Kulla and Conty, "Revisiting physically based shading at Imageworks", 2017.
 fn ggx_multiscatter_lobe(f_avg: vec3f, e_v: f32, e_l: f32, e_avg: f32) -> vec3f {
