@@ -13,6 +13,33 @@ const USUAL_ERROR: f64 = 0.02;
 /// Inputs after the width of the lobe, in the order of emitted functions.
 const INPUTS: [&str; 4] = ["mu", "rho", "f0", "ior"];
 
+/// What a material's call of a formula takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct CallOps {
+    /// How often it evaluates the formula.
+    pub times: u32,
+    /// Operations beside.
+    pub beside: u32,
+}
+
+impl Default for CallOps {
+    fn default() -> Self {
+        CallOps { times: 1, beside: 0 }
+    }
+}
+
+impl CallOps {
+    /// Operations of a call of a formula of so many.
+    pub fn ops(self, formula: u32) -> u32 {
+        formula * self.times + self.beside
+    }
+
+    /// Operations that a budget leaves the formula.
+    pub fn left(self, budget: u32) -> u32 {
+        budget.saturating_sub(self.beside) / self.times
+    }
+}
+
 /// What is emitted of the fits of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Emission {
@@ -24,7 +51,8 @@ pub struct Emission {
     pub role: String,
     /// The error that the scene states.
     pub max_error: Option<f64>,
-    /// The largest budget that is stated without an error: what is taken is as accurate as all within it.
+    /// Most operations of a formula within a budget that is stated without an error: what is taken is as
+    /// accurate as every formula of as many.
     pub within: Option<u32>,
     /// Whether the most accurate is taken where the scene states neither an error nor a budget.
     pub most_accurate: bool,
@@ -38,11 +66,9 @@ pub struct Emission {
     pub float: Float,
     /// Whether a page shows the fits that are not emitted.
     pub shown: bool,
-    /// How often a material evaluates the formula: the budget covers it.
-    pub times: u32,
-    /// Operations that a material's call takes beside the formula; the budget covers them.
-    pub beside: u32,
-    /// What they cost on the vendor's GPUs.
+    /// What the budget covers.
+    pub call: CallOps,
+    /// What the operations beside the formula cost on the vendor's GPUs.
     pub beside_price: f64,
 }
 
@@ -61,8 +87,7 @@ impl Default for Emission {
             every_error: None,
             float: Float::F32,
             shown: true,
-            times: 1,
-            beside: 0,
+            call: CallOps::default(),
             beside_price: 0.0,
         }
     }
@@ -94,17 +119,12 @@ impl Emission {
         self.cost.map_or_else(ops, |vendor| vendor.price(&formula.tape().features()))
     }
 
-    /// Operations of a material's call of a formula of so many.
-    pub fn ops(&self, formula: u32) -> u32 {
-        formula * self.times + self.beside
-    }
-
     /// What a call of a formula costs on the vendor's GPUs, where a budget there is exceeded.
     ///
     /// # Errors
     /// As [`Vendor::model`].
     pub fn beyond(&self, formula: &Hypothesis) -> Result<Option<f64>, WeightsError> {
-        let price = self.price(formula)? * f64::from(self.times) + self.beside_price;
+        let price = self.price(formula)? * f64::from(self.call.times) + self.beside_price;
         Ok(self.budget.is_some_and(|most| price > most).then_some(price))
     }
 
@@ -154,7 +174,7 @@ impl Emission {
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
         let limit = self.limit(max_ops);
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
-        let affordable = |i: &usize| self.within.is_some_and(|most| self.ops(ops(&fits[*i])) <= most);
+        let affordable = |i: &usize| self.within.is_some_and(|most| ops(&fits[*i]) <= most);
         let bar = of_norm.iter().filter(|i| affordable(i)).map(|&i| error(&fits[i], norm)).reduce(f64::min);
         let keeping = of_norm.iter().copied().filter(|&i| {
             limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit)

@@ -18,7 +18,7 @@ pub mod target;
 
 pub use certificate::{approximation, formula};
 pub use closer::{Places, closer};
-pub use emission::Emission;
+pub use emission::{CallOps, Emission};
 pub use entry::Entry;
 pub(crate) use entry::{own, published};
 pub use error::{FitStageError, Runaway};

@@ -126,7 +126,7 @@ impl Wanted<'_> {
     /// # Errors
     /// No model of the vendor's GPUs.
     pub fn too_dear(&self, hypothesis: &Hypothesis) -> Result<Option<Dropped>, FitStageError> {
-        let ops = self.emission.ops(hypothesis.tape().cost_ops());
+        let ops = self.emission.call.ops(hypothesis.tape().cost_ops());
         let reason = match (self.max_ops, self.emission.beyond(hypothesis)?) {
             (Some(most), _) if ops > most => format!("{ops} operations, max_ops is {most}"),
             (_, Some(price)) => {
@@ -249,7 +249,7 @@ impl<'a> Stage<'a> {
                 Err(error) => return Err(error),
             };
             let error = fit.approximation.certificate.max_abs;
-            let ops = emission.ops(h.tape().cost_ops());
+            let ops = emission.call.ops(h.tape().cost_ops());
             if closest.is_none_or(|(least, ..)| error < least) {
                 closest = Some((error, h.name(), ops));
             }
@@ -258,7 +258,7 @@ impl<'a> Stage<'a> {
                 let cost = match emission.cost.filter(|_| emission.budget.is_some()) {
                     Some(vendor) => format!(
                         "at a cost of {:.1} by {}'s model",
-                        price * f64::from(emission.times) + emission.beside_price,
+                        price * f64::from(emission.call.times) + emission.beside_price,
                         vendor.title()
                     ),
                     None => format!("with {ops} operations"),

@@ -32,6 +32,10 @@ struct Argument {
     /// The name of its value; none of a switch.
     value: Option<String>,
     values: Vec<String>,
+    required: bool,
+    /// Whether it may be given more than once.
+    repeats: bool,
+    defaults: Vec<String>,
 }
 
 /// Runs the verb of a package on its arguments (the first is the program's name).
@@ -57,7 +61,8 @@ pub(super) fn whole(mut program: Command) -> Result<Command, CliError> {
     for (verb, (package, before)) in VERBS {
         let words: Vec<&OsStr> = before.iter().chain([&DECLARED]).map(OsStr::new).collect();
         let declared: Declared = match ask(package, &words) {
-            Ok(answer) => serde_json::from_slice(&answer)?,
+            Ok(answer) => serde_json::from_slice(&answer)
+                .map_err(|error| CliError::NotRun { program: package.into(), reason: error.into() })?,
             Err(CliError::NotBuilt { .. }) => continue,
             Err(error) => return Err(error),
         };
@@ -80,6 +85,13 @@ impl Declared {
                 _ => own.get_id().as_str().to_uppercase(),
             }),
             values: own.get_possible_values().iter().map(|value| value.get_name().to_string()).collect(),
+            required: own.is_required_set(),
+            repeats: matches!(own.get_action(), ArgAction::Append),
+            defaults: own
+                .get_default_values()
+                .iter()
+                .map(|text| text.to_string_lossy().into_owned())
+                .collect(),
         };
         Declared {
             about: text(command.get_about()),
@@ -90,7 +102,11 @@ impl Declared {
 
     fn command(self, verb: &'static str) -> Command {
         let argument = |own: Argument| {
-            let mut arg = Arg::new(own.name).help(own.help);
+            let mut arg =
+                Arg::new(own.name).help(own.help).required(own.required).default_values(own.defaults);
+            if own.repeats {
+                arg = arg.action(ArgAction::Append);
+            }
             if let Some(long) = own.long {
                 arg = arg.long(long);
             }

@@ -390,16 +390,13 @@ pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
             calls[i].recommended = best.is_some_and(|best| best.function == calls[i].function);
         }
     }
-    // A lobe is compensated once: by N, or by the E of a table.
+    // A lobe is compensated once: a table of A and B beside a function N is for f0 A + B.
     for i in 0..calls.len() {
-        let (of, layer) = (&calls[i].of, &calls[i].layer);
-        if calls[i].file.is_none() || calls[i].then.is_none() {
-            continue;
-        }
+        let (of, layer, purpose) = (&calls[i].of, &calls[i].layer, &calls[i].purpose);
         let own = calls.iter().filter(|call| (&call.of, &call.layer) == (of, layer));
-        let factor = own.filter(|call| call.then.as_deref() == Some(TIMES)).find(|call| call.recommended);
-        if let Some(purpose) = factor.map(|call| call.purpose.clone()) {
-            (calls[i].purpose, calls[i].recommended) = (purpose, false);
+        let is_factor = |call: &Call| call.then.as_deref() == Some(TIMES) && call.purpose != *purpose;
+        if calls[i].file.is_some() && own.into_iter().any(is_factor) {
+            calls[i].then = None;
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::demand::{Demand, Job, Ranges, hull, merged};
+use super::demand::{Budget, Demand, Job, Ranges, hull, merged};
 use super::who::grouped;
 use super::{BakeError, Effect};
 use crate::approximate::{Emission, Entry};
@@ -109,11 +109,12 @@ impl JobSummary {
         }
     }
 
-    /// Says where no formula is within the budget, of which a call takes so many operations `beside`.
-    pub fn doubting(mut self, job: &Job, own: &[Entry], beside: u32) -> JobSummary {
+    /// Says where no formula is within the budget.
+    pub fn doubting(mut self, job: &Job, own: &[Entry]) -> JobSummary {
+        let Budget { max_ops, call } = job.budget();
         let costs = own.iter().filter_map(|entry| Hypothesis::parse(entry.file, entry.source).ok());
-        let cheapest = costs.map(|formula| formula.tape().cost_ops() + beside).min();
-        if let (Some(cheapest), Some(most)) = (cheapest, job.goals.max_ops)
+        let cheapest = costs.map(|formula| call.ops(formula.tape().cost_ops())).min();
+        if let (Some(cheapest), Some(most)) = (cheapest, max_ops)
             && cheapest > most
         {
             self.approximation +=

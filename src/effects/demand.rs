@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::BakeError;
-use crate::approximate::{Emission, Region};
+use crate::approximate::{CallOps, Emission, Region};
 use crate::data::AlphaMap;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
 
@@ -57,6 +57,17 @@ pub struct Demand {
     pub goals: Goals,
     /// The layer of the material whose roughness it is of; none of the specular lobe and of probes.
     pub layer: Option<&'static str>,
+    /// What its call of a formula takes.
+    pub call: CallOps,
+}
+
+/// The budget of a job.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget {
+    /// Most operations of a call; any where none is stated.
+    pub max_ops: Option<u32>,
+    /// What such a call takes.
+    pub call: CallOps,
 }
 
 /// What calls a function: a material by one of its layers, or a probe.
@@ -270,19 +281,33 @@ impl Job {
         self.demands.iter().map(Demand::caller).filter(|caller| seen.insert(caller.clone())).collect()
     }
 
+    /// The budget that leaves the formula most; of equal ones that whose call takes most counts.
+    pub fn budget(&self) -> Budget {
+        let of = |demand: &Demand| {
+            let same = self.demands.iter().filter(|other| other.goals.max_ops == demand.goals.max_ops);
+            let call = same.map(|other| other.call).max().unwrap_or_default();
+            Budget { max_ops: demand.goals.max_ops, call }
+        };
+        let left = |budget: &Budget| budget.max_ops.map_or(u32::MAX, |most| budget.call.left(most));
+        let none = Budget { max_ops: None, call: CallOps::default() };
+        self.demands.iter().map(of).max_by_key(left).unwrap_or(none)
+    }
+
     /// What is emitted of its fits, under the name of their role.
     pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
         let Output { pick, arguments, cost, budget, every_error, float, reports: shown, .. } = scene.output;
         let (role, max_error) = (role.into(), self.goals.max_error);
         let own =
             Emission { pick, arguments, cost, budget, every_error, float, shown, ..Emission::default() };
-        let alone = self.demands.iter().map(|demand| &demand.goals).filter(|goals| goals.max_error.is_none());
-        Emission { role, max_error, within: alone.filter_map(|goals| goals.max_ops).max(), ..own }
+        let alone = self.demands.iter().filter(|demand| demand.goals.max_error.is_none());
+        let within = alone.filter_map(|demand| Some(demand.call.left(demand.goals.max_ops?))).max();
+        Emission { role, max_error, within, call: self.budget().call, ..own }
     }
 
     /// Who sets the budget, with the field of each: `gold (materials[0].wants.fit)`.
     pub fn bounded_by(&self) -> String {
-        let bounding = self.demands.iter().filter(|demand| demand.goals.max_ops == self.goals.max_ops);
+        let most = self.budget().max_ops;
+        let bounding = self.demands.iter().filter(|demand| demand.goals.max_ops == most);
         let by: Vec<_> = bounding.map(|demand| (demand.name.clone(), demand.field.clone())).collect();
         listed(&by)
     }

@@ -11,7 +11,7 @@ use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
+use crate::approximate::{self, CallOps, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::{Arguments, Use};
 use crate::emit::call::{self, How};
 use crate::report::explore::Drawn;
@@ -91,6 +91,7 @@ impl ValueFits<'_> {
             spans: [("roughness", roughness)].into_iter().chain(mu).collect(),
             goals,
             layer: self.layer,
+            call: CallOps::default(),
         }
     }
 
@@ -114,8 +115,7 @@ impl ValueFits<'_> {
         let [truth, fit] = self.seconds;
         let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
         let what = format!("{} of {}", self.column, self.of);
-        let fits =
-            jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)).doubting(job, self.own, 0));
+        let fits = jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)).doubting(job, self.own));
         let tables = jobs.iter().flat_map(|job| self.table.iter().flat_map(|table| table.expects(job)));
         fits.chain(tables).collect()
     }

@@ -157,7 +157,7 @@ fn misplaced(error: SceneError) -> SceneError {
         let alone = serde_json::Map::from_iter([(name.to_string(), serde_json::Value::Null)]);
         let read = serde_json::from_value::<SceneFile>(alone.into());
         if !read.is_err_and(|error| error.to_string().starts_with("unknown field")) {
-            message = format!("{message}; `{name}` belongs beside `materials`");
+            message = format!("{message}; the scene itself has a field of that name");
         }
     }
     SceneError::Field { file, at, path, message }

@@ -15,6 +15,7 @@ fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
         (output.status.code(), String::from_utf8(output.stdout).expect("text"))
     };
     assert_eq!(run(&["bake", "-", "--out", "assets", "--quiet"], SCENE).0, Some(0));
+    assert_eq!(run(&["check", "-", "--against", "assets", "--quiet"], SCENE).0, Some(0));
     let changed = SCENE.replace("[0.4,1]", "[0.5,1]").replace("\"game\"", "\"play\"");
     let (code, text) = run(&["check", "-", "--against", "assets"], &changed);
     assert_eq!(code, Some(1), "{text}");

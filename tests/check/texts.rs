@@ -11,7 +11,7 @@ fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
 }
 
 #[test]
-fn numbers_are_told_by_their_distance() {
+fn numbers_differ_by_their_distance() {
     let d = different("a.rs", b"x1 = 0.5;\ny = -2.5e-3\n", b"x1 = 0.5;\ny = -2.25e-3\n");
     assert_eq!(d.at.as_deref(), Some("line 2"));
     assert!((d.max_abs.expect("numbers") - 2.5e-4).abs() < 1e-18, "{d:?}");
@@ -35,7 +35,7 @@ fn names_and_lines_are_not_numbers() {
 }
 
 #[test]
-fn line_ends_are_told_from_lines() {
+fn line_ends_are_no_lines() {
     for (expected, found, line, words) in [
         ("a\nb\n", "a\nb", 2, "no final newline where the recipe gives LF"),
         ("a\nb", "a\nb\n", 2, "LF where the recipe gives no final newline"),

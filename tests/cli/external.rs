@@ -109,8 +109,9 @@ fn what_a_package_declares_is_completed_and_has_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let bin = folder.path().join("bin");
     let declared = r#"{"about":"Measure","examples":"","arguments":[
-        {"name":"file","long":null,"short":null,"help":"The file","value":"FILE","values":[]},
-        {"name":"side","long":"side","short":"s","help":"Whence","value":"SIDE","values":["inside","outside"]}]}"#;
+        {"name":"file","long":null,"short":null,"help":"The file","value":"FILE","values":[],"required":true,"repeats":false,"defaults":[]},
+        {"name":"side","long":"side","short":"s","help":"Whence","value":"SIDE","values":["inside","outside"],
+         "required":false,"repeats":true,"defaults":["inside"]}]}"#;
     let answer = format!("test \"$1\" = --declared || exit 2\necho '{declared}'");
     script(&bin, "lobefit-formula", &answer);
     let zsh = run(&bin, folder.path(), &["completions", "zsh"]);
@@ -120,7 +121,8 @@ fn what_a_package_declares_is_completed_and_has_a_page() {
     let man = run(&bin, folder.path(), &["man", pages.to_str().unwrap()]);
     assert_eq!(man.status.code(), Some(0), "{}", stderr(&man));
     let page = fs::read_to_string(pages.join("lobefit-fit.1")).unwrap();
-    assert!(page.contains("\\-\\-side") && page.contains("Whence"), "{page}");
+    let said = ["\\-\\-side", "Whence", "default: inside", "<\\fIFILE\\fR>"];
+    assert!(said.iter().all(|word| page.contains(word)), "{page}");
     script(&bin, "lobefit-formula", "echo broken >&2; exit 2");
     let refused = run(&bin, folder.path(), &["completions", "zsh"]);
     assert!(refused.status.code() == Some(2) && stderr(&refused).contains("broken"), "{}", stderr(&refused));

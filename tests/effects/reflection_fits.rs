@@ -12,6 +12,7 @@ fn spec() -> FitSpec {
         max_ops: Some(20),
         norms: vec![Norm::Max, Norm::Rms],
         average: true,
+        average_ops: None,
         blend: false,
         hypotheses: Vec::new(),
         emission: Emission::default(),

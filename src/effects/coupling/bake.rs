@@ -1,8 +1,8 @@
 //! Jobs to fits of the factor, one set for each kind of lobe that lies above a base.
 
 use super::emitted::around as coupled;
-use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_emitted, page, role, specular};
-use crate::approximate::{Dropped, Emission, Fit, FitSet};
+use super::{AnyF0, CouplingSpec, anywhere, code, evaluations, findings, fit_emitted, page, role, specular};
+use crate::approximate::{Dropped, Fit, FitSet};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::explore::Exploring;
@@ -10,7 +10,6 @@ use crate::effects::page::smallest_error;
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::manifest::{AnyF0Entry, FitEntry};
 use crate::report::explore::Drawn;
-use crate::scene::Material;
 use lobefit_truth::quantity::{COUPLING, GGX_REFLECTION};
 
 /// What was made for the bases under one kind of lobe.
@@ -22,12 +21,6 @@ pub(super) struct Lobe {
     pub nearest: Option<String>,
     /// The error of each of the fits over all f0.
     pub anywhere: Vec<AnyF0>,
-}
-
-/// How often a material evaluates the factor: for each channel of its f0, where they differ.
-fn evaluations(material: &Material) -> u32 {
-    let differs = material.f0.is_some_and(|[red, rest @ ..]| rest.iter().any(|f0| *f0 != red));
-    if differs { 3 } else { 1 }
 }
 
 /// Bakes the effect.
@@ -83,14 +76,10 @@ impl Lobe {
             smith: context.scene.smith,
             region: job.region(context.scene.alpha)?,
             f0: job.range("f0")?,
-            max_ops: job.goals.max_ops,
+            max_ops: job.budget().max_ops,
             norms: job.goals.norms.clone(),
         };
-        let bounding = job.demands.iter().filter(|demand| demand.goals.max_ops == job.goals.max_ops);
-        let times =
-            bounding.filter_map(|demand| context.scene.materials.get(demand.of)).map(evaluations).max();
         let emission = job.emission(context.scene, &role(spec.specular));
-        let emission = Emission { times: times.unwrap_or(1), ..emission };
         let FitSet { fits, dropped, nearest, .. } = fit_emitted(&spec, emission, &context.memo)?;
         let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.memo)?;
         Ok(Lobe { spec, fits, dropped, nearest, anywhere })

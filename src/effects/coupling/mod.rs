@@ -27,7 +27,9 @@ use super::effect::Note;
 use super::who::{about, anisotropy, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
-use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Memo, Region, SafeRange, Wanted};
+use crate::approximate::{
+    self, CallOps, Emission, Entry, FitSet, FitStageError, Memo, Region, SafeRange, Wanted,
+};
 use crate::data::{AlphaMap, Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, F0, Peak, anywhere};
@@ -90,7 +92,7 @@ impl Effect for DiffuseCoupling {
             let fits = hypotheses(specular).len() * job.goals.norms.len();
             let of = format!("the coupling factor under a {} lobe", specular.name());
             let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
-            Some(summary.doubting(job, hypotheses(specular), 0))
+            Some(summary.doubting(job, hypotheses(specular)))
         };
         jobs.iter().filter_map(summary).collect()
     }
@@ -178,7 +180,14 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
         goals: base.goals.clone(),
         layer: None,
+        call: CallOps { times: evaluations(material), ..CallOps::default() },
     })
+}
+
+/// How often a material evaluates the factor: for each channel of its f0, where they differ.
+fn evaluations(material: &Material) -> u32 {
+    let differs = material.f0.is_some_and(|[red, rest @ ..]| rest.iter().any(|f0| *f0 != red));
+    if differs { 3 } else { 1 }
 }
 
 /// A reflectance in twelve digits, without the rounding error of ((1.5 - 1)/(1.5 + 1))^2.

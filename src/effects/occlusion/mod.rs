@@ -7,6 +7,7 @@ use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::approximate::CallOps;
 use crate::emit::call::{Call, MaskLookup};
 use crate::emit::manifest::CostEntry;
 use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
@@ -40,6 +41,7 @@ impl Effect for Occlusion {
             spans: Default::default(),
             goals: Goals::error(None),
             layer: None,
+            call: CallOps::default(),
         });
         demand.collect()
     }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{HYPOTHESES, PUBLISHED};
+use crate::approximate::CallOps;
 use crate::data::{MipChain, Pick, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
@@ -65,6 +66,7 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
         spans: BTreeMap::from([("rho", rho), ("roughness", roughness)]),
         goals: probe.goals.clone(),
         layer: None,
+        call: CallOps::default(),
     }
 }
 
@@ -123,7 +125,7 @@ pub(super) fn summary(scene: &Scene, job: &Job) -> Option<JobSummary> {
     let of = format!("the width of a fetch from a {} chain", lobe.kernel.name());
     let fits = HYPOTHESES.len() * job.goals.norms.len() + PUBLISHED.len();
     let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
-    let mut summary = summary.doubting(job, &HYPOTHESES, 0);
+    let mut summary = summary.doubting(job, &HYPOTHESES);
     summary.recommended = Some("the most accurate".into());
     summary.approximation += &format!("{chains}{lookups}{fitted}");
     Some(summary)

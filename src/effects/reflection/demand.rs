@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use super::table::Dfg;
 use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
+use crate::approximate::CallOps;
 use crate::data::{AlphaMap, Smith};
 use crate::effects::JobSummary;
-use crate::effects::demand::{Demand, Job, Span};
+use crate::effects::demand::{Budget, Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, anisotropy, is_rough, named, reasons, rough, stay_smooth, verb};
 use crate::emit::compensation;
 use crate::scene::{Lobe, Material, Scene, Serves};
-use lobefit_shade::ShadeError;
 use lobefit_truth::quantity::Specular;
 
 /// Seconds of one truth E.
@@ -102,6 +102,7 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
             spans: BTreeMap::from([("mu", Span::new(scene.mu)), ("roughness", roughness)]),
             goals: want.goals.clone(),
             layer: None,
+            call: CallOps { beside: beside(material), ..CallOps::default() },
         });
         tables.chain(fit).collect::<Vec<Demand>>()
     };
@@ -165,15 +166,22 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
     }
 }
 
-fn is_coloured(scene: &Scene, demand: &Demand) -> bool {
-    scene.materials.get(demand.of).is_some_and(|material| material.specular() == Specular::Compensated)
+fn is_coloured(material: &Material) -> bool {
+    material.specular() == Specular::Compensated
+}
+
+/// Operations of a material's call beside the normalisation: a metal calls the form for three channels.
+fn beside(material: &Material) -> u32 {
+    // A text that does not parse is a defect, which the bake names.
+    if is_coloured(material) { compensation::coloured_ops().unwrap_or(0) } else { 0 }
 }
 
 impl FitJob {
     /// What the materials of a job of fits want.
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
-        let coloured = job.demands.iter().any(|demand| is_coloured(scene, demand));
+        let materials = job.demands.iter().filter_map(|demand| scene.materials.get(demand.of));
+        let coloured = materials.into_iter().any(is_coloured);
         let mut fits = FitJob { coloured, ..FitJob::default() };
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
@@ -184,24 +192,6 @@ impl FitJob {
             fits.hypotheses.extend(new);
         }
         fits
-    }
-
-    /// The widest budget of the materials, and what the calls that it is stated for take beside the
-    /// normalisation: a metal calls the form for three channels. The budget that leaves most for
-    /// the normalisation is the widest.
-    ///
-    /// # Errors
-    /// A text that does not parse, a defect of this program.
-    pub fn budget(scene: &Scene, job: &Job) -> Result<(Option<u32>, u32), ShadeError> {
-        let coloured = compensation::coloured_ops()?;
-        let beside = |budget: Option<u32>| {
-            let of_budget = job.demands.iter().filter(|demand| demand.goals.max_ops == budget);
-            if of_budget.into_iter().any(|demand| is_coloured(scene, demand)) { coloured } else { 0 }
-        };
-        let budgets = job.demands.iter().map(|demand| demand.goals.max_ops);
-        let left = |budget: &Option<u32>| budget.map_or(u32::MAX, |ops| ops.saturating_sub(beside(*budget)));
-        let widest = budgets.max_by_key(left).flatten();
-        Ok((widest, beside(widest)))
     }
 }
 
@@ -224,33 +214,32 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
     if !wants.hypotheses.is_empty() {
         return summary;
     }
-    // A text that does not parse is a defect, which the bake names.
-    let beside = if wants.coloured { compensation::coloured_ops().unwrap_or(0) } else { 0 };
-    let doubt = doubt(scene, job, beside).unwrap_or_default();
-    let summary = summary.doubting(job, &NORMALISATIONS, beside);
+    let doubt = doubt(scene, job).unwrap_or_default();
+    let summary = summary.doubting(job, &NORMALISATIONS);
     JobSummary { approximation: summary.approximation + &doubt, ..summary }
 }
 
 /// What the errors [`REACHED`] say against the goals of a job of normalisations in their domain: what is
 /// reached within the budget, and which budget reaches the limit. `bake` knows: it fits them over the
 /// job's own region.
-fn doubt(scene: &Scene, job: &Job, beside: u32) -> Option<String> {
+fn doubt(scene: &Scene, job: &Job) -> Option<String> {
     let [roughness, mu] = [job.range("roughness").ok()?, job.range("mu").ok()?];
     let is_known = scene.smith == Smith::Correlated && scene.alpha == AlphaMap::RoughnessSquared;
     if !is_known || roughness[0] < 0.02 || mu[0] < 0.01 {
         return None;
     }
-    let most = job.goals.max_ops.unwrap_or(u32::MAX);
-    let (ops, least) = REACHED.iter().rfind(|(ops, _)| ops + beside <= most)?;
+    let Budget { max_ops, call } = job.budget();
+    let most = max_ops.unwrap_or(u32::MAX);
+    let (ops, least) = REACHED.iter().rfind(|(ops, _)| call.ops(*ops) <= most)?;
     let limit = job.goals.max_error.filter(|limit| limit < least)?;
     let keeps = REACHED.iter().find(|(_, error)| *error <= limit);
     let instead = keeps
         .map_or(", and no formula less: `bake` ends with the table that keeps it".into(), |(ops, error)| {
-            format!(", {} reach {error}", ops + beside)
+            format!(", {} reach {error}", call.ops(*ops))
         });
     Some(format!(
         "; max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
-        ops + beside
+        call.ops(*ops)
     ))
 }
 

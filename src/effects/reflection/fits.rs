@@ -3,7 +3,7 @@
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 use super::{PUBLISHED, PUBLISHED_BLENDS};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Emission, FitSet, FitStageError, Memo, Region, Wanted};
+use crate::approximate::{self, CallOps, Emission, FitSet, FitStageError, Memo, Region, Wanted};
 use crate::data::{Norm, Pick, Smith, Source, Use};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::{GGX_REFLECTION, GgxAverage, Quantity, Variant};
@@ -21,6 +21,8 @@ pub struct FitSpec {
     pub norms: Vec<Norm>,
     /// Also fit the average albedo.
     pub average: bool,
+    /// Most operations of a fit of it; none: any.
+    pub average_ops: Option<u32>,
     /// Also fit f0 A + B.
     pub blend: bool,
     /// The user's hypotheses: file name and WGSL source.
@@ -88,6 +90,7 @@ impl FitSpec {
             emission: Emission { most_accurate: true, ..self.emission_as("ggx_average_albedo") },
             ..self.of(&GgxAverage, "E_avg", Use::VALUE)
         };
+        wanted.max_ops = self.average_ops;
         wanted.spec.domain.remove("mu");
         wanted
     }
@@ -102,7 +105,13 @@ impl FitSpec {
     /// is called beside them.
     fn emission_as(&self, role: &str) -> Emission {
         let max_error = self.emission.every_error;
-        Emission { role: role.into(), max_error, beside: 0, beside_price: 0.0, ..self.emission.clone() }
+        Emission {
+            role: role.into(),
+            max_error,
+            call: CallOps::default(),
+            beside_price: 0.0,
+            ..self.emission.clone()
+        }
     }
 
     /// No formula for a column of a quantity in a use, over the region.

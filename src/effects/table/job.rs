@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
+use crate::approximate::CallOps;
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use crate::effects::demand::{Caller, Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
@@ -148,6 +149,7 @@ pub fn demand(
         spans,
         goals: Goals::error(want.max_error),
         layer: None,
+        call: CallOps::default(),
     })
 }
 

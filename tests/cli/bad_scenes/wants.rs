@@ -26,7 +26,7 @@ fn not_a_want() -> Vec<Case> {
         ),
         case(wants("{\"texture\":{}}"), "unknown field `texture`, expected one of `tables`, `fit`"),
         case(wants("{\"fit\":{},\"fit\":{}}"), "duplicate field `fit`"),
-        case(wants("{\"fit\":{\"pick\":\"all\"}}"), "; `pick` belongs beside `materials`"),
+        case(wants("{\"fit\":{\"pick\":\"all\"}}"), "; the scene itself has a field of that name"),
         case(
             table("\"size\":32"),
             "wants.tables[0].size: invalid type: integer `32`, expected a list in brackets, [...], of at most 3 entries",

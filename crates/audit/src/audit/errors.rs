@@ -52,7 +52,7 @@ impl TexelErrors {
     }
 }
 
-/// Less 1 of the golden ratio: its multiples are spread evenly, however many they are.
+/// The golden ratio less 1: its multiples are spread evenly, however many they are.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A texel as an audit reads it, for whoever integrates its truth again.

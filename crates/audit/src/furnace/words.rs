@@ -48,8 +48,11 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let unsure = allowance.one_way && found.cosine.known == "assumed";
     let lossy = |least: f64| allowance.loss.is_some_and(|loss| least < 1.0 - loss);
     let least = found.least.0.energy[found.least.1];
-    let loses = lossy(least.value + least.error);
-    let open = most.value + most.error > 1.0 + allowed || unsure || lossy(least.value - least.error);
+    // Of a function that may hold the cosine already the energies are bounds from below.
+    let loses = lossy(least.value + least.error) && !unsure;
+    let may_gain = most.value + most.error > 1.0 + allowed;
+    let may_lose = lossy(least.value - least.error);
+    let open = may_gain || may_lose || unsure;
     let one_way = broken.share > allowed && !allowance.one_way;
     let unusable = found.unusable.is_some();
     let grade = match (gains || loses || one_way || unusable, open) {
@@ -61,11 +64,11 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let mut wrong = Vec::new();
     if unsure && !gains {
         wrong.push("leaves the cosine of the light to the caller, or holds it (--cosine says)");
-    } else if gains || most.value + most.error > 1.0 + allowed {
-        wrong.push("gains energy");
-    }
-    if lossy(least.value - least.error) {
-        wrong.push("loses energy");
+    } else {
+        // In a failure what is sure is said.
+        let said = |sure: bool, may: bool| if grade == Grade::Fail { sure } else { may };
+        wrong.extend(said(gains, may_gain).then_some("gains energy"));
+        wrong.extend(said(loses, may_lose).then_some("loses energy"));
     }
     if one_way {
         wrong.push("is not reciprocal");
@@ -79,7 +82,8 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
         (false, _) => wrong.join(" and "),
     };
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
-    let allowed_by = limit.map_or("no limit is given".into(), |limit| format!("the limit is {limit}"));
+    let is_limited = limit.is_some() || allowance.loss.is_some();
+    let allowed_by = if is_limited { format!("the limit is {allowed}") } else { "no limit is given".into() };
     let loss = allowance.loss.map_or_else(String::new, |loss| {
         format!(", the least {} at {}, where {loss} may be lost", energy(least), place(&found.least.0.at))
     });

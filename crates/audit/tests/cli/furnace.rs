@@ -33,6 +33,12 @@ fn a_whole_brdf_is_measured_and_reported() {
     }
     let found: serde_json::Value = serde_json::from_str(&figures).unwrap();
     assert_eq!(found["judgement"]["grade"], "PASS");
+    // What sends back half of the light, where so much may be lost.
+    for (most, code) in [("0.4", 1), ("0.6", 0)] {
+        let (found, said, _) = run(&["--set", "brightness=0.5", "--max-loss", most]);
+        assert!(found == Some(code) && said.contains("loses energy") == (code == 1), "{most}: {said}");
+        assert!(said.contains("the limit is 0.005"), "{said}");
+    }
     let energy = found["furnace"]["most"][0]["energy"][0]["value"].as_f64().unwrap();
     assert!((energy - 0.5).abs() < 1e-3, "{energy}");
     let command =

@@ -10,7 +10,7 @@ use crate::approximate::{Emission, Fit, FitSet, FitStageError};
 use crate::data::{Use, Vendor};
 use crate::effects::code::{functions, rgb};
 use crate::effects::context::Context;
-use crate::effects::demand::Job;
+use crate::effects::demand::{Budget, Job};
 use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::call::TIMES;
@@ -135,8 +135,8 @@ fn coloured_price(vendor: Vendor) -> Result<f64, BakeError> {
 fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
     context.progress.stage("fits");
     let wants = FitJob::of(context.scene, job);
-    let (max_ops, beside) = FitJob::budget(context.scene, job).map_err(CodeError::from)?;
-    let vendor = context.scene.output.cost.filter(|_| beside > 0);
+    let Budget { max_ops, call } = job.budget();
+    let vendor = context.scene.output.cost.filter(|_| call.beside > 0);
     let beside_price = vendor.map(coloured_price).transpose()?.unwrap_or_default();
     let spec = FitSpec {
         smith: context.scene.smith,
@@ -144,9 +144,11 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
         max_ops,
         norms: job.goals.norms.clone(),
         average: wants.average,
+        // The lobe divides by 1 - E_avg, of which few operations leave nothing that is right.
+        average_ops: max_ops.filter(|_| !wants.multiscatter),
         blend: wants.blend,
         hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
-        emission: Emission { beside, beside_price, ..job.emission(context.scene, NORMALISATION) },
+        emission: Emission { beside_price, ..job.emission(context.scene, NORMALISATION) },
     };
     Ok(fit_all(&spec, &context.memo)?)
 }
