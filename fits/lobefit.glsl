@@ -61,7 +61,7 @@ vec3 ggx_compensate_glass(vec3 f, float e) {
 }
 
 // ---- reflection ----
-// Recommended: ggx_energy_compensation_rgb, ggx_energy_compensation:
+// Recommended: ggx_energy_compensation_rgb:
 //   the cheapest function within max_error (0.02 where the scene states neither max_error nor max_ops),
 //   or the most accurate within max_ops
 

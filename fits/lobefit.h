@@ -106,7 +106,7 @@ static inline lobefit_float3 ggx_compensate_glass(lobefit_float3 f, float e) {
 }
 
 // ---- reflection ----
-// Recommended: ggx_energy_compensation_rgb, ggx_energy_compensation:
+// Recommended: ggx_energy_compensation_rgb:
 //   the cheapest function within max_error (0.02 where the scene states neither max_error nor max_ops),
 //   or the most accurate within max_ops
 

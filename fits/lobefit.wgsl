@@ -59,7 +59,7 @@ fn ggx_compensate_glass(f: vec3<f32>, e: f32) -> vec3<f32> {
 }
 
 // ---- reflection ----
-// Recommended: ggx_energy_compensation_rgb, ggx_energy_compensation:
+// Recommended: ggx_energy_compensation_rgb:
 //   the cheapest function within max_error (0.02 where the scene states neither max_error nor max_ops),
 //   or the most accurate within max_ops
 

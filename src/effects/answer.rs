@@ -1,6 +1,8 @@
 //! What a reader takes from an effect: of everything that its bake measured, up to three choices
 //! for each purpose.
 
+use std::cmp::Reverse;
+
 use super::made::Limited;
 use super::table::BakedTable;
 use super::{BakeError, Made};
@@ -230,6 +232,16 @@ fn preference(lookup: &LookupFunction) -> (Option<usize>, u32, u32) {
 /// The lookup of a probe that is taken before the others.
 pub(crate) fn preferred(lookups: &[LookupFunction]) -> Option<&LookupFunction> {
     lookups.iter().min_by_key(|lookup| preference(lookup))
+}
+
+/// Of lookups within a limit the most accurate: more fetches are nearer to the lobe.
+pub(crate) fn most_accurate<'a>(
+    lookups: impl Iterator<Item = &'a LookupFunction>,
+) -> Option<&'a LookupFunction> {
+    lookups.min_by_key(|lookup| {
+        let (edges, fetches, ops) = preference(lookup);
+        (edges, Reverse(fetches), ops)
+    })
 }
 
 /// Lookups of probes: the fewest operations, the preferred, and the most operations. The error of a

@@ -34,7 +34,7 @@ mod who;
 pub mod width;
 
 pub use albedo::Albedo;
-pub(crate) use answer::{preferred, rule};
+pub(crate) use answer::{most_accurate, preferred, rule};
 pub use called::{Called, JobSummary, LeftOut};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};

@@ -188,3 +188,20 @@ fn what_nothing_keeps_names_the_nearest() {
         assert!(stderr(&output).contains(part), "{words:?}: {}", stderr(&output));
     }
 }
+
+/// Of lookups of a probe the one within a budget is the most accurate, though all have the error of one width.
+#[test]
+fn a_budget_takes_the_most_accurate_lookup_within_it() {
+    let probe = br#"{"schema_version": 1, "materials": [], "probes": [{"name": "hall", "roughness": [0.3, 0.6], "rho": [0.5, 2],
+      "mips": {"map": "log", "count": 7}, "lookups": [{"hit": true}, {"edges": "sharp"}, {}]}]}"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    for (budget, name) in [("30", "hit_log_7"), ("100", "box_sharp_1_log_7"), ("200", "box_smooth_1_log_7")] {
+        let output = lobefit(folder.path(), &["cost", "-", "--budget", budget], probe);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let found: Vec<&str> = text.lines().filter(|line| line.starts_with("parallax_lookup_")).collect();
+        assert!(
+            found.len() == 1 && found[0].starts_with(&format!("parallax_lookup_{name}")),
+            "{budget}: {text}"
+        );
+    }
+}

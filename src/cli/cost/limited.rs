@@ -14,8 +14,8 @@ use super::{NOTHING, Options};
 use crate::approximate::FitStageError;
 use crate::bake::{BakeError, Baked, Selection};
 use crate::data::Vendor;
-use crate::effects::Called;
-use crate::emit::call::Call;
+use crate::effects::{Called, most_accurate};
+use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header::short;
 use crate::emit::include;
 use crate::emit::manifest::{Entries, Manifest, TableEntry};
@@ -141,9 +141,17 @@ impl Shipped {
         for (k, calls) in purposes.iter().enumerate() {
             // The limit of a job of fits is on the first that it makes for a material.
             let is_first = purposes[..k].iter().all(|before| before[0].of != calls[0].of);
-            let within = calls.iter().filter(|call| beyond(call, limits).is_empty());
-            let best = within
-                .min_by(|a, b| b.recommended.cmp(&a.recommended).then(a.max_error.total_cmp(&b.max_error)));
+            let within = || calls.iter().filter(|call| beyond(call, limits).is_empty());
+            // Lookups have one width, and its error tells none from another.
+            let is_within = |lookup: &&LookupFunction| within().any(|call| call.function == lookup.function);
+            let lookup = most_accurate(entries.lookups.iter().filter(is_within));
+            let lookup = lookup.filter(|_| limits.budget.is_some());
+            let of_lookup = |call: &&&Call| lookup.is_some_and(|lookup| lookup.function == call.function);
+            let best = within().find(of_lookup).or_else(|| {
+                within().min_by(|a, b| {
+                    b.recommended.cmp(&a.recommended).then(a.max_error.total_cmp(&b.max_error))
+                })
+            });
             let Some(&call) = best else {
                 let nearest = calls.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
                 self.unkept.extend(nearest.map(|call| {
