@@ -64,7 +64,7 @@ pub struct Demand {
 /// The budget of a job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
-    /// Most operations of a call; any where none is stated.
+    /// Most operations of a call; any number where the demands state no budget.
     pub max_ops: Option<u32>,
     /// What such a call takes.
     pub call: CallOps,

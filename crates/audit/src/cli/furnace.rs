@@ -30,7 +30,7 @@ a roughness or alpha, colours and F0, which are white. --role says what a name d
 
 Exit codes:
   0  without a limit: whatever the verdict is; with --limit X: no energy is above 1 + X, and without --one-way f(l, v) within X of f(v, l);
-     with --max-loss X: none is below 1 - X, and --limit is 0.005 where it is not given
+     with --max-loss X: no energy is below 1 - X, and --limit is 0.005 where it is not given
   1  with a limit: an energy is beyond it or its error bars hold it, f is not reciprocal, or has values that are no numbers
   2  options, or a file or function that cannot be read
   3  --out, or standard output, cannot be written";
