@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods)]
 
 use super::dielectric::reflected;
-use crate::baked_support::shared;
+use crate::baked_support::{assert_promised, shared};
 use crate::emit_support;
 
 use std::collections::BTreeSet;
@@ -161,6 +161,7 @@ fn ours_beat_what_is_published() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
+    assert_promised("tests/emitted/clearcoat.rs", &LACQUER.fits);
     assert_eq!(LACQUER.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.05 * theirs, "{ours} {theirs}");
 }

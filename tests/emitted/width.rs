@@ -3,6 +3,7 @@
 //! beside the rule that engines ship.
 #![allow(clippy::disallowed_methods)]
 
+use crate::baked_support::assert_promised;
 use crate::emit_support;
 use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
@@ -117,6 +118,7 @@ fn ours_beat_the_rule_that_engines_ship() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
+    assert_promised("tests/emitted/width.rs", &PANES.fits);
     assert_eq!(PANES.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.1 * theirs, "{ours} {theirs}");
 }
