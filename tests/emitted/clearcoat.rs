@@ -27,7 +27,7 @@ use lobefit_truth::quantity::{GgxCoat, Quantity};
 const SCENE: &str = include_str!("../../examples/lacquer.json");
 
 /// Every formula of the share over the indices of refraction of the example.
-static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
+pub(crate) static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
     // Without a lobe below the coat, which has fits of its own.
     let smooth = SCENE.replace(r#""roughness": [0.3, 0.6]"#, r#""roughness": 0"#);
     let json = smooth.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1);

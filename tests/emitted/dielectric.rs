@@ -18,7 +18,7 @@ use lobefit_shade::code::Language;
 const SCENE: &str = include_str!("../../examples/coats.json");
 
 /// Every formula over the indices of refraction of the example.
-static COATS: LazyLock<Baked> = LazyLock::new(|| all(SCENE));
+pub(crate) static COATS: LazyLock<Baked> = LazyLock::new(|| all(SCENE));
 
 /// A scene's bake with every formula.
 fn all(json: &str) -> Baked {

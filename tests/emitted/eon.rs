@@ -13,7 +13,7 @@ use lobefit_math::ops;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Source, Tape};
 
-static CLAY: LazyLock<Baked> = LazyLock::new(|| baked(include_str!("../../examples/clay.json")));
+pub(crate) static CLAY: LazyLock<Baked> = LazyLock::new(|| baked(include_str!("../../examples/clay.json")));
 
 /// The emitted BRDF's first channel.
 fn lobe() -> impl Fn(f32, f32, [f64; 3]) -> f64 {

@@ -18,7 +18,7 @@ use lobefit_truth::quantity::{Quantity, RefractedWidth};
 const SCENE: &str = include_str!("../../examples/panes.json");
 
 /// Every formula over the indices of refraction of the example.
-static PANES: LazyLock<Baked> =
+pub(crate) static PANES: LazyLock<Baked> =
     LazyLock::new(|| baked(&SCENE.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1)));
 
 /// Facets of a lattice.

@@ -110,6 +110,8 @@ pub struct Promises {
     pub quantities: Vec<Quantity>,
     /// Formulas that are fitted.
     pub formulas: Vec<Formula>,
+    /// Emitted functions that are below 0 somewhere beyond the domains that they state.
+    pub beyond: Vec<Exception>,
     /// The conduct of the program.
     pub conduct: Vec<Conduct>,
     /// What is not promised.
@@ -203,6 +205,10 @@ pub fn page() -> String {
     for Formula { name, ops, max_error, test } in &list.formulas {
         let _ = writeln!(page, "| `{name}` | {ops} | {max_error} | `{test}` |");
     }
+    page += BEYOND;
+    for Exception { name, reason } in &list.beyond {
+        let _ = writeln!(page, "- `{name}`: {reason}");
+    }
     page += FUNCTIONS;
     for Function { name, inputs, relative, absolute, inside_alone, remark } in &list.functions {
         let bars = [(relative, " of itself"), (absolute, "")];
@@ -255,6 +261,13 @@ coefficients rounded. The certificate of a scene's own domain stands in its mani
 
 | formula | operations | largest error | fitted by |
 |---|---|---|---|
+";
+
+const BEYOND: &str = "
+Emitted functions of numbers as GPUs may run them, in f32 with subnormal numbers flushed, sums of products fused or not, quotients and roots
+2.5 ulp off either way: a value moves by less than 3e-6 of 1 and its size. With mu down to 1e-4, roughness 0 to 1, ior 1 to 3 and rho
+1e-3 to 1000 they are finite, and not below 0 (`tests/emitted/hardware.rs`), but for
+
 ";
 
 const FUNCTIONS: &str = "

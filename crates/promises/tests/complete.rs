@@ -163,3 +163,23 @@ fn the_page_is_what_the_list_prints() {
     let differs = there.lines().zip(page().lines()).find(|(a, b)| a != b).map(|(a, b)| format!("{a}\n{b}"));
     assert!(there == page(), "cargo run --release -p lobefit-promises > docs/promises.md\n{differs:?}");
 }
+
+#[test]
+fn the_defects_to_plant_have_their_places() {
+    let list = fs::read_to_string(root().join("tests/planted/defects.json")).expect("the list");
+    let list: Vec<serde_json::Value> = serde_json::from_str(&list).expect("JSON");
+    let caught = fs::read_to_string(root().join("tests/planted/caught.md")).expect("the record");
+    assert!(list.len() >= 40, "{}", list.len());
+    for defect in list {
+        let of = |key: &str| defect[key].as_str().unwrap_or_else(|| panic!("{defect}: {key}"));
+        let (before, rest) = of("from").split_once("[[").expect("an expression");
+        let (expression, after) = rest.rsplit_once("]]").expect("an expression");
+        let text = fs::read_to_string(root().join(of("file"))).expect("a file");
+        let times = text.matches(&format!("{before}{expression}{after}")).count();
+        assert!(times == 1 && expression != of("to"), "{}: {times} places", of("name"));
+        let row = format!("| {} | `{}` | ", of("name"), of("file"));
+        let rest = caught.split(&row).nth(1).unwrap_or_else(|| panic!("no row {row}"));
+        let tests = rest.split(' ').next().and_then(|number| number.parse::<u32>().ok());
+        assert!(tests >= Some(2), "{}: caught by {tests:?}", of("name"));
+    }
+}
