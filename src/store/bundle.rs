@@ -114,8 +114,14 @@ impl<D: Disk> Folder<D> {
         created: &mut Vec<PathBuf>,
     ) -> Result<Prepared<D::Temp>, StoreError> {
         self.create_root(created)?;
-        if self.lock.is_none() {
-            self.acquire()?;
+        // A folder that was removed in mid-run took its lock with it.
+        if self.lock.is_none() || !created.is_empty() {
+            let locked = self.acquire();
+            if matches!(locked, Err(StoreError::Busy { .. })) {
+                // What was made belongs to the other process now.
+                created.clear();
+            }
+            locked?;
         }
         self.sweep(files)?;
         let mut prepared = Prepared::default();
@@ -192,7 +198,11 @@ impl<D: Disk> Folder<D> {
     }
 
     fn create(&self, folder: &Path, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
-        self.disk.create_folder(folder).map_err(StoreError::writing(folder, Operation::CreateFolder))?;
+        match self.disk.create_folder(folder) {
+            // Another process may have made it meanwhile.
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists && self.exists(folder)? => return Ok(()),
+            done => done.map_err(StoreError::writing(folder, Operation::CreateFolder))?,
+        }
         created.push(folder.to_owned());
         Ok(())
     }

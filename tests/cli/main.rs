@@ -13,9 +13,14 @@ mod cache;
 mod cost;
 mod eval;
 mod external;
+#[cfg(unix)]
+mod folders;
 mod hypotheses;
 mod kernels;
+#[cfg(unix)]
+mod killed;
 mod manual;
+mod pipes;
 mod records;
 mod shards;
 mod tables;
