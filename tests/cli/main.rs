@@ -15,6 +15,8 @@ mod eval;
 mod external;
 #[cfg(unix)]
 mod folders;
+#[cfg(target_os = "linux")]
+mod hostile;
 mod hypotheses;
 mod kernels;
 #[cfg(unix)]
