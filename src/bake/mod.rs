@@ -25,7 +25,7 @@ use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::store::{Cache, Files};
 pub use build::{BUILD, BUILD_FILE, sign};
-pub use compare::{Difference, Kind, changed, compare};
+pub use compare::{Difference, Kind, changed, compare, different_text};
 pub use previous::{PreviousError, previous};
 pub use recipe::{TOOL, recipe};
 pub use shard::{ENDING as SHARD_ENDING, MOST as SHARDS, Shard, ShardError, merge, shard};

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use super::calls::{MARK, cosines, table};
 use super::check::{FILE_BYTES, for_shaders};
@@ -15,7 +17,6 @@ use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
 use crate::effects::{PATH_TRACER, PATH_TRACER_CONVENTIONS, rule};
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
-use crate::emit::manifest::Manifest;
 use crate::plan::{self, Plan};
 use crate::report::without_absent;
 use crate::scene::Scene;
@@ -98,6 +99,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     finish(baked, (&input.scene, &plan), folder, &options.output)
 }
 
+/// How many effects a manifest has: the rest of it is not kept, for anybody may have written it.
+#[derive(Deserialize)]
+struct Effects {
+    #[serde(default)]
+    effects: Vec<IgnoredAny>,
+}
+
 /// A scene that calls for nothing would remove all that lies in a folder of another bake: an empty list is
 /// more often a mistake of what wrote it. A folder whose bake has no effects has nothing to lose.
 fn refuse_to_empty(out: &Path, input: &Input, plan: &Plan) -> Result<(), CliError> {
@@ -105,7 +113,7 @@ fn refuse_to_empty(out: &Path, input: &Input, plan: &Plan) -> Result<(), CliErro
         return Ok(());
     }
     let bytes = store::read(&out.join(MANIFEST), FILE_BYTES).ok();
-    let old = bytes.and_then(|bytes| serde_json::from_slice::<Manifest>(&bytes).ok());
+    let old = bytes.and_then(|bytes| serde_json::from_slice::<Effects>(&bytes).ok());
     if old.is_none_or(|manifest| manifest.effects.is_empty()) {
         return Ok(());
     }

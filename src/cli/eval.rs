@@ -139,16 +139,17 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 
 /// Which rows of quadrature are farther off than the quantity promises, where nothing else was asked
 /// for: their values stand in the file, with the error that was reached.
-fn broken_promise(options: &Options, points: &Points, values: &[Vec<f64>]) -> Option<String> {
+fn broken_promise(options: &Options, points: &Points, values: &[f64]) -> Option<String> {
     if options.method == Method::MonteCarlo || options.tolerance.is_some() {
         return None;
     }
-    let misses = |(row, values): (&Row, &Vec<f64>)| {
-        let promise = options.quantity.tolerance(&row.variant);
+    let misses = |(row, values): (Row<'_>, &[f64])| {
+        let promise = options.quantity.tolerance(row.variant);
         let error = values.last().copied().filter(|error| *error > promise)?;
         Some(format!("error {error:e} is above the promise of {}, {promise:e}", options.quantity.name()))
     };
-    let rows = points.rows().iter().zip(values).enumerate();
+    let values = values.chunks(options.quantity.outputs().len());
+    let rows = (0..points.len()).map(|i| points.row(i)).zip(values).enumerate();
     let missing: Vec<(usize, String)> = rows.filter_map(|(i, row)| Some((i, misses(row)?))).collect();
     let (first, message) = missing.first()?;
     let more = match missing.len() - 1 {
@@ -182,7 +183,7 @@ const SAMPLES: u64 = 1 << 20;
 const STANDARD_ERRORS: f64 = 4.0;
 
 /// The outputs at a point; to the quantity's own tolerance by default.
-fn outputs(options: &Options, Row { inputs, variant }: &Row) -> Result<Vec<f64>, IntegrateError> {
+fn outputs(options: &Options, Row { inputs, variant }: Row<'_>) -> Result<Vec<f64>, IntegrateError> {
     let quantity = options.quantity;
     match options.method {
         Method::Quadrature => {
@@ -206,10 +207,17 @@ fn outputs(options: &Options, Row { inputs, variant }: &Row) -> Result<Vec<f64>,
     }
 }
 
-/// The outputs at every row, in order.
-fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
-    let row = |(i, row): (usize, &Row)| {
-        let values = outputs(options, row).map_err(|e| points.refuse(i, &e.to_string()))?;
+/// Rows that are computed at once: what each gives is kept beside the others without a list of its own.
+const BATCH: usize = 1 << 16;
+
+/// The outputs at every row, one after another.
+fn evaluate(options: &Options, points: &Points) -> Result<Vec<f64>, CliError> {
+    let columns = options.quantity.outputs().len();
+    let row = |i: usize| {
+        let values = outputs(options, points.row(i)).map_err(|e| points.refuse(i, &e.to_string()))?;
+        if values.len() != columns {
+            return Err(points.refuse(i, &format!("{} values for {columns} columns", values.len())));
+        }
         let error = values.last().copied().unwrap_or(f64::NAN);
         match options.tolerance {
             Some(tolerance) if error.is_nan() || error > tolerance => {
@@ -220,8 +228,14 @@ fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliErro
             _ => Ok(values),
         }
     };
-    let rows: Vec<_> = points.rows().par_iter().enumerate().map(row).collect();
-    Ok(rows.into_iter().collect::<Result<_, _>>()?)
+    let mut all = Vec::with_capacity(points.len() * columns);
+    for first in (0..points.len()).step_by(BATCH) {
+        let batch: Vec<_> = (first..points.len().min(first + BATCH)).into_par_iter().map(row).collect();
+        for values in batch {
+            all.extend(values?);
+        }
+    }
+    Ok(all)
 }
 
 fn points_name(path: &Path) -> String {

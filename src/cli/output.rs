@@ -20,8 +20,12 @@ pub enum Outcome {
 /// Writes a result to standard output. A reader that has gone away is no error: it has what it
 /// wanted.
 pub fn print(bytes: &[u8]) -> Result<(), CliError> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
+    printed(io::stdout().lock().write_all(bytes))
+}
+
+/// Ends what was written to standard output.
+fn printed(done: io::Result<()>) -> Result<(), CliError> {
+    match done.and_then(|()| io::stdout().flush()) {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(CliError::Output(e)),
         _ => Ok(()),
     }
@@ -69,7 +73,6 @@ pub fn finish(done: Result<Outcome, CliError>) -> ExitCode {
 /// Help and version on standard output with exit code 0, wrong usage on standard error with exit
 /// code 2.
 pub fn usage(error: &clap::Error) -> ExitCode {
-    // Help into a closed pipe is as fine as any other output into one.
-    let _ = error.print();
-    if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS }
+    let done = error.print();
+    if error.use_stderr() { ExitCode::from(2) } else { finish(printed(done).map(|()| Outcome::Done)) }
 }

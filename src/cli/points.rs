@@ -1,5 +1,6 @@
 //! Points in and values out: a CSV whose rows are kept byte for byte and gain columns.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -8,6 +9,9 @@ use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
 
 /// Largest file of points, bytes: some ten million points.
 pub const FILE_BYTES: u64 = 512 << 20;
+
+/// Most columns of a file.
+const COLUMNS: usize = 4096;
 
 /// A file of points that is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -37,22 +41,27 @@ pub enum PointsError {
 }
 
 /// What a row asks for.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row<'a> {
     /// The inputs, in the quantity's order; NaN where an optional one has no column.
-    pub inputs: Vec<f64>,
+    pub inputs: &'a [f64],
     /// The choices of the row's words.
-    pub variant: Variant,
+    pub variant: &'a Variant,
 }
 
-/// The rows of a CSV file, and what they ask of a quantity.
+/// The rows of a CSV file, and what they ask of a quantity: of a file of 16 MiB some four million.
 #[derive(Clone, Debug)]
 pub struct Points {
     file: String,
     bytes: Vec<u8>,
     header: Range<usize>,
-    records: Vec<Range<usize>>,
-    rows: Vec<Row>,
+    /// First byte of each record, and the one after its last: [`FILE_BYTES`] fit.
+    records: Vec<[u32; 2]>,
+    /// Of all rows one after another.
+    inputs: Vec<f64>,
+    /// The different variants, and which of them each row has.
+    variants: Vec<Variant>,
+    chosen: Vec<u16>,
 }
 
 impl Points {
@@ -60,49 +69,49 @@ impl Points {
     /// header that names the quantity's inputs among its columns. Empty lines are skipped, and the
     /// byte order mark is not kept.
     pub fn parse(bytes: Vec<u8>, file: &str, quantity: &dyn Quantity) -> Result<Points, PointsError> {
-        let mut points =
-            Points { file: file.into(), bytes, header: 0..0, records: Vec::new(), rows: Vec::new() };
-        let mut lines = Lines::new(&points.bytes);
+        let mut lines = Lines::new(&bytes);
+        let fail = |line, message| PointsError::Row { file: file.into(), line, message };
         let Some(header) = lines.next(file)? else {
             let message = format!("the file is empty; a header with {} is called for", wanted(quantity));
-            return Err(PointsError::Row { file: file.into(), line: 1, message });
+            return Err(fail(1, message));
         };
-        let columns = columns(&header, quantity).map_err(|message| PointsError::Row {
-            file: file.into(),
-            line: header.line,
-            message,
-        })?;
-        points.header = header.range.clone();
+        let columns = columns(&header, quantity).map_err(|message| fail(header.line, message))?;
         let width = header.fields.len();
-        let mut records = Vec::new();
-        let mut rows = Vec::new();
+        let mut rows = Rows::default();
         while let Some(record) = lines.next(file)? {
-            let row = row(&record, width, &columns, quantity).map_err(|message| PointsError::Row {
-                file: file.into(),
-                line: record.line,
-                message: format!("row {}: {message}", rows.len() + 1),
-            })?;
-            records.push(record.range);
-            rows.push(row);
+            let place = |message| fail(record.line, format!("row {}: {message}", rows.records.len() + 1));
+            let variant = row(&record, width, &columns, quantity, &mut rows.inputs).map_err(place)?;
+            rows.add(&record.range, variant);
         }
-        points.records = records;
-        points.rows = rows;
-        Ok(points)
+        let (header, Rows { records, inputs, variants, chosen }) = (header.range, rows);
+        Ok(Points { file: file.into(), bytes, header, records, inputs, variants, chosen })
     }
 
-    /// What every row asks for.
-    pub fn rows(&self) -> &[Row] {
-        &self.rows
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.records.len()
+    }
+
+    /// Whether there is a header alone.
+    pub fn is_empty(&self) -> bool {
+        self.records.is_empty()
+    }
+
+    /// What a row (from 0) asks for.
+    pub fn row(&self, row: usize) -> Row<'_> {
+        let width = self.inputs.len() / self.len();
+        let inputs = &self.inputs[row * width..][..width];
+        Row { inputs, variant: &self.variants[usize::from(self.chosen[row])] }
     }
 
     /// The variants of all rows, to be completed by options.
     pub fn variants(&mut self) -> impl Iterator<Item = &mut Variant> {
-        self.rows.iter_mut().map(|row| &mut row.variant)
+        self.variants.iter_mut()
     }
 
     /// The error that a row (from 0) cannot be computed, with its line.
     pub fn refuse(&self, row: usize, message: &str) -> PointsError {
-        let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];
+        let before = &self.bytes[..self.records.get(row).map_or(0, |[start, _]| *start as usize)];
         let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
         PointsError::Row { file: self.file.clone(), line, message: format!("row {}: {message}", row + 1) }
     }
@@ -110,18 +119,22 @@ impl Points {
     /// The file with the quantity's outputs appended: the bytes of every row as they were, line
     /// ends LF, empty lines left out; numbers in the shortest digits that read back to the same
     /// f64.
-    pub fn with_columns(&self, quantity: &dyn Quantity, values: &[Vec<f64>]) -> Result<Vec<u8>, PointsError> {
-        let mut out = Vec::with_capacity(self.bytes.len() + 32 * values.len() * quantity.outputs().len());
+    ///
+    /// # Errors
+    /// A value that is missing or not finite.
+    pub fn with_columns(&self, quantity: &dyn Quantity, values: &[f64]) -> Result<Vec<u8>, PointsError> {
+        let columns = quantity.outputs();
+        let mut out = Vec::with_capacity(self.bytes.len() + 16 * values.len());
         out.extend(&self.bytes[self.header.clone()]);
-        for column in quantity.outputs() {
+        for column in columns {
             out.push(b',');
             out.extend(column.as_bytes());
         }
         out.push(b'\n');
-        for (i, record) in self.records.iter().enumerate() {
-            out.extend(&self.bytes[record.clone()]);
-            for (j, &column) in quantity.outputs().iter().enumerate() {
-                let value = values.get(i).and_then(|row| row.get(j)).filter(|x| x.is_finite());
+        for (i, &[start, end]) in self.records.iter().enumerate() {
+            out.extend(&self.bytes[start as usize..end as usize]);
+            for (j, &column) in columns.iter().enumerate() {
+                let value = values.get(i * columns.len() + j).filter(|x| x.is_finite());
                 let value = value.ok_or_else(|| PointsError::Value {
                     file: self.file.clone(),
                     row: i + 1,
@@ -133,6 +146,28 @@ impl Points {
             out.push(b'\n');
         }
         Ok(out)
+    }
+}
+
+/// The rows that were read so far.
+#[derive(Default)]
+struct Rows {
+    records: Vec<[u32; 2]>,
+    inputs: Vec<f64>,
+    variants: Vec<Variant>,
+    chosen: Vec<u16>,
+}
+
+impl Rows {
+    /// Adds a row, whose inputs are there: words of choices make few variants.
+    fn add(&mut self, range: &Range<usize>, variant: Variant) {
+        let known = self.variants.iter().position(|known| *known == variant);
+        let chosen = known.unwrap_or_else(|| {
+            self.variants.push(variant);
+            self.variants.len() - 1
+        });
+        self.records.push([range.start as u32, range.end as u32]);
+        self.chosen.push(chosen as u16);
     }
 }
 
@@ -152,8 +187,12 @@ struct Record {
 
 impl Record {
     /// A field for a message and for reading: its text without surrounding blanks.
-    fn text(&self, i: usize) -> String {
-        String::from_utf8_lossy(self.fields.get(i).unwrap_or_default()).trim().to_owned()
+    fn text(&self, i: usize) -> Cow<'_, str> {
+        let field = self.fields.get(i).unwrap_or_default();
+        match std::str::from_utf8(field) {
+            Ok(text) => Cow::Borrowed(text.trim()),
+            Err(_) => Cow::Owned(String::from_utf8_lossy(field).trim().to_owned()),
+        }
     }
 }
 
@@ -211,9 +250,12 @@ fn choices(quantity: &dyn Quantity) -> impl Iterator<Item = Choice> {
 
 fn columns(header: &Record, quantity: &dyn Quantity) -> Result<Columns, String> {
     let mut found = BTreeMap::new();
+    if header.fields.len() > COLUMNS {
+        return Err(format!("more than {COLUMNS} columns"));
+    }
     for i in 0..header.fields.len() {
         let name = header.text(i);
-        if quantity.outputs().contains(&name.as_str()) {
+        if quantity.outputs().contains(&&*name) {
             return Err(format!("column `{name}` is one that {} appends; rename it", quantity.name()));
         }
         if found.insert(name.clone(), i).is_some() {
@@ -224,7 +266,7 @@ fn columns(header: &Record, quantity: &dyn Quantity) -> Result<Columns, String> 
     let needed = needed.chain(choices(quantity).filter(|choice| !choice.is_optional()).map(Choice::name));
     let missing: Vec<&str> = needed.filter(|name| !found.contains_key(*name)).collect();
     if !missing.is_empty() {
-        let names: Vec<String> = (0..header.fields.len()).map(|i| header.text(i)).collect();
+        let names: Vec<Cow<'_, str>> = (0..header.fields.len()).map(|i| header.text(i)).collect();
         let (quantity, names) = (quantity.name(), names.join("`, `"));
         let (s, are) = if missing.len() == 1 { ("", "is") } else { ("s", "are") };
         let missing = missing.join("`, `");
@@ -238,8 +280,14 @@ fn columns(header: &Record, quantity: &dyn Quantity) -> Result<Columns, String> 
     Ok(Columns { inputs, choices: chosen })
 }
 
-/// The inputs and choices of one record.
-fn row(record: &Record, width: usize, columns: &Columns, quantity: &dyn Quantity) -> Result<Row, String> {
+/// The choices of one record, whose inputs are added to those of others.
+fn row(
+    record: &Record,
+    width: usize,
+    columns: &Columns,
+    quantity: &dyn Quantity,
+    inputs: &mut Vec<f64>,
+) -> Result<Variant, String> {
     let found = record.fields.len();
     if found != width {
         return Err(format!("{found} fields where the header has {width}"));
@@ -248,7 +296,9 @@ fn row(record: &Record, width: usize, columns: &Columns, quantity: &dyn Quantity
         let Some(i) = column else { return Ok(f64::NAN) };
         value(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
     };
-    let inputs = columns.inputs.iter().zip(quantity.inputs()).map(number).collect::<Result<_, _>>()?;
+    for input in columns.inputs.iter().zip(quantity.inputs()).map(number) {
+        inputs.push(input?);
+    }
     let mut variant = Variant::default();
     for (choice, i) in &columns.choices {
         let (name, word) = (choice.name(), record.text(*i));
@@ -260,7 +310,7 @@ fn row(record: &Record, width: usize, columns: &Columns, quantity: &dyn Quantity
             return Err(format!("column `{name}`: `{word}` is not one of {known}"));
         }
     }
-    Ok(Row { inputs, variant })
+    Ok(variant)
 }
 
 /// A finite number in its domain. Negative zero is read as zero.

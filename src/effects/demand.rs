@@ -51,8 +51,8 @@ pub struct Demand {
     pub field: String,
     /// Why, as a sentence.
     pub because: String,
-    /// Domain by input.
-    pub spans: BTreeMap<&'static str, Span>,
+    /// Domain by input, each once: a scene may have a hundred thousand demands.
+    pub spans: Vec<(&'static str, Span)>,
     /// What must be met.
     pub goals: Goals,
     /// The layer of the material whose roughness it is of; none of the specular lobe and of probes.
@@ -111,6 +111,9 @@ pub struct Job {
     /// The demands, in the scene's order.
     pub demands: Vec<Demand>,
 }
+
+/// Places of a job's promises, by operations and the bits of the error.
+type Places = BTreeMap<(Option<u32>, u64), usize>;
 
 impl Span {
     /// A range that may be one value.
@@ -217,16 +220,18 @@ impl Job {
         }
     }
 
-    fn join(&mut self, demand: Demand) {
-        for (&input, span) in &demand.spans {
+    /// Takes a demand; `known` has the places of the promises.
+    fn join(&mut self, demand: Demand, known: &mut Places) {
+        for &(input, span) in &demand.spans {
             let all = self.ranges.entry(input).or_insert(span.range);
             *all = hull(*all, span.range);
         }
         self.goals.join(&demand.goals);
         if let Some(max_error) = demand.goals.max_error {
             let (max_ops, by) = (demand.goals.max_ops, demand.limit());
-            match self.promises.iter_mut().find(|p| p.max_ops == max_ops && p.max_error == max_error) {
-                Some(known) => known.by.push(by),
+            let place = *known.entry((max_ops, max_error.to_bits())).or_insert(self.promises.len());
+            match self.promises.get_mut(place) {
+                Some(promise) => promise.by.push(by),
                 None => self.promises.push(Promise { max_ops, max_error, by: vec![by] }),
             }
         }
@@ -251,9 +256,9 @@ impl Job {
     }
 
     fn widen(&mut self) {
-        for (input, span) in self.demands.iter().flat_map(|demand| &demand.spans) {
+        for &(input, span) in self.demands.iter().flat_map(|demand| &demand.spans) {
             if let Some(range) = self.ranges.get_mut(input) {
-                *range = Span { range: *range, ..*span }.widened();
+                *range = Span { range: *range, ..span }.widened();
             }
         }
     }
@@ -283,10 +288,14 @@ impl Job {
 
     /// The budget that leaves the formula most; of equal ones that whose call takes most counts.
     pub fn budget(&self) -> Budget {
+        let mut calls = BTreeMap::new();
+        for demand in &self.demands {
+            let call: &mut CallOps = calls.entry(demand.goals.max_ops).or_default();
+            *call = demand.call.max(*call);
+        }
         let of = |demand: &Demand| {
-            let same = self.demands.iter().filter(|other| other.goals.max_ops == demand.goals.max_ops);
-            let call = same.map(|other| other.call).max().unwrap_or_default();
-            Budget { max_ops: demand.goals.max_ops, call }
+            let max_ops = demand.goals.max_ops;
+            Budget { max_ops, call: calls.get(&max_ops).copied().unwrap_or_default() }
         };
         let left = |budget: &Budget| budget.max_ops.map_or(u32::MAX, |most| budget.call.left(most));
         let none = Budget { max_ops: None, call: CallOps::default() };
@@ -323,9 +332,11 @@ impl Job {
 /// What became of one goal, where the demands differ in it.
 fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<String> {
     let mut values: Vec<(String, &str, BTreeSet<&str>)> = Vec::new();
+    let mut places = BTreeMap::new();
     for demand in &job.demands {
         let value = goal(&demand.goals);
-        match values.iter_mut().find(|(known, ..)| *known == value) {
+        let place = *places.entry(value.clone()).or_insert(values.len());
+        match values.get_mut(place) {
             Some((.., names)) => drop(names.insert(&demand.name)),
             None => values.push((value, &demand.name, BTreeSet::from([demand.name.as_str()]))),
         }
@@ -347,17 +358,18 @@ fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<Str
 
 /// The jobs of an effect's demands.
 pub fn merged(demands: Vec<Demand>) -> Vec<Job> {
-    let mut jobs: Vec<(usize, Job)> = Vec::new();
+    let mut jobs: Vec<(usize, Job, Places)> = Vec::new();
     for demand in demands {
-        let known = jobs.iter().position(|(_, job)| job.name == demand.job);
+        let known = jobs.iter().position(|(_, job, _)| job.name == demand.job);
         let index = known.unwrap_or_else(|| {
-            jobs.push((demand.rank, Job::new(&demand)));
+            jobs.push((demand.rank, Job::new(&demand), Places::new()));
             jobs.len() - 1
         });
-        jobs[index].1.join(demand);
+        let (_, job, places) = &mut jobs[index];
+        job.join(demand, places);
     }
-    jobs.sort_by_key(|(rank, _)| *rank);
-    let mut jobs: Vec<Job> = jobs.into_iter().map(|(_, job)| job).collect();
+    jobs.sort_by_key(|(rank, ..)| *rank);
+    let mut jobs: Vec<Job> = jobs.into_iter().map(|(_, job, _)| job).collect();
     jobs.iter_mut().for_each(Job::widen);
     jobs
 }

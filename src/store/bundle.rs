@@ -5,10 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
-
 use super::commit::Prepared;
 use super::disk::{Disk, Kind, TEMP_SUFFIX};
+use super::listed::listed;
 use super::write::{folder_of, stage};
 use super::{LocalDisk, Operation, StoreError};
 
@@ -114,8 +113,14 @@ impl<D: Disk> Folder<D> {
         created: &mut Vec<PathBuf>,
     ) -> Result<Prepared<D::Temp>, StoreError> {
         self.create_root(created)?;
-        if self.lock.is_none() {
-            self.acquire()?;
+        // A folder that was removed in mid-run took its lock with it.
+        if self.lock.is_none() || !created.is_empty() {
+            let locked = self.acquire();
+            if matches!(locked, Err(StoreError::Busy { .. })) {
+                // What was made belongs to the other process now.
+                created.clear();
+            }
+            locked?;
         }
         self.sweep(files)?;
         let mut prepared = Prepared::default();
@@ -192,7 +197,11 @@ impl<D: Disk> Folder<D> {
     }
 
     fn create(&self, folder: &Path, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
-        self.disk.create_folder(folder).map_err(StoreError::writing(folder, Operation::CreateFolder))?;
+        match self.disk.create_folder(folder) {
+            // Another process may have made it meanwhile.
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists && self.exists(folder)? => return Ok(()),
+            done => done.map_err(StoreError::writing(folder, Operation::CreateFolder))?,
+        }
         created.push(folder.to_owned());
         Ok(())
     }
@@ -339,30 +348,4 @@ fn is_ours(name: &str) -> bool {
 /// Whether a name lies in a folder.
 fn within(name: &str, folder: &str) -> bool {
     name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
-}
-
-/// The files that a manifest lists: every string under a key `file`, and in the lists under a key
-/// `files`.
-fn listed(bytes: &[u8]) -> Result<BTreeSet<String>, String> {
-    let manifest: Value = serde_json::from_slice(bytes).map_err(|e| e.to_string())?;
-    let known = |key: &&str| manifest.get(key).is_some_and(Value::is_array);
-    if !["tables", "fits", "includes"].iter().any(known) {
-        return Err("it lists no tables, fits or includes".into());
-    }
-    let mut files = BTreeSet::new();
-    let mut pending = vec![&manifest];
-    while let Some(value) = pending.pop() {
-        match value {
-            Value::Array(items) => pending.extend(items),
-            Value::Object(fields) => {
-                pending.extend(fields.values());
-                let listed = fields.get("files").and_then(Value::as_array).into_iter().flatten();
-                files.extend(
-                    fields.get("file").into_iter().chain(listed).filter_map(Value::as_str).map(String::from),
-                );
-            }
-            _ => {}
-        }
-    }
-    Ok(files)
 }

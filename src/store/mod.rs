@@ -14,6 +14,7 @@ mod commit;
 mod disk;
 mod error;
 mod key;
+mod listed;
 mod local;
 mod read;
 mod write;

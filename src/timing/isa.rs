@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
+use super::Versioned;
 use super::record::RecordError;
 use crate::emit::include::Include;
 use crate::emit::manifest::{Entries, Manifest};
@@ -247,13 +248,12 @@ impl IsaRecord {
     /// Bytes that are no such record, or one of another version.
     pub fn read(bytes: &[u8]) -> Result<IsaRecord, RecordError> {
         let foreign = |e: serde_json::Error| RecordError::Counts { reason: e.to_string() };
-        let value: serde_json::Value = serde_json::from_slice(bytes).map_err(foreign)?;
-        let found = &value["schema_version"];
-        if *found != VERSION {
+        let Versioned { schema_version: found } = serde_json::from_slice(bytes).map_err(foreign)?;
+        if found != VERSION {
             let reason = format!("schema_version {found}, this version reads {VERSION}");
             return Err(RecordError::Counts { reason });
         }
-        serde_json::from_value(value).map_err(foreign)
+        serde_json::from_slice(bytes).map_err(foreign)
     }
 
     /// Its bytes: JSON, a row a line.

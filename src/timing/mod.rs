@@ -9,6 +9,8 @@ mod tables;
 pub mod weights;
 
 use lobefit_shade::ShadeError;
+use serde::Deserialize;
+use serde_json::Value;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -25,6 +27,13 @@ use lobefit_truth::integrate::monte_carlo::{self, Run};
 use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
 use lobefit_truth::integrate::{IntegrateError, PanelRule};
 use lobefit_truth::points::Points;
+
+/// The version of a record, whatever else is in it.
+#[derive(Deserialize)]
+struct Versioned {
+    #[serde(default)]
+    schema_version: Value,
+}
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;

@@ -3,13 +3,12 @@
 
 use std::collections::BTreeSet;
 
-use serde_json::Value;
-
 use crate::bake::Baked;
 use crate::emit::include::Include;
 use crate::emit::manifest::{Entries, Manifest};
 use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
 use crate::store::MANIFEST;
+use crate::timing::Versioned;
 
 /// Version of the way of measuring: to be raised when rows measured before and after cannot be
 /// compared.
@@ -61,12 +60,11 @@ pub enum RecordError {
 /// Bytes that are no such record, one of another version, times that are not positive.
 pub fn read(bytes: &[u8]) -> Result<GpuRecord, RecordError> {
     let foreign = |e: serde_json::Error| RecordError::Foreign { reason: e.to_string() };
-    let value: Value = serde_json::from_slice(bytes).map_err(foreign)?;
-    let version = &value["schema_version"];
-    if *version != SCHEMA_VERSION {
-        return Err(RecordError::Version { found: version.to_string() });
+    let Versioned { schema_version } = serde_json::from_slice(bytes).map_err(foreign)?;
+    if schema_version != SCHEMA_VERSION {
+        return Err(RecordError::Version { found: schema_version.to_string() });
     }
-    let record: GpuRecord = serde_json::from_value(value).map_err(foreign)?;
+    let record: GpuRecord = serde_json::from_slice(bytes).map_err(foreign)?;
     for row in &record.rows {
         let wrong = |field| Err(RecordError::Time { row: row.name.clone(), field });
         let positive = |x: f64| x.is_finite() && x > 0.0;

@@ -14,21 +14,19 @@ use lobefit::scene::{Scene, SceneError};
 use lobefit::store::{Cache, Files};
 use lobefit_truth::optics::kernel::Kernel;
 
-const SCENE: &str = r#"{"schema_version":1,"name":"all in little","pick":"all","formats":["exr","dds","ktx2","npy","raw"],"culling":{},"materials":[
-{"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"base":{"albedo":0.5,"max_ops":11},"wants":{
- "tables":[{"size":[16,16],"serves":"split-sum"}],"fit":{"max_ops":11,"average":true},"exact_fresnel":{"max_ops":46}},"coat":{"roughness":[0,0.4],"max_ops":8}},
-{"name":"felt","kind":"dielectric","f0":0.04,"roughness":[0.5,0.7],"base":{"roughness":[0.2,0.5],"max_ops":6},"sheen":{"roughness":[0.3,0.6],"max_ops":8},
- "wants":{"fit":{"max_ops":11}}},
-{"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"tables":[{"max_error":0.01}]}},
-{"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
- {"size":[16,16,8]},{"layout":"azimuth","size":[12,8,6]},{"layout":"path-tracer"}]}},
-{"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[
- {"size":[16,16,8]},{"layout":"path-tracer"}],"refracted_width":{"max_ops":4}}}],"probes":[
-{"name":"hall","roughness":[0.3,0.6],"rho":[0.5,2],"mips":{"map":"linear","count":5},"max_ops":9,
- "lookups":[{"taps":3,"lobe":"fitted"},{"planes":8}]}]}"#;
+const SCENE: &str = include_str!("all_in_little.json");
+
+/// A fit and tables of two and of three axes, in a bake of half a second.
+const LITTLE: &str = r#"{"schema_version":1,"reports":false,"formats":["exr","raw"],"materials":[
+{"name":"plain","kind":"dielectric","f0":0.5,"roughness":[0.9,1],"base":{"roughness":[0.2,0.3],"max_ops":5},"wants":{"tables":[{"size":[16,8]}]}},
+{"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[{"size":[8,6,4]}]}}]}"#;
 
 fn baked(threads: usize, cache: Option<&Cache>) -> Baked {
-    let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
+    baked_of(SCENE, threads, cache)
+}
+
+fn baked_of(scene: &str, threads: usize, cache: Option<&Cache>) -> Baked {
+    let scene = Scene::from_json(scene.as_bytes(), "scene.json").expect("a scene");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
     let selection = Selection { cache, ..Selection::default() };
     pool.install(|| bake(&scene, &plan(&scene), &[], selection, &Silent)).expect("a bake")
@@ -74,6 +72,24 @@ fn any_number_of_threads_gives_the_same_bytes_with_a_cache_and_without() {
     }
     assert!(cache.failed().is_none(), "{:?}", cache.failed());
     assert!(2 * warm.truths < cold.truths, "{} {}: fits and tables are known", warm.truths, cold.truths);
+}
+
+#[test]
+fn five_numbers_of_threads_give_the_same_bytes() {
+    let [one, others @ ..] = [1, 2, 3, 7, 16].map(|threads| baked_of(LITTLE, threads, None).files);
+    assert!(one.len() > 10, "{:?}", one.keys());
+    for (other, threads) in others.iter().zip([2, 3, 7, 16]) {
+        assert!(*other == one, "{threads} threads");
+    }
+}
+
+/// Of every effect, without a cache.
+#[test]
+#[ignore = "a minute for each number: .ci/nightly"]
+fn nightly_every_effect_has_the_same_bytes_on_2_3_and_16_threads() {
+    for threads in [2, 3, 16] {
+        assert!(baked(threads, None).files == *one(), "{threads} threads");
+    }
 }
 
 /// The committed files of a folder: those of the built-in scene's bake.

@@ -8,9 +8,7 @@ mod common;
 mod sliced_support;
 
 mod changed;
-mod containers;
 mod planted;
-mod sliced;
 mod strays;
 mod texts;
 mod values;

@@ -13,9 +13,16 @@ mod cache;
 mod cost;
 mod eval;
 mod external;
+#[cfg(unix)]
+mod folders;
+#[cfg(target_os = "linux")]
+mod hostile;
 mod hypotheses;
 mod kernels;
+#[cfg(unix)]
+mod killed;
 mod manual;
+mod pipes;
 mod records;
 mod shards;
 mod tables;

@@ -24,10 +24,10 @@ fn parse(text: &str) -> Result<Points, String> {
 fn rows_keep_their_bytes_and_order() {
     let text = "\u{feff}note, mu ,alpha\r\n\"a,\"\"b\",0.50,1\r\n\r\n  x ,1e-3,0.250000000000000001\r\n\"two\nlines\",.5,-0";
     let points = parse(text).unwrap();
-    let inputs: Vec<&[f64]> = points.rows().iter().map(|row| row.inputs.as_slice()).collect();
+    let inputs: Vec<&[f64]> = (0..points.len()).map(|i| points.row(i).inputs).collect();
     assert_eq!(inputs, [[1.0, 0.5], [0.25, 1e-3], [0.0, 0.5]]);
     assert!(inputs[2][0].is_sign_positive());
-    let values = vec![vec![1.0, 0.1, 1e-17, 0.30000000000000004, 0.0]; 3];
+    let values = [1.0, 0.1, 1e-17, 0.30000000000000004, 0.0].repeat(3);
     let out = points.with_columns(from_name("ggx-reflection").unwrap(), &values).unwrap();
     let tail = ",1,0.1,1e-17,0.30000000000000004,0\n";
     let expected = format!(
@@ -53,8 +53,8 @@ fn a_header_alone_is_fine() {
 fn values_that_are_not_numbers_are_never_printed() {
     let points = parse("alpha,mu\n1,1\n").unwrap();
     let quantity = from_name("ggx-reflection").unwrap();
-    for values in [vec![], vec![vec![1.0, f64::NAN, 0.0, 0.0, 0.0]], vec![vec![1.0]]] {
-        assert!(points.with_columns(quantity, &values).is_err());
+    for values in [&[][..], &[1.0, f64::NAN, 0.0, 0.0, 0.0], &[1.0]] {
+        assert!(points.with_columns(quantity, values).is_err());
     }
 }
 

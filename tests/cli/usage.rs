@@ -2,8 +2,6 @@
 
 use crate::common;
 
-use std::process::{Command, Stdio};
-
 use common::{lobefit, names, stderr};
 use serde_json::{Value, json};
 
@@ -126,34 +124,6 @@ fn names_cannot_drive_the_terminal() {
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.starts_with("scene \\u{202e}evil\n"), "{text}");
-}
-
-#[test]
-fn a_closed_standard_output_is_no_failure() {
-    for arguments in [&["schema"][..], &["plan"], &["plan", "--json"], &["--help"], &["bake", "--help"]] {
-        let (reader, writer) = std::io::pipe().unwrap();
-        drop(reader);
-        let child = Command::new(env!("CARGO_BIN_EXE_lobefit"))
-            .args(arguments)
-            .stdout(writer)
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        let output = child.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
-        assert!(output.stderr.is_empty(), "{arguments:?}: {}", stderr(&output));
-    }
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_standard_output_is_exit_3() {
-    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
-    let child =
-        Command::new(env!("CARGO_BIN_EXE_lobefit")).arg("schema").stdout(full).stderr(Stdio::piped()).spawn();
-    let output = child.unwrap().wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(3));
-    assert!(stderr(&output).contains("standard output: cannot write"), "{}", stderr(&output));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Running the built binary.
 
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 /// The program under test and the arguments that it takes: a package above `lobefit` has a binary
 /// for one verb, which takes what follows the verb.
@@ -29,19 +29,19 @@ pub fn lobefit(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
 
 /// The same with this cache.
 pub fn lobefit_with(cache: &Path, folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    let (program, arguments) = program(arguments);
-    let mut child = Command::new(program)
-        .env("LOBEFIT_CACHE", cache)
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the binary runs");
+    let mut child = start(cache, folder, arguments);
     // A program that ends before it has read everything closes the pipe: no failure of the test.
     let _ = child.stdin.take().expect("piped").write_all(input);
     child.wait_with_output().expect("the binary ends")
+}
+
+/// Starts the program.
+pub fn start(cache: &Path, folder: &Path, arguments: &[&str]) -> Child {
+    let (program, arguments) = program(arguments);
+    let mut command = Command::new(program);
+    command.env("LOBEFIT_CACHE", cache).args(arguments).current_dir(folder);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().expect("the binary runs")
 }
 
 /// Names in a folder, sorted.
@@ -75,4 +75,18 @@ pub fn stderr(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
     let stage = |line: &&str| line.starts_with('[') && line.contains('/') && line.contains("] ");
     text.split_inclusive('\n').filter(|line| !stage(line)).collect()
+}
+
+/// Waits until a program that was started announces its first stage: it is at work, and has written
+/// nothing.
+#[allow(dead_code, reason = "some tests change what lies around a program at work")]
+pub fn first_stage(child: &mut Child) {
+    let mut first = String::new();
+    let said = child.stderr.as_mut().expect("piped");
+    while !first.ends_with('\n') {
+        let mut byte = [0];
+        said.read_exact(&mut byte).expect("a line");
+        first.push(char::from(byte[0]));
+    }
+    assert!(first.starts_with("[1/"), "{first}");
 }

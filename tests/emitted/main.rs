@@ -22,6 +22,7 @@ mod eon;
 mod exr;
 mod fitted_lobe;
 mod formats;
+mod fresh;
 mod furnace;
 mod furnace_coupling;
 mod hardware;

@@ -165,7 +165,11 @@ fn is_there(tool: &str) -> bool {
 fn the_scripts_are_without_findings() {
     let scripts = ["check", "install", "package"].map(|name| root(&format!(".github/action/{name}.sh")));
     if is_there("shellcheck") {
-        let output = Command::new("shellcheck").args(scripts).arg(root(".ci/run")).output().expect("it runs");
+        let output = Command::new("shellcheck")
+            .args(scripts)
+            .args([".ci/run", ".ci/nightly"].map(root))
+            .output()
+            .expect("it runs");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
     }
 }

@@ -88,6 +88,18 @@ pub struct Formula {
     pub test: String,
 }
 
+/// What is promised of a lookup in a table of the committed files.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// Its name, as `ggx-dfg-correlated-32x32`.
+    pub name: String,
+    /// Largest error of a lookup by f32 weights.
+    pub max_error: f64,
+    /// That by the weights of eight bits that hardware filters with.
+    pub max_error_8_bit_weights: f64,
+}
+
 /// How the program behaves.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -110,6 +122,8 @@ pub struct Promises {
     pub quantities: Vec<Quantity>,
     /// Formulas that are fitted.
     pub formulas: Vec<Formula>,
+    /// Tables of the committed files.
+    pub tables: Vec<Table>,
     /// Emitted functions that are below 0 somewhere beyond the domains that they state.
     pub beyond: Vec<Exception>,
     /// The conduct of the program.
@@ -205,6 +219,10 @@ pub fn page() -> String {
     for Formula { name, ops, max_error, test } in &list.formulas {
         let _ = writeln!(page, "| `{name}` | {ops} | {max_error} | `{test}` |");
     }
+    page += TABLES;
+    for Table { name, max_error, max_error_8_bit_weights } in &list.tables {
+        let _ = writeln!(page, "| `{name}` | {max_error} | {max_error_8_bit_weights} |");
+    }
     page += BEYOND;
     for Exception { name, reason } in &list.beyond {
         let _ = writeln!(page, "- `{name}`: {reason}");
@@ -246,7 +264,8 @@ const HEAD: &str = "\
 # What is promised, and by which test
 
 `cargo run --release -p lobefit-promises > docs/promises.md` prints this page from `docs/promises.json`, which the tests read their bars
-from. A public function of numbers, a quantity or a formula without an entry fails `crates/promises/tests/complete.rs`.
+from. A public function of numbers, a quantity or a formula without an entry fails `crates/promises/tests/complete.rs`. `cargo test --release
+--workspace` runs all of the tests, and `.ci/nightly` what takes longer.
 
 Every quantity has a value all over its inputs, with no negative energy; where it has a second opinion by Monte Carlo both agree within the
 sum of their errors; what lies outside is an error that names the input (`crates/promises/tests/attack/quantities.rs`). Alpha 0 is a mirror,
@@ -263,7 +282,19 @@ coefficients rounded. The certificate of a scene's own domain stands in its mani
 |---|---|---|---|
 ";
 
+const TABLES: &str = "
+## Tables
+
+Largest error of a lookup in what the built-in scene bakes, over the domain that its manifest states. `crates/promises/tests/complete.rs` holds
+the manifest to these and to the errors of formulas, `tests/effects/lookup.rs`, `tests/emitted/sliced.rs` and `lobefit check` the files to it.
+
+| table | f32 weights | weights of 8 bits |
+|---|---|---|
+";
+
 const BEYOND: &str = "
+## Emitted functions
+
 Emitted functions of numbers as GPUs may run them, in f32 with subnormal numbers flushed, sums of products fused or not, quotients and roots
 2.5 ulp off either way: a value moves by less than 3e-6 of 1 and its size. With mu down to 1e-4, roughness 0 to 1, ior 1 to 3 and rho
 1e-3 to 1000 they are finite, and not below 0 (`tests/emitted/hardware.rs`), but for

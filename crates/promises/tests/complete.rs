@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use lobefit_promises::{Range, page, promises};
+use lobefit_promises::{Range, formula, page, promises};
 use lobefit_truth::quantity::{QUANTITIES, Variant};
 use quote::ToTokens;
 use syn::{ImplItem, Item, Signature, UseTree, Visibility};
@@ -139,6 +139,29 @@ fn every_formula_has_its_promise() {
     assert_eq!(open, excused, "formulas without a promise, and those that may be");
     let gone: Vec<&String> = promised.difference(&there).collect();
     assert!(gone.is_empty(), "promised, but no formula: {gone:?}");
+}
+
+#[test]
+fn the_committed_manifest_keeps_what_is_promised() {
+    let text = fs::read_to_string(root().join("manifest.json")).expect("the manifest");
+    let manifest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    let list = |name: &str| manifest[name].as_array().expect("a list").clone();
+    let table = |table: &serde_json::Value| {
+        let [lookup, filtered] =
+            ["lookup", "lookup_8_bit_weights"].map(|of| number(&table["error"][of]["max"]));
+        (table["name"].as_str().expect("a name").to_owned(), lookup, filtered)
+    };
+    let stated: Vec<_> = list("tables").iter().map(table).collect();
+    let of = |t: &lobefit_promises::Table| (t.name.clone(), t.max_error, t.max_error_8_bit_weights);
+    assert_eq!(stated, promises().tables.iter().map(of).collect::<Vec<_>>());
+    for fit in list("fits") {
+        let name = fit["hypothesis"].as_str().expect("a name");
+        if fit["source"] == "fitted" {
+            let (stated, promised) = (number(&fit["certificate"]["max_abs"]), formula(name).max_error);
+            assert!(stated <= promised, "{name}: {stated} of {promised}");
+        }
+    }
 }
 
 #[test]

@@ -10,17 +10,44 @@ use crate::store::Files;
 
 /// How two EXR files differ; `table` is that of the recipe.
 pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) -> Difference {
+    let part = part(expected, expected.iter().zip(found).take_while(|(want, have)| want == have).count());
     let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
         (Ok(expected), Ok(found)) => (expected, found),
         (_, Err(error)) | (Err(error), _) => {
-            return Difference::plain(file, Kind::Different, &error.to_string());
+            return Difference::plain(file, Kind::Different, &format!("{part}: {error}"));
         }
     };
     if shape(&expected) != shape(&found) {
         let (want, have) = (words(&expected), words(&found));
         return Difference::plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
     }
-    judged(table, table.table().map_or(TexelFormat::F32, |t| t.format), file, &expected, &found)
+    let format = table.table().map_or(TexelFormat::F32, |t| t.format);
+    let mut difference = judged(table, format, file, &expected, &found);
+    if difference.max_abs == Some(0.0) {
+        difference.detail = format!("{part}; texels are equal");
+    }
+    difference
+}
+
+/// What of an EXR file holds a byte: an attribute of its header, by name, or the byte itself.
+fn part(file: &[u8], at: usize) -> String {
+    // Magic number and version, then attributes: name, type, both ended by 0, length, value.
+    let text = |from: usize| file.get(from..)?.split(|byte| *byte == 0).next();
+    let attribute = |from: usize| {
+        let name = text(from).filter(|name| !name.is_empty())?;
+        let length = from + name.len() + 1;
+        let length = length + text(length)?.len() + 1;
+        let value: &[u8; 4] = file.get(length..)?.first_chunk()?;
+        Some((name, length + 4 + u32::from_le_bytes(*value) as usize))
+    };
+    let mut from = 8;
+    while let Some((name, end)) = attribute(from).filter(|_| at >= from) {
+        if at < end {
+            return format!("header: attribute `{}`", String::from_utf8_lossy(name));
+        }
+        from = end;
+    }
+    format!("byte {at}")
 }
 
 /// Whether a table holds the same texels in two sets of files: an EXR by its channels, another format by
@@ -76,8 +103,7 @@ fn texels(
     format: TexelFormat,
     rows: Option<usize>,
 ) -> Difference {
-    let mut difference =
-        Difference::plain(file, Kind::Different, "texels are equal; header or encoding differ");
+    let mut difference = Difference::plain(file, Kind::Different, "texels are equal");
     difference.max_abs = Some(0.0);
     let mut count = 0;
     for (want, have) in expected.channels.iter().zip(&found.channels) {

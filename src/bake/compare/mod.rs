@@ -17,6 +17,7 @@ use crate::emit::container::{SIDECAR, packed};
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Files};
 use provenance::Restated;
+pub use text::different as different_text;
 
 /// One file that is not what the recipe gives.
 #[derive(Clone, Debug, PartialEq, Serialize)]

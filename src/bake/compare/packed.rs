@@ -53,7 +53,7 @@ fn header(packed: &Packed, found: &[u8]) -> Option<(String, bool)> {
             (format!("header: {name} is {have} where the recipe gives {want}"), true)
         }
         None if at < *start => (format!("byte {at} is not that of such a file"), true),
-        None => ("header: other key/value data".into(), false),
+        None => (format!("header: key/value data, byte {at}"), false),
     })
 }
 

@@ -27,7 +27,8 @@ impl Pair {
 /// their first differing line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
-        return Difference::plain(file, Kind::Different, "different bytes; not text");
+        let at = expected.iter().zip(found).take_while(|(want, have)| want == have).count();
+        return Difference::plain(file, Kind::Different, &format!("byte {at}: different bytes; not text"));
     };
     let mut difference = Difference::plain(file, Kind::Different, "");
     let pairs = pairs(expected, found).unwrap_or_default();
@@ -54,9 +55,9 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
             difference.at = Some(place);
         }
         None => {
-            let (line, words) = first_line(expected, found);
-            difference.detail = format!("line {line}: {words}");
-            difference.at = Some(format!("line {line}"));
+            let (place, words) = first_line(expected, found);
+            difference.detail = format!("{place}: {words}");
+            difference.at = Some(place);
         }
     }
     difference
@@ -144,9 +145,9 @@ fn number_end(bytes: &[u8], start: usize) -> usize {
     i
 }
 
-/// The first differing line, cut to a readable length; where all lines are equal, the first whose
-/// end is another.
-fn first_line(expected: &str, found: &str) -> (usize, String) {
+/// The first differing line, cut to a readable length, and of a long one the column; where all lines are
+/// equal, the first whose end is another.
+fn first_line(expected: &str, found: &str) -> (String, String) {
     const END: &str = "(end of file)";
     let (mut want, mut have) = (expected.lines(), found.lines());
     let mut line = 1;
@@ -155,19 +156,24 @@ fn first_line(expected: &str, found: &str) -> (usize, String) {
             (None, None) => return first_end(expected, found),
             (a, b) if a == b => line += 1,
             (a, b) => {
-                let (want, have) = (cut(a.unwrap_or(END)), cut(b.unwrap_or(END)));
-                return (line, format!("`{have}` where the recipe gives `{want}`"));
+                let (want, have) = (a.unwrap_or(END), b.unwrap_or(END));
+                let equal = want.chars().zip(have.chars()).take_while(|(a, b)| a == b).count();
+                let is_long = [want, have].iter().any(|line| line.chars().count() > MOST);
+                let skipped = if is_long { equal.saturating_sub(MOST / 3) } else { 0 };
+                let column = if skipped > 0 { format!(", column {}", equal + 1) } else { String::new() };
+                let [want, have] = [want, have].map(|line| cut(line, skipped));
+                return (format!("line {line}{column}"), format!("`{have}` where the recipe gives `{want}`"));
             }
         }
     }
 }
 
 /// The first line that ends otherwise, of texts whose lines are equal.
-fn first_end(expected: &str, found: &str) -> (usize, String) {
+fn first_end(expected: &str, found: &str) -> (String, String) {
     let (want, have) = (expected.split_inclusive('\n').map(end), found.split_inclusive('\n').map(end));
     let differing = want.zip(have).enumerate().find(|(_, (want, have))| want != have);
     let (i, (want, have)) = differing.unwrap_or((0, ("another end", "one end")));
-    (i + 1, format!("only line ends differ: {have} where the recipe gives {want}"))
+    (format!("line {}", i + 1), format!("only line ends differ: {have} where the recipe gives {want}"))
 }
 
 /// How a line ends.
@@ -179,11 +185,13 @@ fn end(line: &str) -> &'static str {
     }
 }
 
-fn cut(line: &str) -> String {
-    const MOST: usize = 120;
-    if line.chars().count() <= MOST {
-        line.to_string()
-    } else {
-        line.chars().take(MOST).chain("...".chars()).collect()
-    }
+/// Most characters of a line that are shown.
+const MOST: usize = 120;
+
+/// A line without its first characters, cut to a readable length.
+fn cut(line: &str, skipped: usize) -> String {
+    let (before, after) = (skipped > 0, line.chars().count() > skipped + MOST);
+    let dots = |is_cut: bool| if is_cut { "..." } else { "" };
+    let shown: String = line.chars().skip(skipped).take(MOST).collect();
+    format!("{}{shown}{}", dots(before), dots(after))
 }

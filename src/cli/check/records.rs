@@ -87,8 +87,12 @@ pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Di
                 let (stale, missing) = (record::stale(&record, baked), record::missing(&record, baked));
                 let (html, figures) = record::page(&record)
                     .map_err(|source| CliError::Record { file: file.clone(), source })?;
-                if *bytes != figures || found.get(&page).is_none_or(|page| page != html.as_bytes()) {
-                    let detail = format!("not the page of {file}; make it with lobefit cost --page {file}");
+                let shown = found.get(&page).map_or(&[][..], Vec::as_slice);
+                let pairs = [(&figures[..], &bytes[..]), (html.as_bytes(), shown)];
+                if let Some((made, found)) = pairs.into_iter().find(|(made, found)| made != found) {
+                    let place = bake::different_text(&page, made, found).detail;
+                    let detail =
+                        format!("not the page of {file}: {place}; make it with lobefit cost --page {file}");
                     differences.push(Difference::plain(&page, bake::Kind::Different, &detail));
                 }
                 let (device, rows) = (record.device.adapter, record.rows.len());

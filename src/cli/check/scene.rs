@@ -1,5 +1,6 @@
 //! What changed in a scene since the bake that is checked.
 
+use serde::Deserialize;
 use serde_json::Value;
 
 use crate::scene::Output;
@@ -11,17 +12,26 @@ const NAMED: usize = 5;
 /// How the change begins where the bake has no pages and the scene asks for them.
 pub(super) const PAGES: &str = "reports: false became";
 
+/// What a manifest states of its scene; the rest of it is not kept.
+#[derive(Deserialize)]
+struct Stated {
+    #[serde(default)]
+    scene: Value,
+    #[serde(default)]
+    made_from: Value,
+}
+
 /// The changes from the scene of the manifest among `found` to that of the manifest among `baked`,
 /// as `materials[0].roughness[0]: 0.05 became 0.1`; none where a manifest does not hold its scene.
 pub(super) fn changes(found: &Files, baked: &Files) -> Vec<String> {
-    let manifest = |files: &Files| -> Option<Value> { serde_json::from_slice(files.get(MANIFEST)?).ok() };
+    let manifest = |files: &Files| -> Option<Stated> { serde_json::from_slice(files.get(MANIFEST)?).ok() };
     let (Some(old), Some(new)) = (manifest(found), manifest(baked)) else { return Vec::new() };
     // An edited copy of the scene beside the same hash is a difference like any other.
-    if old["scene"] == new["scene"] || !old["made_from"].is_object() {
+    if old.scene == new.scene || !old.made_from.is_object() {
         return Vec::new();
     }
     let mut all = Vec::new();
-    compare("", &whole(&old["made_from"]), &whole(&new["made_from"]), &mut all);
+    compare("", &whole(&old.made_from), &whole(&new.made_from), &mut all);
     // Its own object in the manifest, and fields of the scene in a file.
     all.iter_mut().for_each(|change| *change = change.trim_start_matches("output.").to_string());
     if all.len() > NAMED {

@@ -100,7 +100,7 @@ impl Effect for Clearcoat {
             let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: &Goals| {
                 let range = [low.max(least), high.max(least + ROUGHNESS_WIDTH_MIN)];
                 let mut demand = fits.demand(scene, of, range, goals.clone());
-                demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
+                demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR])));
                 demand
             };
             let coat = material.coat.as_ref().map(|coat| own(FITS, coat.roughness, coat.ior, &coat.goals));

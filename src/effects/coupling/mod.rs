@@ -19,8 +19,6 @@ mod rule;
 pub mod surface;
 mod table;
 
-use std::collections::BTreeMap;
-
 use super::context::Context;
 use super::demand::{Demand, Job, Span, hull};
 use super::effect::Note;
@@ -177,7 +175,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         ),
         // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two
         // axes to fit over.
-        spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
+        spans: vec![("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)],
         goals: base.goals.clone(),
         layer: None,
         call: CallOps { times: evaluations(material), ..CallOps::default() },

@@ -76,7 +76,7 @@ impl Effect for Dielectric {
             let least = scene.alpha.roughness(ALPHA_MIN);
             let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: Goals| {
                 let mut demand = fits.demand(scene, of, [low.max(least), high], goals);
-                demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]));
+                demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR])));
                 demand
             };
             let want = material.wants.exact_fresnel.as_ref().zip(material.ior);

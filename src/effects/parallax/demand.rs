@@ -1,6 +1,6 @@
 //! What the scene's probes want of their lookups.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::{HYPOTHESES, PUBLISHED};
 use crate::approximate::CallOps;
@@ -63,7 +63,7 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
         name: name.clone(),
         field: format!("probes[{of}]"),
         because: format!("{name}: probe prefiltered with the {kernel} lobe ({ranges})"),
-        spans: BTreeMap::from([("rho", rho), ("roughness", roughness)]),
+        spans: vec![("rho", rho), ("roughness", roughness)],
         goals: probe.goals.clone(),
         layer: None,
         call: CallOps::default(),

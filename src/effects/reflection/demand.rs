@@ -1,6 +1,6 @@
 //! What rough materials want of the lobe that only reflects: tables and one family of fits.
 
-use std::collections::BTreeMap;
+use std::cell::LazyCell;
 
 use super::table::Dfg;
 use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
@@ -86,7 +86,11 @@ pub struct FitJob {
 
 /// Demands for tables and for fits, of each material that is rough.
 pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
+    // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does not
+    // parse is a defect, which the bake names.
+    let coloured = LazyCell::new(|| compensation::coloured_ops().unwrap_or(0));
     let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
+        let beside = if is_coloured(material) { *coloured } else { 0 };
         let roughness = Span::roughness(range, scene.alpha);
         let because = because(material, roughness);
         let tables = table::wanted(material, 2)
@@ -99,10 +103,10 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
             name: material.name.clone(),
             field: format!("materials[{of}].wants.fit"),
             because: because.clone(),
-            spans: BTreeMap::from([("mu", Span::new(scene.mu)), ("roughness", roughness)]),
+            spans: vec![("mu", Span::new(scene.mu)), ("roughness", roughness)],
             goals: want.goals.clone(),
             layer: None,
-            call: CallOps { beside: beside(material), ..CallOps::default() },
+            call: CallOps { beside, ..CallOps::default() },
         });
         tables.chain(fit).collect::<Vec<Demand>>()
     };
@@ -168,12 +172,6 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
 
 fn is_coloured(material: &Material) -> bool {
     material.specular() == Specular::Compensated
-}
-
-/// Operations of a material's call beside the normalisation: a metal calls the form for three channels.
-fn beside(material: &Material) -> u32 {
-    // A text that does not parse is a defect, which the bake names.
-    if is_coloured(material) { compensation::coloured_ops().unwrap_or(0) } else { 0 }
 }
 
 impl FitJob {

@@ -1,6 +1,5 @@
 //! Tables that a scene wants of an effect: demands, jobs, and what a plan says of them.
 
-use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
@@ -132,11 +131,11 @@ pub fn demand(
     let (smith, alpha_map) = conventions(scene, want.layout);
     let (slices, range) = (slices(material, want.layout), material.rough_range(alpha_map)?);
     let rows = if slices.is_some() { rows(range, alpha_map) } else { Span::roughness(range, alpha_map) };
-    let mut spans = BTreeMap::from([("mu", Span::new(want.n_dot_v)), ("roughness", rows)]);
+    let mut spans = vec![("mu", Span::new(want.n_dot_v)), ("roughness", rows)];
     spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want.layout))));
     if want.layout == Layout::Azimuth {
         // The albedo is even about both tangents.
-        spans.insert("phi", Span::new([0.0, FRAC_PI_2]));
+        spans.push(("phi", Span::new([0.0, FRAC_PI_2])));
     }
     Some(Demand {
         job: names(family, smith, want).join(" "),

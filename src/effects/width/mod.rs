@@ -64,7 +64,7 @@ impl Effect for Width {
             let (want, ior) = (material.wants.refracted_width.as_ref()?, material.ior?);
             let mut demand = FITS.demand(scene, of, range, want.goals.clone());
             let ior = ior.map(|ior| ior.max(IOR_MIN));
-            demand.spans.insert("ior", Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN, EXACT_IOR]));
+            demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN, EXACT_IOR])));
             Some(demand)
         };
         // The roughness of a chain has alpha = roughness^2.

@@ -20,18 +20,27 @@ pub(super) fn parse<'b>(bytes: &'b [u8], file: &str) -> Result<Document<'b>, Sce
             Error::DtdDetected => {
                 "a document type declaration: its entities are not expanded; delete it".into()
             }
-            Error::NodesLimitReached => format!("more than {XML_NODES} elements and texts"),
+            Error::NodesLimitReached => too_many(),
             _ => text.strip_suffix(&place).unwrap_or(&text).into(),
         };
         SceneError::Field { file: file.into(), at, path: String::new(), message }
     })
 }
 
-/// Follows tags only: how deep elements stand in one another, how many attributes each has, and how
-/// many namespaces are declared. A parser compares and copies these.
+fn too_many() -> String {
+    format!("more than {XML_NODES} elements and texts")
+}
+
+/// Follows tags only: how many elements and comments there are, how deep elements stand in one another, how many
+/// attributes each has, and how many namespaces are declared. A parser reserves room for these, compares and
+/// copies them.
 fn bounded(bytes: &[u8]) -> Result<(), (usize, String)> {
-    let (mut at, mut depth, mut namespaces) = (0, 0_usize, 0);
+    let (mut at, mut depth, mut namespaces, mut nodes) = (0, 0_usize, 0, 0);
     while let Some(start) = find(bytes, at, b"<") {
+        nodes += u32::from(!bytes[start..].starts_with(b"</"));
+        if nodes > XML_NODES {
+            return Err((start, too_many()));
+        }
         let skip = |open: &[u8], close: &[u8]| {
             let inner = bytes[start..].starts_with(open).then_some(start + open.len())?;
             Some(find(bytes, inner, close).map_or(bytes.len(), |end| end + close.len()))
