@@ -3,7 +3,7 @@
 
 use std::sync::LazyLock;
 
-use crate::baked_support::{bake_scene, shared};
+use crate::baked_support::{assert_promised, bake_scene, shared};
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
@@ -172,6 +172,8 @@ fn certificates_of_the_sheen_hold() {
         let name = &fit.approximation.name;
         assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{name}: {worst} of {stated}");
     }
+    let sheens = baked.fits.iter().filter(|fit| fit.approximation.quantity == "sheen-charlie");
+    assert_promised("tests/bake/sheen.rs::certificates_of_the_sheen_hold", sheens);
     let of = |name: &str| {
         let fit = baked.fits.iter().find(|f| f.approximation.name == name).expect("the fit");
         fit.approximation.certificate.max_abs
@@ -313,6 +315,8 @@ fn blends_are_fitted_for_every_f0() {
             );
         }
     }
+    let blended = |fit: &&Fit| fit.approximation.used_as == Use::F0_BLEND;
+    assert_promised("tests/bake/sheen.rs::blends_are_fitted_for_every_f0", baked.fits.iter().filter(blended));
     let best = blends.iter().map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);
     let published = baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0_BLEND && !f.emitted);
     let best_published = published.map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);

@@ -4,11 +4,14 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
+use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::data::Source;
 use lobefit::effects::BakeError;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Cache;
+use lobefit_promises::Fitted;
 
 /// What bakes of a test share: a result is named by the code that computes it and by all its inputs, so
 /// that what another test computed, in this run or before, is what this one would compute.
@@ -21,4 +24,17 @@ pub fn shared() -> Selection<'static> {
 /// A bake of a scene of the product's effects, without hypotheses of its own.
 pub fn bake_scene(scene: &Scene) -> Result<Baked, BakeError> {
     bake(scene, &plan(scene), &[], shared(), &Silent)
+}
+
+/// Holds the formulas that a test has fitted for the largest error to what `docs/promises.json` says.
+pub fn assert_promised<'a>(test: &str, fits: impl IntoIterator<Item = &'a Fit>) {
+    let of = |fit: &'a Fit| {
+        let (a, formula) = (&fit.approximation, fit.hypothesis.name());
+        let name = formula.rsplit('/').next().unwrap_or(formula);
+        let ours = a.source == Source::Fitted && !a.name.contains("_rms");
+        ours.then_some(Fitted { name, ops: a.cost.ops, error: a.certificate.max_abs })
+    };
+    let found: Vec<Fitted> = fits.into_iter().filter_map(of).collect();
+    let broken = lobefit_promises::broken(test, &found);
+    assert!(broken.is_empty(), "docs/promises.json:\n{}", broken.join(",\n"));
 }

@@ -7,6 +7,7 @@
 
 use std::sync::OnceLock;
 
+use crate::baked_support::assert_promised;
 use lobefit::approximate::{Emission, Entry, FitSet, Memo, place};
 use lobefit::data::{AlphaMap, Norm};
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, PUBLISHED, ParallaxSpec, Spread, fit_all};
@@ -138,6 +139,7 @@ fn certificates_hold_between_the_points_that_are_measured() {
 fn fits_are_no_worse_than_the_constants_that_were_rounded() {
     let set = fits();
     assert!(set.dropped.is_empty(), "{:?}", set.dropped);
+    assert_promised("tests/effects/parallax.rs", &set.fits);
     for fit in &set.fits {
         let widths = grid().widths(&fit.hypothesis, &fit.coefficients()).expect("widths");
         let [near, far] = [near, far]

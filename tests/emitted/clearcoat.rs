@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods)]
 
 use super::dielectric::reflected;
-use crate::baked_support::shared;
+use crate::baked_support::{assert_promised, shared};
 use crate::emit_support;
 
 use std::collections::BTreeSet;
@@ -27,7 +27,7 @@ use lobefit_truth::quantity::{GgxCoat, Quantity};
 const SCENE: &str = include_str!("../../examples/lacquer.json");
 
 /// Every formula of the share over the indices of refraction of the example.
-static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
+pub(crate) static LACQUER: LazyLock<Baked> = LazyLock::new(|| {
     // Without a lobe below the coat, which has fits of its own.
     let smooth = SCENE.replace(r#""roughness": [0.3, 0.6]"#, r#""roughness": 0"#);
     let json = smooth.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1);
@@ -161,6 +161,7 @@ fn ours_beat_what_is_published() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
+    assert_promised("tests/emitted/clearcoat.rs", &LACQUER.fits);
     assert_eq!(LACQUER.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.05 * theirs, "{ours} {theirs}");
 }

@@ -1,7 +1,7 @@
 //! The effect diffuse-coupling: from the scene to the bytes, and nothing of it where the scene does
 //! not ask.
 
-use crate::baked_support::shared;
+use crate::baked_support::{assert_promised, shared};
 use crate::emit_support;
 
 use std::sync::LazyLock;
@@ -313,6 +313,7 @@ fn ours_beat_the_bars() {
     ] {
         assert!(best(s, ops) < bar, "{} {ops}: {}", s.name(), best(s, ops));
     }
+    assert_promised("tests/emitted/coupling.rs", factors());
     let of_others = |f: &&Fit| !f.emitted && f.approximation.used_as == COUPLING;
     assert!(all().fits.iter().filter(of_others).count() >= 8);
 }

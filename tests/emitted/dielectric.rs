@@ -2,6 +2,7 @@
 //! files of four languages before their compilers, and the formulas beside what engines ship.
 #![allow(clippy::disallowed_methods)]
 
+use crate::baked_support::assert_promised;
 use crate::emit_support;
 use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
@@ -17,7 +18,7 @@ use lobefit_shade::code::Language;
 const SCENE: &str = include_str!("../../examples/coats.json");
 
 /// Every formula over the indices of refraction of the example.
-static COATS: LazyLock<Baked> = LazyLock::new(|| all(SCENE));
+pub(crate) static COATS: LazyLock<Baked> = LazyLock::new(|| all(SCENE));
 
 /// A scene's bake with every formula.
 fn all(json: &str) -> Baked {
@@ -131,6 +132,7 @@ fn ours_beat_what_engines_ship() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
+    assert_promised("tests/emitted/dielectric.rs", &COATS.fits);
     assert_eq!(COATS.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.1 * theirs, "{ours} {theirs}");
     // The scene's limit is that of the most accurate.

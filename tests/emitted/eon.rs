@@ -1,5 +1,6 @@
 //! The effect eon: from the scene to a lobe that a furnace finds white, in every language.
 
+use crate::baked_support::assert_promised;
 use crate::emit_support;
 
 use std::f64::consts::PI;
@@ -12,7 +13,7 @@ use lobefit_math::ops;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Source, Tape};
 
-static CLAY: LazyLock<Baked> = LazyLock::new(|| baked(include_str!("../../examples/clay.json")));
+pub(crate) static CLAY: LazyLock<Baked> = LazyLock::new(|| baked(include_str!("../../examples/clay.json")));
 
 /// The emitted BRDF's first channel.
 fn lobe() -> impl Fn(f32, f32, [f64; 3]) -> f64 {
@@ -111,6 +112,7 @@ fn ours_beat_the_published_polynomial() {
             _ => assert!(error < 0.01, "{row}"),
         }
     }
+    assert_promised("tests/emitted/eon.rs", &all.fits);
     let others = all.files.keys().filter(|file| file.starts_with("tables/")).count();
     assert_eq!((all.fits.len(), others), (6, 0), "nothing else is made");
 }

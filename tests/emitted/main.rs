@@ -24,6 +24,7 @@ mod fitted_lobe;
 mod formats;
 mod furnace;
 mod furnace_coupling;
+mod hardware;
 mod include;
 mod languages;
 mod lookup_heads;

@@ -3,6 +3,7 @@
 //! beside the rule that engines ship.
 #![allow(clippy::disallowed_methods)]
 
+use crate::baked_support::assert_promised;
 use crate::emit_support;
 use crate::furnace_support::textbook::{Vector, dot, fresnel, normalised};
 
@@ -17,7 +18,7 @@ use lobefit_truth::quantity::{Quantity, RefractedWidth};
 const SCENE: &str = include_str!("../../examples/panes.json");
 
 /// Every formula over the indices of refraction of the example.
-static PANES: LazyLock<Baked> =
+pub(crate) static PANES: LazyLock<Baked> =
     LazyLock::new(|| baked(&SCENE.replacen('{', r#"{ "pick": "all", "reports": false,"#, 1)));
 
 /// Facets of a lattice.
@@ -117,6 +118,7 @@ fn ours_beat_the_rule_that_engines_ship() {
         let least = if fit.emitted { &mut ours } else { &mut theirs };
         *least = least.min(error);
     }
+    assert_promised("tests/emitted/width.rs", &PANES.fits);
     assert_eq!(PANES.fits.len(), HYPOTHESES.len() + PUBLISHED.len());
     assert!(ours < 0.1 * theirs, "{ours} {theirs}");
 }

@@ -45,17 +45,6 @@ fn resolves(page: &Path, target: &str) -> bool {
     path.exists() && (heading.is_empty() || std::fs::read_to_string(path).is_ok_and(anchors))
 }
 
-#[test]
-fn every_test_that_holds_a_promise_exists() {
-    let promises = read("docs/promises.md");
-    let names = promises.split('`').skip(1).step_by(2).filter(|name| name.contains("tests"));
-    let names: Vec<&str> = names.filter(|name| !name.contains(' ')).collect();
-    assert!(names.len() > 20);
-    for name in names {
-        assert!(root().join(name).exists(), "{name}");
-    }
-}
-
 /// Largest error and RMS of a certificate, as a row shows them.
 fn errors(entry: &Value) -> String {
     let certificate = &entry["certificate"];

@@ -34,7 +34,8 @@ pub fn fresnel_product(f0: f64, mu_l: f64, mu_v: f64) -> f64 {
 /// (S. Lagarde; Fdez-Aguera 2019, k_S).
 #[inline(always)]
 pub fn schlick_roughness(f0: f64, roughness: f64, mu: f64) -> f64 {
-    1.0 - f0 - ((1.0 - roughness).max(f0) - f0) * schlick_weight(1.0 - mu)
+    let smooth = 1.0 - roughness;
+    1.0 - f0 - (if smooth < f0 { 0.0 } else { smooth - f0 }) * schlick_weight(1.0 - mu)
 }
 
 /// mix(1 - F(mu), 1 - f0, roughness), roughness = sqrt(alpha) (Pesce 2019).
@@ -61,7 +62,7 @@ pub fn dassault(f0: f64, alpha: f64, mu_l: f64, mu_v: f64) -> f64 {
 /// over l is left_avg, so that exactly left(v) comes back from a white base. 0 at left_avg = 0.
 #[inline(always)]
 pub fn kelemen(left_l: f64, left_v: f64, left_avg: f64) -> f64 {
-    if left_avg > 0.0 { left_l * left_v / left_avg } else { 0.0 }
+    if left_avg == 0.0 { 0.0 } else { left_l * left_v / left_avg }
 }
 
 /// [`kelemen`] with the light that goes back and forth between a base of albedo `rho` and the lobe
@@ -72,7 +73,7 @@ pub fn kelemen(left_l: f64, left_v: f64, left_avg: f64) -> f64 {
 pub fn interreflected(rho: f64, left_l: f64, left_v: f64, left_avg: f64) -> f64 {
     // 1 - rho (1 - left_avg) without cancellation at rho = 1
     let below = (1.0 - rho) + rho * left_avg;
-    if below > 0.0 { left_l * left_v / below } else { 0.0 }
+    if below == 0.0 { 0.0 } else { left_l * left_v / below }
 }
 
 #[cfg(test)]

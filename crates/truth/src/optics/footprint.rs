@@ -144,7 +144,11 @@ impl Form {
 /// cos psi_p/cos psi_s of the unit rays from a shading point and from a probe to a place on a wall
 /// of that outward unit `normal`, cosines of at least [`LEAST_COSINE`].
 pub fn slant_ratio(normal: Vec3, from_place: Vec3, from_probe: Vec3) -> f64 {
-    dot(normal, from_probe).max(LEAST_COSINE) / dot(normal, from_place).max(LEAST_COSINE)
+    let cosine = |ray: Vec3| {
+        let cosine = dot(normal, ray);
+        if cosine < LEAST_COSINE { LEAST_COSINE } else { cosine }
+    };
+    cosine(from_probe) / cosine(from_place)
 }
 
 /// [`Stretch::area`] by a unit ray and its length > 0 from the shading point and another from the

@@ -62,12 +62,12 @@ pub fn dielectric(ior: f64, c: f64) -> f64 {
 }
 
 /// 2 int_0^1 F(c) c dc of [`dielectric`], to 1e-12: panels graded to the branch point at c = i
-/// sqrt(ior^2 - 1); 0 at ior = 1. Duntley 1942 has it in closed form, which cancels near ior = 1.
+/// sqrt(ior^2 - 1); 0 at ior = 1, NaN below it. Duntley 1942 has it in closed form, which cancels near ior = 1.
 pub fn dielectric_average(ior: f64) -> f64 {
     static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(24));
     let branch = ((ior - 1.0) * (ior + 1.0)).sqrt();
-    if branch == 0.0 {
-        return 0.0;
+    if branch == 0.0 || branch.is_nan() {
+        return branch;
     }
     let cuts = panels::from_zero(1.0, branch);
     let part = |cut: &[f64]| RULE.integrate(cut[0], cut[1], |c| 2.0 * c * dielectric(ior, c));
@@ -76,16 +76,28 @@ pub fn dielectric_average(ior: f64) -> f64 {
 
 /// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to
 /// outside; without absorption eta >= 1) at the cosine c in [0, 1]; 1 at c = 0. Born and Wolf, sec.
-/// 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = |c - a - i b|^2/|c + a + i b|^2,
-/// and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
+/// 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2 +
+/// b^2), and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
+///
+/// Of a and b the larger is a root and the other follows from a b = eta k. The difference of a and c
+/// cancels near an index of 1; where a is the larger of both roots, it is taken from a^2 - c^2 =
+/// (eta - 1)(eta + 1) - k^2 + b^2, of small numbers, over a + c. The real part itself is taken from the
+/// smaller of s^2 and c^2: near the critical angle of an index below 1, and at grazing view.
 pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {
-    let (c2, s2) = (c * c, (1.0 - c) * (1.0 + c));
-    let real = eta * eta - k * k - s2;
-    let length = (real * real + 4.0 * eta * eta * k * k).sqrt();
-    let a = (0.5 * (length + real)).max(0.0).sqrt();
-    let r_s = (length - 2.0 * a * c + c2) / (length + 2.0 * a * c + c2);
-    let (even, odd) = (c2 * length + s2 * s2, 2.0 * a * c * s2);
-    0.5 * r_s * (1.0 + (even - odd) / (even + odd))
+    let (s2, product) = ((1.0 - c) * (1.0 + c), eta * k);
+    let contrast = (eta - 1.0) * (eta + 1.0) - k * k;
+    let real = if s2 < 0.5 { eta * eta - k * k - s2 } else { contrast + c * c };
+    let larger = (0.5 * ((real * real + 4.0 * product * product).sqrt() + real.abs())).sqrt();
+    let smaller = product / larger;
+    let (a, b, difference) = if real >= 0.0 {
+        (larger, smaller, (contrast + smaller * smaller) / (larger + c))
+    } else {
+        (smaller, larger, smaller - c)
+    };
+    let (less, more) = (difference * difference + b * b, (a + c) * (a + c) + b * b);
+    let (minus, plus) = (s2 - c * a, s2 + c * a);
+    let absorbed = c * c * b * b;
+    0.5 * (less / more) * (1.0 + (minus * minus + absorbed) / (plus * plus + absorbed))
 }
 
 /// Reflectance of [`conductor`] at normal incidence, ((eta - 1)^2 + k^2)/((eta + 1)^2 + k^2).

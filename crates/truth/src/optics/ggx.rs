@@ -48,14 +48,16 @@ pub fn visibility(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64
 }
 
 /// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2,
-/// from two numbers in [0, 1). No tangent frame and no branch. `view` on either side of the
+/// from two numbers in [0, 1). No tangent frame. `view` on either side of the
 /// horizon: from below, the visible normals are those of facets seen between others, and the cap of
 /// directions mirrored about them is z in (-view.z, 1] all the same.
 pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
     visible_normal_at(alpha, view, ops::sincos(2.0 * std::f64::consts::PI * u), v)
 }
 
-/// [`visible_normal`] by the sine and cosine of the azimuth of the cap.
+/// [`visible_normal`] by the sine and cosine of the azimuth of the cap, whose z is (1 - v)(1 + s) - s,
+/// s that of the stretched view. 1 - z = v (1 + s), 1 + z = (1 - v)(1 + s) + (1 - s) and z + s are
+/// each taken without a difference: at the pole and at the rim z itself has lost its sine.
 #[inline]
 pub fn visible_normal_at(
     alpha: [f64; 2],
@@ -64,11 +66,14 @@ pub fn visible_normal_at(
     v: f64,
 ) -> Vec3 {
     let stretched = normalise([alpha[0] * view[0], alpha[1] * view[1], view[2]]);
-    let z = (1.0 - v) * (1.0 + stretched[2]) - stretched[2];
-    let sine = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
-    let cap = [sine * cos_azimuth, sine * sin_azimuth, z];
-    let sum = [cap[0] + stretched[0], cap[1] + stretched[1], cap[2] + stretched[2]];
-    normalise([alpha[0] * sum[0], alpha[1] * sum[1], sum[2]])
+    let s = stretched[2];
+    let longer = 1.0 + s.abs();
+    let shorter = (stretched[0] * stretched[0] + stretched[1] * stretched[1]) / longer;
+    let (above, rest) = if s < 0.0 { (shorter, longer) } else { (longer, shorter) };
+    let (below, z) = (v * above, (1.0 - v) * above);
+    let sine = (below * (z + rest)).sqrt();
+    let (x, y) = (sine * cos_azimuth + stretched[0], sine * sin_azimuth + stretched[1]);
+    normalise([alpha[0] * x, alpha[1] * y, z])
 }
 
 /// The direction `view` mirrored about `normal`, with the cosine v.h.

@@ -18,7 +18,7 @@ pub fn compensation(f0: f64, e: f64, loss: f64) -> f64 {
 /// and the lobe with them: 0 at loss_avg = 0.
 #[inline(always)]
 pub fn kulla_conty(loss_l: f64, loss_v: f64, loss_avg: f64) -> f64 {
-    if loss_avg > 0.0 { loss_l * loss_v / (PI * loss_avg) } else { 0.0 }
+    if loss_avg == 0.0 { 0.0 } else { loss_l * loss_v / (PI * loss_avg) }
 }
 
 /// From which bounce on the colour series of the multiple-scattering lobe counts its reflections.

@@ -101,9 +101,13 @@ pub fn with_nodes(
     bounded(values, values).ok_or_else(|| not_finite(alpha, mu))
 }
 
+/// Cosine below which a view is at grazing: E differs from its limit by less than its rounding, and a
+/// layer that thin is no scale to grade panels to.
+const GRAZING: f64 = 1e-30;
+
 /// E and the loss by rules of `n` nodes a panel, along rays and over their azimuth.
 fn values(smith: Smith, alpha: [f64; 2], mu: f64, phi: Option<f64>, n: usize) -> [f64; 2] {
-    let rule = PanelRule::new(n);
+    let (rule, mu) = (PanelRule::new(n), if mu < GRAZING { 0.0 } else { mu });
     match phi {
         Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).integrate(&rule),
         None => average::mean(smith, alpha, mu, &rule),
@@ -125,5 +129,5 @@ fn not_finite(alpha: [f64; 2], mu: f64) -> IntegrateError {
 }
 
 fn place(alpha: [f64; 2], mu: f64) -> String {
-    format!("alpha_x = {}, alpha_y = {}, mu = {mu}", alpha[0], alpha[1])
+    format!("alpha_x = {:?}, alpha_y = {:?}, mu = {mu:?}", alpha[0], alpha[1])
 }

@@ -106,7 +106,7 @@ fn of_table(
 }
 
 fn place(alpha: f64, rho: f64) -> String {
-    format!("alpha = {alpha}, rho = {rho}")
+    format!("alpha = {alpha:?}, rho = {rho:?}")
 }
 
 /// The step of the quick rule.

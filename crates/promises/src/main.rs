@@ -1,0 +1,5 @@
+//! Prints `docs/promises.md`.
+
+fn main() {
+    print!("{}", lobefit_promises::page());
+}

@@ -1,0 +1,244 @@
+//! Emitted functions of numbers as GPUs may run them: subnormal numbers flushed, sums of products fused,
+//! quotients and square roots off by 2.5 ulp; and outside of the domains that they state.
+
+use std::cell::Cell;
+use std::collections::BTreeSet;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::emit_support::{self, example::text};
+use lobefit::bake::Baked;
+use lobefit_promises::promises;
+use lobefit_shade::code::Language;
+use lobefit_shade::{Real, Source, Tape};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+thread_local! {
+    /// How far quotients and roots lie from the nearest number, in ulp.
+    static OFF: Cell<i32> = const { Cell::new(0) };
+}
+
+/// f32 that flushes subnormal numbers, and whose quotients and roots are [`OFF`].
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+struct Loose(f32);
+
+fn flushed(x: f32) -> Loose {
+    Loose(if x.is_subnormal() { 0.0 * x } else { x })
+}
+
+/// A quotient or a root as a GPU may give it; exact where it is a power of two or no finite number.
+fn off(x: f32) -> Loose {
+    let is_exact = x == 0.0 || !x.is_finite() || x.to_bits() << 9 == 0;
+    let moved = OFF.get();
+    flushed(if is_exact { x } else { f32::from_bits(x.to_bits().wrapping_add_signed(moved)) })
+}
+
+macro_rules! arithmetic {
+    ($($operator:ident $call:ident $round:ident),*) => { $(
+        impl $operator for Loose {
+            type Output = Loose;
+            fn $call(self, other: Loose) -> Loose {
+                $round($operator::$call(flushed(self.0).0, flushed(other.0).0))
+            }
+        }
+    )* };
+}
+arithmetic!(Add add flushed, Sub sub flushed, Mul mul flushed, Div div off);
+
+impl Neg for Loose {
+    type Output = Loose;
+    fn neg(self) -> Loose {
+        Loose(-self.0)
+    }
+}
+
+impl Real for Loose {
+    const ZERO: Loose = Loose(0.0);
+    const ONE: Loose = Loose(1.0);
+    const NAN: Loose = Loose(f32::NAN);
+    fn literal(x: f32) -> Loose {
+        Loose(x)
+    }
+    fn fma(self, y: Loose, z: Loose) -> Loose {
+        flushed(self.0.fma(y.0, z.0))
+    }
+    fn magnitude(self) -> Loose {
+        Loose(self.0.magnitude())
+    }
+    fn whole(self) -> Loose {
+        Loose(self.0.whole())
+    }
+    fn root(self) -> Loose {
+        off(self.0.root())
+    }
+    fn e_power(self) -> Loose {
+        flushed(self.0.e_power())
+    }
+    fn two_power(self) -> Loose {
+        flushed(self.0.two_power())
+    }
+    fn natural_log(self) -> Loose {
+        Loose(self.0.natural_log())
+    }
+    fn binary_log(self) -> Loose {
+        Loose(self.0.binary_log())
+    }
+    fn sine(self) -> Loose {
+        Loose(self.0.sine())
+    }
+    fn cosine(self) -> Loose {
+        Loose(self.0.cosine())
+    }
+    fn power(self, y: Loose) -> Loose {
+        flushed(self.0.power(y.0))
+    }
+}
+
+/// The include files whose functions are tried.
+fn files() -> [&'static Baked; 6] {
+    let of_values: [&Baked; 4] =
+        [&crate::dielectric::COATS, &crate::clearcoat::LACQUER, &crate::width::PANES, &crate::eon::CLAY];
+    let [coats, lacquer, panes, clay] = of_values;
+    [&emit_support::baked().0, &crate::furnace_coupling::BAKED, coats, lacquer, panes, clay]
+}
+
+/// A function of numbers that a file holds: its name and its first channel.
+fn functions() -> Vec<(String, Tape)> {
+    let mut found: Vec<(String, Tape)> = Vec::new();
+    for baked in files() {
+        let text = text(baked, Language::Wgsl);
+        let functions = emit_support::functions(&text);
+        for name in functions.keys() {
+            if found.iter().any(|(other, _)| other == name) {
+                continue;
+            }
+            let module = emit_support::module(name, &functions);
+            let takes_numbers = !module.contains("texture_") && !module.contains("array<");
+            if let (true, Ok(source)) = (takes_numbers, Source::parse("lobefit.wgsl", &module)) {
+                found.push(((*name).to_owned(), source.tape(name, 0).expect("a function of numbers")));
+            }
+        }
+    }
+    found
+}
+
+/// Where an input lies: in the domains that functions state, and where a renderer may put it.
+const RANGES: [(&str, [f32; 2], [f32; 2]); 20] = [
+    ("roughness", [0.02, 1.0], [0.0, 1.0]),
+    ("mu", [0.01, 1.0], [1e-4, 1.0]),
+    ("n_dot_v", [0.01, 1.0], [1e-4, 1.0]),
+    ("n_dot_l", [0.01, 1.0], [1e-4, 1.0]),
+    ("mip", [0.0, 6.0], [0.0, 6.0]),
+    ("f0", [0.0, 1.0], [0.0, 1.0]),
+    ("ior", [1.1, 2.0], [1.0, 3.0]),
+    ("rho", [1.0 / 16.0, 8.0], [1e-3, 1e3]),
+    ("e", [0.3, 1.0], [0.1, 1.0]),
+    ("e_v", [0.0, 1.0], [0.0, 1.0]),
+    ("e_l", [0.0, 1.0], [0.0, 1.0]),
+    ("escape", [0.3, 1.0], [0.1, 1.0]),
+    ("average", [0.1, 1.0], [0.1, 1.0]),
+    ("texel", [0.0, 1.0], [0.0, 1.0]),
+    ("albedo", [0.0, 1.0], [0.0, 1.0]),
+    ("lobe", [0.0, 1.0], [0.0, 1.0]),
+    ("f", [0.0, 1.0], [0.0, 1.0]),
+    ("f_ss", [0.0, 1.0], [0.0, 1.0]),
+    ("anisotropy", [0.0, 1.0], [0.0, 1.0]),
+    ("cos2_phi", [0.0, 1.0], [0.0, 1.0]),
+];
+
+/// Points of each function.
+const POINTS: usize = 4_000;
+
+/// A point of a function, on an end of an input's range or between; `None` of a function with another
+/// input.
+fn point(random: &mut Pcg64, tape: &Tape, beyond: bool) -> Option<Vec<f32>> {
+    let mut drawn: Vec<(&str, f32)> = Vec::new();
+    for (name, inside, outside) in &RANGES {
+        let [low, high] = if beyond { outside } else { inside };
+        let between = low + (high - low) * random.random::<f32>();
+        let near = low + (high - low) * 10_f32.powf(-6.0 * random.random::<f32>());
+        drawn.push((name, [*low, *high, between, between, near, near][random.random_range(0..6)]));
+    }
+    let of = |name: &str| drawn.iter().find(|(other, _)| *other == name).map(|(_, x)| *x);
+    let part: f32 = random.random();
+    let value = |input: &String| match input.as_str() {
+        "alpha" => of("roughness").map(|r| r * r),
+        // B is a part of E.
+        "b" => of("e").map(|e| e * part),
+        "l_dot_v" => {
+            let (v, l) = (of("n_dot_v")?, of("n_dot_l")?);
+            Some(v * l + ((1.0 - v * v) * (1.0 - l * l)).sqrt() * (2.0 * part - 1.0))
+        }
+        // The swing of the loss over the azimuth, which falls with the anisotropy and leaves E above 0.
+        "texel.y" | "texel.z" | "texel.w" if tape.inputs().contains(&"anisotropy".to_owned()) => {
+            Some((1.0 - of("texel")?) / 3.0 * of("anisotropy")? * part)
+        }
+        name => of(name.split('.').next().unwrap_or_default()),
+    };
+    tape.inputs().iter().map(value).collect()
+}
+
+/// A function's values as GPUs may compute them: as it is written and fused, and off either way.
+fn loosely(written: &Tape, fused: &Tape, x: &[f32]) -> Vec<f32> {
+    let x: Vec<Loose> = x.iter().map(|x| Loose(*x)).collect();
+    let with = |moved: i32| {
+        OFF.set(moved);
+        [written, fused].map(|tape| tape.at(&x, &[]).0)
+    };
+    [0, -2, 2].into_iter().flat_map(with).collect()
+}
+
+/// How far a value moves on another machine, over 1 and its own size: a tenth of the fourth digit of the
+/// most accurate formula's error.
+const MOVES: f32 = 3e-6;
+
+/// What a value may fall below 0 by where a renderer puts an input beyond the stated domain.
+const DARK: f32 = 1e-6;
+
+#[test]
+fn functions_bear_what_hardware_does() {
+    let mut moved = Vec::new();
+    for (name, tape) in functions() {
+        let (mut random, fused) = (Pcg64::seed_from_u64(3), tape.contracted());
+        let mut worst = (0.0_f32, Vec::new());
+        for _ in 0..POINTS {
+            let Some(x) = point(&mut random, &tape, false) else { break };
+            let written = tape.at(&x, &[]);
+            for value in loosely(&tape, &fused, &x) {
+                let off = (value - written).abs() / (1.0 + written.abs());
+                if off.is_nan() || off > worst.0 {
+                    worst = (off, x.clone());
+                }
+            }
+        }
+        println!("{name}: {:e} {:?} {:?}", worst.0, tape.inputs(), worst.1);
+        if worst.0.is_nan() || worst.0 > MOVES {
+            moved.push(format!("{name}: {:e} at {:?} {:?}", worst.0, tape.inputs(), worst.1));
+        }
+    }
+    assert!(moved.is_empty(), "{moved:#?}");
+}
+
+#[test]
+fn functions_return_what_a_renderer_survives() {
+    let mut deadly = Vec::new();
+    let mut excused: BTreeSet<&str> = promises().beyond.iter().map(|e| e.name.as_str()).collect();
+    for (name, tape) in functions() {
+        let (mut random, fused) = (Pcg64::seed_from_u64(5), tape.contracted());
+        let mut worst = (0.0_f32, Vec::new());
+        for _ in 0..POINTS {
+            let Some(x) = point(&mut random, &tape, true) else { break };
+            for value in loosely(&tape, &fused, &x).into_iter().chain([tape.at(&x, &[])]) {
+                let below = if value.is_finite() { -value } else { f32::INFINITY };
+                if below > worst.0 {
+                    worst = (below, x.clone());
+                }
+            }
+        }
+        if worst.0 > DARK && !(worst.0.is_finite() && excused.remove(name.as_str())) {
+            deadly.push(format!("{name}: {:e} at {:?} {:?}", -worst.0, tape.inputs(), worst.1));
+        }
+    }
+    assert!(deadly.is_empty(), "{deadly:#?}");
+    assert!(excused.is_empty(), "docs/promises.json: these need no exception: {excused:?}");
+}

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Plants the defects of defects.json, one at a time, and says which tests catch each.
+
+    python3 tests/planted/plant.py [FIRST [LAST]]
+
+All defects go into one copy of the packages, each behind a switch that an environment variable turns, so that
+they are built once. A defect is a text of a file with the expression between [[ and ]] that it replaces, and
+the test binaries that are run with it: `math` is that of crates/math, `attack` that of crates/promises, the
+others are those of crates/truth. A defect that fewer than two tests catch fails the run; caught.md beside this
+file is what the whole run prints.
+"""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+COPY = ROOT / "target" / "planted"
+SWITCH = "LOBEFIT_PLANTED"
+# Part of the usual trials: a defect is found at once or never.
+TRIALS = "0.02"
+SECONDS = 300
+
+PLANTED = f'''
+/// Whether a defect is switched on.
+#[inline(always)]
+pub fn planted(defect: u32) -> bool {{
+    static ON: std::sync::LazyLock<u32> =
+        std::sync::LazyLock::new(|| std::env::var("{SWITCH}").map_or(0, |text| text.parse().expect("a number")));
+    *ON == defect
+}}
+'''
+
+
+def parts(text):
+    """What stands before the expression, the expression, and what stands after it."""
+    before, rest = text.split("[[", 1)
+    expression, after = rest.rsplit("]]", 1)
+    return before, expression, after
+
+
+def plant(defects):
+    """Copies the packages and puts a switch in the place of each expression."""
+    shutil.rmtree(COPY / "tree", ignore_errors=True)
+    ignore = shutil.ignore_patterns("target", ".git", "reports", "tables")
+    shutil.copytree(ROOT, COPY / "tree", ignore=ignore, symlinks=True)
+    for number, defect in enumerate(defects, 1):
+        path = COPY / "tree" / defect["file"]
+        text = path.read_text()
+        before, expression, after = parts(defect["from"])
+        assert text.count(before + expression + after) == 1, defect["name"]
+        path_to = "crate" if "crates/math" in defect["file"] else "lobefit_math"
+        switch = f"(if {path_to}::planted({number}) {{ {defect['to']} }} else {{ {expression} }})"
+        path.write_text(text.replace(before + expression + after, before + switch + after))
+    library = COPY / "tree" / "crates/math/src/lib.rs"
+    library.write_text(library.read_text() + PLANTED)
+    # Tests of units compile files once more, outside of their package: there the switch is the library's.
+    units = COPY / "tree" / "crates/math/tests/units.rs"
+    units.write_text(units.read_text() + "\n#[allow(unused_imports)]\nuse lobefit_math::planted;\n")
+
+
+def build():
+    """The test binaries by the names that the list has."""
+    packages = [word for name in ("math", "truth", "promises") for word in ("-p", f"lobefit-{name}")]
+    command = ["cargo", "test", "--release", "--no-run", "--message-format=json", "--target-dir", COPY / "build"]
+    done = subprocess.run(command + packages, cwd=COPY / "tree", stdout=subprocess.PIPE, text=True, check=True)
+    binaries = {}
+    for line in done.stdout.splitlines():
+        message = json.loads(line)
+        if message.get("executable") and message["target"]["kind"] == ["test"]:
+            of_math = "crates/math" in message["target"]["src_path"]
+            binaries["math" if of_math else message["target"]["name"]] = Path(message["executable"])
+    return binaries
+
+
+def failures(binary, number):
+    """Tests of a binary that fail with a defect; the binary itself where it does not end."""
+    environment = {**os.environ, SWITCH: str(number), "LOBEFIT_TRIALS": TRIALS, "RUST_BACKTRACE": "0"}
+    package = {"attack": "promises", "complete": "promises"}.get(binary.name.split("-")[0], "truth")
+    folder = COPY / "tree" / "crates" / package
+    try:
+        done = subprocess.run([binary], cwd=folder, env=environment, timeout=SECONDS, capture_output=True, text=True)
+    except subprocess.TimeoutExpired:
+        return [f"{binary.name.split('-')[0]} does not end"]
+    name = binary.name.split("-")[0]
+    found = re.findall(r"^test (\S+) \.\.\. FAILED$", done.stdout, re.MULTILINE)
+    return [f"{name} {test}" for test in found] or ([f"{name} dies"] if done.returncode else [])
+
+
+def main():
+    defects = json.loads((HERE / "defects.json").read_text())
+    asked = [int(number) for number in sys.argv[1:3]]
+    first, last = asked + [1, len(defects)][len(asked) :]
+    plant(defects)
+    binaries = build()
+    used = sorted({name for defect in defects[first - 1 : last] for name in defect["tests"]})
+    sound = {name: failures(binaries[name], 0) for name in used}
+    assert not any(sound.values()), f"without a defect: {sound}"
+    lines, missed = [], []
+    for number, defect in enumerate(defects, 1):
+        if not first <= number <= last:
+            continue
+        caught = [test for name in defect["tests"] for test in failures(binaries[name], number)]
+        lines.append(f"| {defect['name']} | `{defect['file']}` | {len(caught)} | {', '.join(caught[:4])} |")
+        print(lines[-1], flush=True)
+        if len(caught) < 2:
+            missed.append(defect["name"])
+    if (first, last) == (1, len(defects)):
+        head = [
+            "# Defects that were planted, and the tests that caught them",
+            "",
+            "`python3 tests/planted/plant.py` plants each and writes this page; four of those that caught it are named.",
+            "",
+            "| defect | in | tests that fail | of them |",
+            "|---|---|---|---|",
+        ]
+        (HERE / "caught.md").write_text("\n".join(head + lines) + "\n")
+    print(f"{len(lines) - len(missed)} of {len(lines)} defects caught by two tests or more")
+    if missed:
+        sys.exit(f"caught by fewer than two: {missed}")
+
+
+main()
