@@ -120,7 +120,8 @@ pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Option
     progress("other shadowings");
     let likely = search.others(table)?;
     let sieved = sieved.beside(&likely);
-    if likely.all_promising() && likely.rank() * WORTH_A_TRY < sieved.rank() {
+    let worth = likely.all_promising() || table.source == Source::Function;
+    if worth && likely.rank() * WORTH_A_TRY < sieved.rank() {
         let all = truth_of(table, quantity, case.fixed, &search.forms)?;
         let mut others = candidates(&all, case, likely.list)?;
         if others.first().is_some_and(|first| first.fitted.rank * BEYOND < found[0].fitted.rank) {

@@ -238,7 +238,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
     let found = judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?;
     let hopeless = found.first().map(|first| is_hopeless(truth, &more, first)).transpose()?;
-    if hopeless.unwrap_or(true) {
+    if hopeless.unwrap_or(true) && table.source == Source::Table {
         return Ok(distinct(found));
     }
     let found = screen::best(found, QUICK_KEPT[class]);

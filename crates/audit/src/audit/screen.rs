@@ -188,7 +188,7 @@ impl Task<'_> {
         let combinations: Vec<usize> = (0..readings.iter().map(Vec::len).product()).collect();
         let kept = match combinations.len() {
             n if n > MANY => {
-                let across = |stride: &usize| count >= FIRST * stride && all.dims[0] % stride != 0;
+                let across = |stride: &usize| count >= FIRST * stride && !all.dims[0].is_multiple_of(*stride);
                 let stride = [7, 5, 3].into_iter().find(across).unwrap_or(1);
                 let ranked = all.fitted(&combinations, stride);
                 best(ranked, (n / THINNED).max(MANY)).into_iter().map(|c| all.index(&c)).collect()
