@@ -1,6 +1,7 @@
 //! One plain registration of all axes before a mixture or a shift, unless that is right beyond doubt and
-//! its remedy would lessen the error of the use; centres before end points, unless these are likely. A biased quantiser, sampling noise or an approximation may be nearer
-//! to texels that lie elsewhere without their lying there.
+//! its remedy would lessen the error of the use; centres before end points, unless these are likely.
+//! A biased quantiser, sampling noise or an approximation may be nearer to texels that lie elsewhere
+//! without their lying there.
 
 use super::AuditError;
 use super::axis::AxisReading;

@@ -11,8 +11,8 @@ use lobefit::effects::{eon, reflection, sheen};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::Quantity;
 
-/// Largest difference from a published formula, or from what of it is above 0, or in [0, 1]: those who ship one round its
-/// constants and order its operations in their own way, and clamp what it gives.
+/// Largest difference from a published formula, or from what of it is above 0, or in [0, 1]: those who
+/// ship one round its constants and order its operations in their own way, and clamp what it gives.
 const SAME: f64 = 2e-3;
 
 /// Formulas that were fitted to a lobe that the quantity's variants do not have: name, form.

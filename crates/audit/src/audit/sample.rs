@@ -228,7 +228,8 @@ pub(super) struct Fitted {
 /// user gives it.
 const LEAST_SHARE: usize = 3;
 
-/// The best columns of the channels, whose `values` are given, for given base values; none if no texel is judged, or few are.
+/// The best columns of the channels, whose `values` are given, for given base values; none if no texel
+/// is judged, or few are.
 pub(super) fn fit_columns(
     values: &[Vec<f64>],
     base: &Values,
