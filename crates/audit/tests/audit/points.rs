@@ -63,28 +63,35 @@ fn registrations(found: &Audit) -> Vec<Registration> {
     found.best().axes.iter().map(|a| a.registration).collect()
 }
 
-/// Where noise is as large as what half a texel makes, the axes are read alike: at centres, or at end
-/// points where the column at mu = 0 tells; and no remedy of a registration is stated that is open.
-#[test]
-fn one_registration_is_taken_of_all_axes() {
-    for seed in 1..6 {
-        let noisy = |x: usize, y: usize| ggx(centre(y), centre(x)).0 + 0.012 * jitter(x, y, seed);
-        let found = run(&table(&[("R", &noisy)]), "ggx-reflection", &Fixed::default());
-        assert_eq!(registrations(&found), [Registration::Centre; 2], "{seed}");
-        let remedy = found.verdict(None).remedy.join(" ");
-        assert!(!remedy.contains("compute texel") && !remedy.contains("sample at"), "{remedy}");
-    }
+/// A table of 64 x 64 over mu and roughness, at end points.
+fn of_end_points(value: impl Fn(f64, [usize; 2]) -> f64) -> AuditedTable {
+    const SIDE: usize = 64;
+    let end = |i: usize| (i as f64 / (SIDE - 1) as f64).max(1e-3);
+    let texel = |i: usize| value(ggx(end(i / SIDE), end(i % SIDE)).0, [i % SIDE, i / SIDE]);
+    let channels = vec![Channel { name: "R".into(), values: (0..SIDE * SIDE).map(texel).collect() }];
+    AuditedTable { size: vec![SIDE; 2], channels, ..table(&[]) }
 }
 
-/// Point 6: RGBE that truncates, of end points, is neither a shift nor a mixture.
+/// Where noise is as large as what half a texel makes, centres and end points are open: the plainer is
+/// stated, of all axes, and no remedy of a registration.
+#[test]
+fn no_remedy_is_stated_of_a_registration_that_is_open() {
+    let found =
+        run(&of_end_points(|e, [x, y]| e + 0.012 * jitter(x, y, 1)), "ggx-reflection", &Fixed::default());
+    assert_eq!(registrations(&found), [Registration::Centre; 2]);
+    let remedy = found.verdict(None).remedy.join(" ");
+    assert!(!remedy.contains("compute texel") && !remedy.contains("sample at"), "{remedy}");
+}
+
+/// Point 6: mantissas of seven bits that were cut off, of end points, are neither a shift nor a mixture of
+/// end points and centres.
 #[test]
 fn point_6_a_truncated_table_of_end_points_is_one() {
     let cut = |x: f64| {
-        let step = ops::pow(2.0, ops::log2(x).floor() - 7.0);
+        let step = ops::pow(2.0, ops::log2(x).floor() - 6.0);
         (x / step).floor() * step
     };
-    let found =
-        run(&table(&[("R", &|x, y| cut(ggx(end(y), end(x)).0))]), "ggx-reflection", &Fixed::default());
+    let found = run(&of_end_points(|e, _| cut(e)), "ggx-reflection", &Fixed::default());
     assert_eq!(registrations(&found), [Registration::Endpoint; 2]);
     assert!(found.plain.is_none(), "{:?}", found.plain);
 }
