@@ -6,7 +6,7 @@ use common::{lobefit, stderr};
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
     Audit, AuditedTable, Channel, Column, Defect, ENCODINGS, Fit, Fixed, Grade, Input, Other, Registration,
-    Source, audit, declared, sampled,
+    Scale, Source, Span, audit, declared, sampled,
 };
 use lobefit_audit::foreign::{Hints, Step, Surroundings, read_functions, read_table};
 use lobefit_math::ops;
@@ -121,6 +121,7 @@ fn point_3_a_channel_of_nothing_known_is_left_out_by_a_dash() {
     let found = run(&shipped, "ggx-reflection", &Fixed::default());
     assert_eq!(found.best().columns, [Some(Column::E), Some(Column::B), None]);
     assert!(found.channels[2].other == Some(Other::Unknown) && !found.passes(Some(0.01)));
+    is_formed(&found);
     let dashed = Fixed { meanings: Some(vec![Some(Column::E), Some(Column::B), None]), ..Fixed::default() };
     assert!(run(&shipped, "ggx-reflection", &dashed).passes(Some(1e-6)));
 }
@@ -159,23 +160,25 @@ fn point_15_a_verdict_is_a_line_and_five_points() {
         (|x: usize, y: usize| ggx(end(y), end(x)).0, |x: usize, y: usize| ggx(centre(y), centre(x)).1);
     let split = |x: usize, y: usize| ggx(centre(y), centre(x)).0 - b(x, y);
     let wrong = |x: usize, y: usize| 0.5 + 0.4 * ops::sin(20.0 * centre(x) * centre(y));
-    for channels in [
-        vec![("R", &e as &dyn Fn(usize, usize) -> f64)],
-        vec![("R", &split), ("G", &b)],
-        vec![("R", &wrong)],
-        vec![("R", &split), ("G", &b), ("B", &wrong)],
-    ] {
-        let verdict = run(&table(&channels), "ggx-reflection", &Fixed::default()).verdict(Some(1e-9));
-        let text = verdict.to_string();
-        let mut lines = text.lines();
-        let first = lines.next().unwrap();
-        assert!(first.starts_with(&format!("{} ggx-reflection", verdict.grade.word())), "{first}");
-        assert!(first.ends_with("; the limit is 1e-9"), "{first}");
-        let points: Vec<&str> = lines.collect();
-        assert!(points.len() <= 5 && points.iter().all(|p| p.starts_with("- ")), "{text}");
-        let long = points.iter().map(|p| p.chars().count()).max().unwrap();
-        assert!(long <= 700, "{long}: {text}");
+    for channels in
+        [vec![("R", &e as &dyn Fn(usize, usize) -> f64)], vec![("R", &split), ("G", &b)], vec![("R", &wrong)]]
+    {
+        is_formed(&run(&table(&channels), "ggx-reflection", &Fixed::default()));
     }
+}
+
+/// Whether a verdict is a line and at most five points.
+fn is_formed(found: &Audit) {
+    let verdict = found.verdict(Some(1e-9));
+    let text = verdict.to_string();
+    let mut lines = text.lines();
+    let first = lines.next().unwrap();
+    assert!(first.starts_with(&format!("{} ggx-reflection", verdict.grade.word())), "{first}");
+    assert!(first.ends_with("; the limit is 1e-9"), "{first}");
+    let points: Vec<&str> = lines.collect();
+    assert!(points.len() <= 5 && points.iter().all(|p| p.starts_with("- ")), "{text}");
+    let long = points.iter().map(|p| p.chars().count()).max().unwrap();
+    assert!(long <= 700, "{long}: {text}");
 }
 
 /// A published fit behind a clamp to [0, 1] is that fit.
@@ -241,7 +244,12 @@ fn files_are_read_as_they_lie() {
     let (_, out, err) = run(&all);
     assert!(out.starts_with('{'), "{err}");
     // A range of an input that runs evenly may be stated.
-    let (code, out, err) =
-        run(&["audit", "t.h", "--as", "ggx-glass", "--size", "16x16", "--axes", "ior=1.1..2.2,roughness"]);
-    assert!(code == Some(1) && out.contains("ior=1.1..2.2 along x"), "{out}{err}");
+    let (code, _, err) = run(&["audit", "no.h", "--as", "ggx-glass", "--axes", "ior=1.1..2.2,roughness"]);
+    assert!(code == Some(2) && err.contains("no.h") && !err.contains("--axes"), "{err}");
+    let span = Span { input: Input::Ior, ends: [1.1, 2.2], name: "ior=1.1..2.2".into() };
+    let scale = Scale::Span(Box::leak(Box::new(span)));
+    assert_eq!(
+        (scale.input_at(0.0), scale.input_at(0.5), scale.input_at(1.0)),
+        (1.1, 1.6500000000000001, 2.2)
+    );
 }
