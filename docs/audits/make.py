@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Audits the files of zoo.json and writes docs/audits.md.
 
-    python3 docs/audits/make.py FOLDER
+    python3 docs/audits/make.py FOLDER [ARTEFACT ...]
 
-FOLDER holds each file as OWNER/NAME/PATH, or OWNER/NAME@AT/PATH where zoo.json states `at` for the artefact. `lobefit`
+With artefacts, by the names of the page, it only makes the files of these that are cut out of others. FOLDER holds each file as OWNER/NAME/PATH, or OWNER/NAME@AT/PATH where zoo.json states `at` for the artefact. `lobefit`
 is on PATH. Results stay in FOLDER/audits; a result that is newer than its file and the program is used again.
 A file that is not there, and an audit that fails, is a row that says so, and exit code 1.
 """
@@ -25,6 +25,12 @@ FITS = {"whole": "is", "part": "is, but for a part,", "none": "follows no conven
 BRIEFLY = {"whole": "", "part": " (but for a part)", "none": " (follows no convention)"}
 
 
+def ending(artefact):
+    """The extension of a file that is made of the artefact's own; None where that is audited as it is."""
+    parts = {"cut": ".bin", "decode": ".png", "include": os.path.splitext(artefact["file"])[1]}
+    return next((kind for part, kind in parts.items() if part in artefact), None)
+
+
 def place(folder, artefact):
     """The file that is audited: the artefact's own, a part that is cut out of it, or a list of includes."""
     repository, path = artefact["file"].split(": ")
@@ -32,22 +38,25 @@ def place(folder, artefact):
         return os.path.join(ROOT, path)
     at = "@" + artefact["at"] if "at" in artefact else ""
     whole = os.path.join(folder, repository + at, path)
+    if "make" in artefact and not os.path.exists(whole):
+        os.makedirs(os.path.dirname(whole), exist_ok=True)
+        subprocess.run([*shlex.split(artefact["make"]), os.path.abspath(whole)], cwd=ROOT, check=True)
     if not os.path.exists(whole):
         return whole
     with open(whole, "rb") as file:
         content = file.read()
     if "cut" in artefact:
         first, length = artefact["cut"]
-        part, ending = content[first : first + length], ".bin"
+        part = content[first : first + length]
     elif "decode" in artefact:
         text = re.search(artefact["decode"] + r'\s*=\s*"data:image/png;base64,([^"]+)"', content.decode())
-        part, ending = base64.b64decode(text.group(1)), ".png"
+        part = base64.b64decode(text.group(1))
     elif "include" in artefact:
         part = "".join(f'#include "{name}"\n' for name in [*artefact["include"], path]).encode()
-        ending = os.path.splitext(path)[1]
     else:
         return whole
-    made = os.path.join(folder, "audits", artefact["id"] + ending)
+    made = os.path.join(folder, "audits", artefact["id"] + ending(artefact))
+    os.makedirs(os.path.dirname(made), exist_ok=True)
     with open(made, "wb") as file:
         file.write(part)
     shutil.copystat(whole, made)
@@ -224,8 +233,13 @@ def section(project, found, compares, entries):
         lines.append(f"# {name}, {file}")
         if "how" in artefact:
             lines.append(f"# {artefact['how']}")
-        command = ["lobefit", "audit", os.path.basename(file.split(": ")[1]), *options("", artefact)]
-        lines.append(shlex.join(command))
+        here, said = os.path.basename(file.split(": ")[1]), options("", artefact)
+        if "make" in artefact:
+            lines.append(f"{artefact['make']} {here}")
+        if ending(artefact):
+            lines.append(f"python3 docs/audits/make.py FOLDER {name}")
+            here, said = f"FOLDER/audits/{name}{ending(artefact)}", options("FOLDER", artefact)
+        lines.append(shlex.join(["lobefit", "audit", here, *said]))
         if isinstance(found[name], dict):
             lines.append(f"# {FITS[found[name]['fits']]} {reading(found[name])}")
         if "other" in entries[name]:
@@ -261,7 +275,18 @@ def main(folder):
         sys.exit("\n".join(said))
 
 
+def files(folder, names):
+    """Makes the files of artefacts, and says where they lie."""
+    artefacts = [a for p in listed()["projects"] for a in p["artefacts"] if a["id"] in names]
+    if len(artefacts) != len(set(names)):
+        sys.exit("an artefact that zoo.json has not")
+    print("\n".join(place(folder, artefact) for artefact in artefacts))
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    if len(sys.argv) > 2:
+        files(sys.argv[1], sys.argv[2:])
+    else:
+        main(sys.argv[1])

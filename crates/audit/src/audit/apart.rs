@@ -1,11 +1,14 @@
 //! Channels one by one: a file may hold several quantities, and a channel that is foreign to the
 //! one that is asked for does not condemn the others.
 
+use super::best::{Best, Case, best, promising};
 use super::column::Column;
+use super::encoded::follows;
 use super::found::{Audit, ChannelAudit, Fit, Other};
+use super::screen::Sieved;
 use super::table::{AuditedTable, Source};
 use super::truth::spec;
-use super::{AuditError, Best, Case, FITS, Fixed, best};
+use super::{AuditError, FITS, Fixed};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 
@@ -27,25 +30,27 @@ pub(super) fn with_sum(mut table: AuditedTable, quantity: &dyn Quantity, fixed: 
 }
 
 /// An audit of which some channels fit nothing, with the others judged without those; each of those
-/// as the quantity that it is of, if it is of one.
-pub(super) fn with_others(done: Audit, case: &Case, quantity: &dyn Quantity) -> Result<Audit, AuditError> {
+/// as the quantity that it is of, if it is of one. `sieved` has what may follow the quantity.
+pub(super) fn with_others(
+    done: Audit,
+    case: &Case,
+    quantity: &dyn Quantity,
+    sieved: &Sieved,
+) -> Result<Audit, AuditError> {
     let Case { table, live, fixed, .. } = *case;
     let open = fixed.meanings.is_none() && fixed.column.is_none() && table.source == Source::Table;
     if done.fit != Fit::None || live.len() < 2 || !open {
         return Ok(done);
     }
-    let mut own = Vec::new();
-    for k in live {
-        let case = Case { table: &alone(table, *k), live: &[0], ..*case };
-        if best(&case, quantity)?.off <= FITS {
-            own.push(*k);
-        }
-    }
+    let places = 0..live.len();
+    let likely: Vec<usize> = places.filter(|k| sieved.is_promising(*k)).map(|k| live[k]).collect();
+    let own = following(&Case { live: &likely, ..*case }, quantity)?;
     if own.is_empty() || own.len() == live.len() {
         return Ok(done);
     }
     let case = &Case { live: &own, ..*case };
-    let mut found = best(case, quantity)?.audit(case)?;
+    let Some(found) = best(case, quantity)? else { return Ok(done) };
+    let mut found = found.audit(case)?;
     if found.fit == Fit::None {
         return Ok(done);
     }
@@ -56,6 +61,17 @@ pub(super) fn with_others(done: Audit, case: &Case, quantity: &dyn Quantity) -> 
         *channel = ChannelAudit { other: Some(other), ..channel.clone() };
     }
     Ok(found)
+}
+
+/// The channels that follow a convention of a quantity each on its own.
+pub(super) fn following(case: &Case, quantity: &dyn Quantity) -> Result<Vec<usize>, AuditError> {
+    let mut own = Vec::new();
+    for one in case.live.chunks(1) {
+        if follows(&Case { live: one, ..*case }, quantity)? {
+            own.push(one[0]);
+        }
+    }
+    Ok(own)
 }
 
 /// The table of one channel.
@@ -79,10 +95,10 @@ fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditErr
     for quantity in QUANTITIES.into_iter().filter(|q| q.name() != beside.quantity) {
         let mut own = spec(quantity).map_or(Vec::new(), |spec| spec.inputs.to_vec());
         own.sort();
-        if own != inputs {
+        if own != inputs || promising(&case, quantity)?.is_empty() {
             continue;
         }
-        let found = best(&case, quantity)?;
+        let Some(found) = best(&case, quantity)? else { continue };
         let better = nearest.as_ref().is_none_or(|b| found.found[0].fitted.rank < b.found[0].fitted.rank);
         if found.off <= FITS && better {
             nearest = Some(found);

@@ -14,7 +14,9 @@ pub(super) enum Feed {
     Axis(usize),
     /// One more than that: an index of refraction.
     Ior(usize),
-    /// Half of that: the inverse of an index of refraction, from 1/2 to 1.
+    /// The coordinate between two ends.
+    Between(usize, [f32; 2]),
+    /// The inverse of an index of refraction, from 1/2 to 1.
     Eta(usize),
     /// Its square: alpha beside a roughness.
     Square(usize),
@@ -31,6 +33,7 @@ impl Feed {
             Feed::Value(x) => x,
             Feed::Axis(k) => coordinate(k),
             Feed::Ior(k) => 1.0 + coordinate(k),
+            Feed::Between(k, [low, high]) => low + (high - low) * coordinate(k),
             Feed::Eta(k) => 0.5 * (1.0 + coordinate(k)),
             Feed::Square(k) => coordinate(k) * coordinate(k),
             Feed::Sine(k) => (1.0 - coordinate(k) * coordinate(k)).sqrt(),
@@ -113,6 +116,7 @@ pub(super) fn feeds(
             feeds[*i] = Some(match scales.get(axis).copied().or(named) {
                 Some(Scale::Ior) => Feed::Ior(axis),
                 Some(Scale::Eta) => Feed::Eta(axis),
+                Some(Scale::Span(span)) => Feed::Between(axis, span.ends.map(|x| x as f32)),
                 _ => Feed::Axis(axis),
             });
         }

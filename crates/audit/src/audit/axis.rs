@@ -93,7 +93,28 @@ pub enum Scale {
     AnisotropySquared,
     /// sqrt(1 - 0.9 anisotropy) = x.
     Aspect,
+    /// An input between two ends that the user states.
+    Span(&'static Span),
 }
+
+/// An input that runs evenly between two ends.
+#[derive(Clone, Debug)]
+pub struct Span {
+    /// The input.
+    pub input: Input,
+    /// Its values at the coordinates 0 and 1.
+    pub ends: [f64; 2],
+    /// The word in options: `ior=1.1..2.2`.
+    pub name: String,
+}
+
+impl PartialEq for Span {
+    fn eq(&self, other: &Span) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Span {}
 
 /// Every scale; of those of an input the usual ones first.
 pub const SCALES: [Scale; 25] = [
@@ -159,6 +180,8 @@ impl Scale {
             Scale::IorInverseTwo => (Ior, "2/ior-1", |x| 2.0 / (1.0 + x)),
             Scale::Anisotropy => (Anisotropy, "anisotropy", |x| x),
             Scale::AnisotropySquared => (Anisotropy, "anisotropy^2", f64::sqrt),
+            // The share of the way between its ends.
+            Scale::Span(span) => (span.input, &span.name, |x| x),
             Scale::Aspect => (Anisotropy, "aspect", |x| ((1.0 - x * x) / 0.9).clamp(0.0, 1.0)),
         }
     }
@@ -175,7 +198,8 @@ impl Scale {
 
     /// The input at a coordinate in [0, 1].
     pub fn input_at(self, x: f64) -> f64 {
-        self.facts().2(x)
+        let x = self.facts().2(x);
+        if let Scale::Span(Span { ends: [low, high], .. }) = self { low + (high - low) * x } else { x }
     }
 
     /// Whether it runs over both sides of a surface.

@@ -4,9 +4,10 @@ use super::column::Column;
 use super::convention::Fixed;
 use super::errors::Residuals;
 use super::found::Audit;
-use super::judge::ranked;
+use super::judge::judge;
 use super::lobe::Form;
 use super::sample::{Candidate, Sample};
+use super::screen::Sieved;
 use super::table::{AuditedTable, Source};
 use super::truth::{self, Truth};
 use super::{
@@ -30,7 +31,7 @@ pub(super) struct Case<'a> {
 pub(super) struct Best<'a> {
     pub truth: Truth<'a>,
     pub found: Vec<Candidate>,
-    pub sieved: Vec<Candidate>,
+    pub sieved: Sieved,
     /// Of the first of those that were found, [`off`].
     pub off: f64,
 }
@@ -43,49 +44,94 @@ impl Best<'_> {
     }
 }
 
+/// What is tried on a table.
+struct Search<'a> {
+    quantity: &'a dyn Quantity,
+    forms: Vec<&'static Form>,
+    /// Of the quantity's own lobes, or of the form that is given.
+    truth: Truth<'a>,
+    fixed: Fixed,
+    few: Sample,
+}
+
+impl<'a> Search<'a> {
+    fn new(case: &Case, quantity: &'a dyn Quantity) -> Result<Search<'a>, AuditError> {
+        let Case { table, live, fixed, .. } = *case;
+        let forms = forms(quantity, fixed)?;
+        let own = forms.iter().copied().filter(|form| fixed.form.is_some() || form.integrand.is_none());
+        let truth = truth_of(table, quantity, fixed, &own.collect::<Vec<_>>())?;
+        check_axes(table, &truth)?;
+        fixed.check(&truth, table.size.len(), live.len())?;
+        let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+        let roles = table.axes.iter().map(role).collect();
+        let sampled =
+            Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
+        let fixed = if table.source == Source::Function { sampled } else { fixed.clone() };
+        let few = Sample::new(table, live, SIEVE[usize::from(table.size.len() == 3)], true);
+        Ok(Search { quantity, forms, truth, fixed, few })
+    }
+
+    fn own(&self) -> Result<Sieved, AuditError> {
+        screen::screen(&self.truth, &self.few, &self.fixed, &self.fixed.lobes(&self.truth))
+    }
+
+    /// Whether there are shadowings of others, none of which is given.
+    fn has_others(&self) -> bool {
+        self.fixed.form.is_none() && self.forms.iter().any(|form| form.integrand.is_some())
+    }
+
+    /// The conventions of others' shadowings.
+    fn others(&self, table: &AuditedTable) -> Result<Sieved, AuditError> {
+        let Search { quantity, forms, fixed, .. } = self;
+        let rough = Truth::rough(spec_of(table, *quantity)?, forms, &sides(fixed))?.within(&fixed.domain);
+        let foreign = |lobe: &usize| rough.lobes()[*lobe].form.integrand.is_some();
+        let lobes: Vec<usize> = (0..rough.lobes().len()).filter(foreign).collect();
+        screen::screen(&rough, &self.few, fixed, &lobes)
+    }
+}
+
+/// The channels, by their place among those that vary, that may follow a convention of a quantity on
+/// their own, as far as a sieve tells.
+pub(super) fn promising(case: &Case, quantity: &dyn Quantity) -> Result<Vec<usize>, AuditError> {
+    let search = Search::new(case, quantity)?;
+    let mut sieved = search.own()?;
+    let all = 0..case.live.len();
+    if search.has_others() && !sieved.all_promising() {
+        sieved = sieved.beside(&search.others(case.table)?);
+    }
+    Ok(all.filter(|k| sieved.is_promising(*k)).collect())
+}
+
 /// The best convention of the quantity's own lobes, and where those leave something to be explained,
-/// of the shadowings of others.
-pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Best<'a>, AuditError> {
-    let Case { table, live, fixed, progress } = *case;
+/// of the shadowings of others; none where no texel has a truth under any.
+pub(super) fn best<'a>(case: &Case, quantity: &'a dyn Quantity) -> Result<Option<Best<'a>>, AuditError> {
+    let Case { table, progress, .. } = *case;
     progress("truth");
-    let forms = forms(quantity, fixed)?;
-    let (own, others): (Vec<_>, Vec<_>) = forms.iter().partition(|form| form.integrand.is_none());
-    let truth = truth_of(table, quantity, fixed, if fixed.form.is_some() { &forms } else { &own })?;
-    check_axes(table, &truth)?;
-    fixed.check(&truth, table.size.len(), live.len())?;
-    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
-    let roles = table.axes.iter().map(role).collect();
-    let sampled =
-        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
-    let tried = if table.source == Source::Function { sampled } else { fixed.clone() };
-    let case = &Case { fixed: &tried, ..*case };
+    let search = Search::new(case, quantity)?;
+    let case = &Case { fixed: &search.fixed, ..*case };
     progress("conventions on a few texels");
-    let class = usize::from(table.size.len() == 3);
-    let few = Sample::new(table, live, SIEVE[class], true);
-    let sieved = screen::screen(&truth, &few, &tried, &tried.lobes(&truth))?;
-    let found = candidates(&truth, case, sieved.clone())?;
-    let off = off(&truth, case, &found[0])?;
-    if fixed.form.is_some() || others.is_empty() || off <= CLOSE {
-        return Ok(Best { truth, found, sieved, off });
+    let sieved = search.own()?;
+    let found = candidates(&search.truth, case, sieved.list.clone())?;
+    let Some(first) = found.first() else { return Ok(None) };
+    let off = off(&search.truth, case, first)?;
+    if !search.has_others() || off <= CLOSE {
+        return Ok(Some(Best { truth: search.truth, found, sieved, off }));
     }
     progress("other shadowings");
-    let rough = Truth::rough(spec_of(table, quantity)?, &forms, &sides(fixed))?.within(&fixed.domain);
-    let foreign = |lobe: &usize| rough.lobes()[*lobe].form.integrand.is_some();
-    let lobes: Vec<usize> = (0..rough.lobes().len()).filter(foreign).collect();
-    let likely = screen::screen(&rough, &few, &tried, &lobes)?;
-    let rank = |list: &[Candidate]| list.first().map_or(f64::INFINITY, |c| c.fitted.rank);
-    if rank(&likely) * WORTH_A_TRY >= rank(&sieved) {
-        return Ok(Best { truth, found, sieved, off });
+    let likely = search.others(table)?;
+    let sieved = sieved.beside(&likely);
+    let worth = likely.all_promising() || table.source == Source::Function;
+    if worth && likely.rank() * WORTH_A_TRY < sieved.rank() {
+        let all = truth_of(table, quantity, case.fixed, &search.forms)?;
+        let mut others = candidates(&all, case, likely.list)?;
+        if others.first().is_some_and(|first| first.fitted.rank * BEYOND < found[0].fitted.rank) {
+            let first = others.remove(0);
+            let off = self::off(&all, case, &first)?;
+            others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
+            return Ok(Some(Best { truth: all, found: others, sieved, off }));
+        }
     }
-    let all = truth_of(table, quantity, fixed, &forms)?;
-    let mut others = candidates(&all, case, likely)?;
-    if others[0].fitted.rank * BEYOND >= found[0].fitted.rank {
-        return Ok(Best { truth, found, sieved, off });
-    }
-    let first = others.remove(0);
-    others = [vec![first], screen::best([others, found].concat(), TOLD - 1)].concat();
-    let off = self::off(&all, case, &others[0])?;
-    Ok(Best { truth: all, found: others, sieved, off })
+    Ok(Some(Best { truth: search.truth, found, sieved, off }))
 }
 
 /// How many times better the shadowing of another than the quantity's variants must rank to be
@@ -103,10 +149,9 @@ pub(super) const CLOSE: f64 = 4e-3;
 fn off(truth: &Truth, case: &Case, candidate: &Candidate) -> Result<f64, AuditError> {
     let Case { table, live, .. } = *case;
     let sample = Sample::new(table, live, QUICK_ROUND[usize::from(table.size.len() == 3)], false);
-    let judgement = ranked(truth, &sample, &candidate.axes, candidate.lobe)?;
+    let judgement = judge(truth, &sample, &candidate.axes, candidate.lobe, Truth::ranked)?;
     let channel = |(values, column): (&Vec<f64>, &Option<Column>)| {
-        let residuals = Residuals::new(&sample, &judgement, (*column)?, values);
-        Some(if residuals.judged.is_empty() { f64::INFINITY } else { residuals.misfit(&residuals.judged) })
+        Some(Residuals::new(&sample, &judgement, (*column)?, values).of_all())
     };
     Ok(sample.values.iter().zip(&candidate.fitted.columns).filter_map(channel).fold(0.0, f64::max))
 }

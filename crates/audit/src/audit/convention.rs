@@ -211,7 +211,7 @@ impl Misfit {
 
     /// A bound of the rank of errors, from below: no square that the trimmed figure leaves out is above
     /// the largest.
-    pub(super) fn least_rank(errors: &[f64]) -> f64 {
+    pub(super) fn least_rank(errors: impl ExactSizeIterator<Item = f64>) -> f64 {
         let (n, mut sum, mut most) = (errors.len(), 0.0, 0.0_f64);
         for error in errors {
             let square = error * error;

@@ -1,10 +1,13 @@
 //! Values that were encoded, for display or to hold more than the format can: a table that fits only
 //! once that is undone.
 
+use super::apart;
+use super::best::{Case, best, promising};
+use super::defects::stored;
 use super::plain::Plain;
 use super::table::{AuditedTable, Source};
-use super::{Audit, AuditError, Case, FITS, Fit, best};
-use crate::foreign::{Channel, Step};
+use super::{Audit, AuditError, FITS, Fit};
+use crate::foreign::{Channel, Step, srgb};
 use lobefit_math::ops;
 use lobefit_truth::quantity::Quantity;
 
@@ -23,6 +26,8 @@ pub struct Encoding {
     pub remedy: &'static str,
     /// The value of a colour, 0 to 1, at a texel whose alpha is given.
     decode: fn(f64, f64) -> f64,
+    /// The step of a decoded value, of values with this step.
+    step: fn(Step) -> Step,
     /// Whether it takes the alpha beside three colours of 8 bits, which is no channel then.
     takes_alpha: bool,
 }
@@ -34,6 +39,12 @@ pub static ENCODINGS: [Encoding; 4] = [
         name: "sRGB",
         remedy: "its values were encoded for display: store them as they are, or sample it as an sRGB texture",
         decode: |x, _| srgb(x),
+        step: |stored| match stored {
+            Step::Unorm8 => Step::Srgb(255),
+            Step::Unorm10 => Step::Srgb(1023),
+            Step::Unorm16 => Step::Srgb(65535),
+            _ => Step::None,
+        },
         takes_alpha: false,
     },
     Encoding {
@@ -41,6 +52,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         name: "RGBE",
         remedy: "decode it before it is filtered: the mean of two exponents is no exponent of the mean",
         decode: |x, alpha| x * 255.0 / 256.0 * ops::pow(2.0, 255.0 * alpha - 128.0),
+        step: |_| Step::Rgbe,
         takes_alpha: true,
     },
     Encoding {
@@ -48,6 +60,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         name: "RGBD of gamma 2.2",
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| ops::pow(x, 2.2) / alpha,
+        step: |_| Step::Rgbd(22),
         takes_alpha: true,
     },
     Encoding {
@@ -55,6 +68,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         name: "RGBD",
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| x / alpha,
+        step: |_| Step::Rgbd(10),
         takes_alpha: true,
     },
 ];
@@ -82,7 +96,10 @@ impl Encoding {
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite());
         let held = table.channels.iter().flat_map(|c| &c.values).all(|v| (0.0..=1.0).contains(v));
-        let decoded = AuditedTable { channels, step: Step::None, ..table.clone() };
+        let step = (self.step)(stored(table.step, &table.channels[0].values));
+        let decoded = AuditedTable { channels, step, ..table.clone() };
+        // A Radiance picture is linear.
+        let held = held && table.step != Step::Rgbe;
         (finite && held && !decoded.channels.is_empty() && table.source == Source::Table).then_some(decoded)
     }
 
@@ -129,29 +146,20 @@ pub(super) fn found(
             continue;
         }
         let case = Case { table: &linear, live: &live, fixed, progress: &|_| () };
-        if follows(&case, quantity)? {
+        let likely: Vec<usize> = promising(&case, quantity)?.into_iter().map(|place| live[place]).collect();
+        // A channel of another quantity does not condemn the others.
+        let some = said.is_none() && likely.len() > 1;
+        let all = likely.len() == live.len() || some;
+        if all && follows(&Case { live: &likely, ..case }, quantity)?
+            || some && apart::following(&Case { live: &likely, ..case }, quantity)?.len() > 1
+        {
             return Ok(Some(encoding));
-        }
-        if said.is_none() && live.len() > 2 {
-            // A channel of another quantity does not condemn the others.
-            let mut own = Vec::new();
-            for k in &live {
-                own.extend(follows(&Case { live: &[*k], ..case }, quantity)?.then_some(*k));
-            }
-            if own.len() > 1 && follows(&Case { live: &own, ..case }, quantity)? {
-                return Ok(Some(encoding));
-            }
         }
     }
     Ok(None)
 }
 
 /// Whether a table follows a convention, as far as some of its texels tell.
-fn follows(case: &Case, quantity: &dyn Quantity) -> Result<bool, AuditError> {
-    Ok(best(case, quantity)?.off <= FITS)
-}
-
-/// The linear value of an sRGB one in [0, 1] (IEC 61966-2-1).
-fn srgb(x: f64) -> f64 {
-    if x <= 0.04045 { x / 12.92 } else { ops::pow((x + 0.055) / 1.055, 2.4) }
+pub(super) fn follows(case: &Case, quantity: &dyn Quantity) -> Result<bool, AuditError> {
+    Ok(best(case, quantity)?.is_some_and(|best| best.off <= FITS))
 }

@@ -122,6 +122,11 @@ impl<'a> Residuals<'a> {
         rms / self.bounded(texels)
     }
 
+    /// The same of all that are judged; infinite where none is.
+    pub(super) fn of_all(&self) -> f64 {
+        if self.judged.is_empty() { f64::INFINITY } else { self.misfit(&self.judged) }
+    }
+
     /// The spread of some texels, of an albedo at most 1: what is above it has no bound at grazing view,
     /// which excuses nothing elsewhere.
     pub(super) fn bounded(&self, texels: &[usize]) -> f64 {

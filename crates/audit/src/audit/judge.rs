@@ -23,37 +23,8 @@ pub(super) struct Judgement {
     pub judged: Vec<bool>,
 }
 
-/// The exact truth under a reading.
-pub(super) fn judge(
-    truth: &Truth,
-    sample: &Sample,
-    axes: &[AxisReading],
-    lobe: usize,
-) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, lobe, Truth::exact)
-}
-
-/// The quick truth under a reading.
-pub(super) fn quickly(
-    truth: &Truth,
-    sample: &Sample,
-    axes: &[AxisReading],
-    lobe: usize,
-) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, lobe, Truth::quick)
-}
-
-/// The truth under a reading by which conventions are ranked.
-pub(super) fn ranked(
-    truth: &Truth,
-    sample: &Sample,
-    axes: &[AxisReading],
-    lobe: usize,
-) -> Result<Judgement, AuditError> {
-    judged_by(truth, sample, axes, lobe, Truth::ranked)
-}
-
-fn judged_by<'a>(
+/// The truth under a reading: exact, quick, or that by which conventions are ranked, as `values` has it.
+pub(super) fn judge<'a>(
     truth: &Truth<'a>,
     sample: &Sample,
     axes: &[AxisReading],
@@ -78,51 +49,34 @@ fn judged_by<'a>(
     Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes, lobe) })
 }
 
-/// A reading with its exact figures.
+/// A candidate with its figures by a judgement.
 fn refit(
     truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
-    axes: Vec<AxisReading>,
-    lobe: usize,
-) -> Result<Option<Candidate>, AuditError> {
-    let judgement = ranked(truth, sample, &axes, lobe)?;
-    let judged = sample::ranked(judgement.judged, shared(truth, sample, fixed, lobe).as_ref());
-    let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
-    Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
+    candidate: Candidate,
+    judgement: Judgement,
+) -> Option<Candidate> {
+    let shared = shared(truth, sample, fixed, candidate.lobe);
+    let judged = sample::ranked(judgement.judged, shared.as_ref());
+    let fitted = fit_columns(&sample.values, &judgement.base, &judged, fixed, truth.columns())?;
+    Some(Candidate { fitted, ..candidate })
 }
 
-/// Candidates judged again on another sample; the best `most` of them.
-pub(super) fn rejudge(
-    truth: &Truth,
+/// Candidates judged again on another sample by `values`, the best first. Truths are had one reading
+/// after the other, since readings share an edge.
+pub(super) fn rejudge<'a>(
+    truth: &Truth<'a>,
     sample: &Sample,
     fixed: &Fixed,
     list: Vec<Candidate>,
-    most: usize,
+    values: Truths<'a>,
 ) -> Result<Vec<Candidate>, AuditError> {
-    let mut out = Vec::new();
-    for c in list {
-        out.extend(refit(truth, sample, fixed, c.axes, c.lobe)?);
-    }
-    Ok(best(out, most))
-}
-
-/// Candidates on another sample by the quick truth; the best `most` of them.
-pub(super) fn requick(
-    truth: &Truth,
-    sample: &Sample,
-    fixed: &Fixed,
-    list: Vec<Candidate>,
-    most: usize,
-) -> Result<Vec<Candidate>, AuditError> {
-    let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
-        let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
-        let judged = sample::ranked(judgement.judged, shared(truth, sample, fixed, c.lobe).as_ref());
-        let fitted = fit_columns(sample, &judgement.base, Some(&judged), fixed, truth.columns());
-        Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
-    };
-    let done: Vec<Option<Candidate>> = list.into_par_iter().map(one).collect::<Result<_, _>>()?;
-    Ok(best(done.into_iter().flatten().collect(), most))
+    let of = |c: &Candidate| judge(truth, sample, &c.axes, c.lobe, values);
+    let judgements: Vec<Judgement> = list.iter().map(of).collect::<Result<_, _>>()?;
+    let both = list.into_par_iter().zip(judgements);
+    let done = both.filter_map(|(candidate, judgement)| refit(truth, sample, fixed, candidate, judgement));
+    Ok(best(done.collect(), usize::MAX))
 }
 
 /// The candidate with the clamps that fit best: of all its axes together (a corner shows only
@@ -155,9 +109,9 @@ pub(super) fn with_floors(
             if raised.is_empty() {
                 continue;
             }
-            let mut axes = at.axes.clone();
-            raised.iter().for_each(|axis| axes[*axis].floor = floor);
-            let tried = refit(truth, sample, fixed, axes, at.lobe)?;
+            let mut clamped = at.clone();
+            raised.iter().for_each(|axis| clamped.axes[*axis].floor = floor);
+            let tried = rejudge(truth, sample, fixed, vec![clamped], Truth::ranked)?.pop();
             if let Some(tried) = tried.filter(|t| explains(t, &at)) {
                 at = tried;
             }

@@ -35,9 +35,10 @@ mod table;
 mod truth;
 mod two_lobes;
 mod verdict;
+mod work;
 
 pub use crate::foreign::Channel;
-pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale};
+pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale, Span};
 pub use column::{Base, Column};
 pub use convention::{Convention, Fixed, LEFT_OUT, Misfit};
 pub use declared::{Declared, Held, declared, declared_findings, stated_quantity};
@@ -57,6 +58,7 @@ pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
 pub(crate) use verdict::place;
 pub use verdict::{Grade, Verdict};
+pub use work::work;
 
 use best::{Best, CLOSE, Case, best, truth_of};
 use defects::{Grain, stored};
@@ -111,9 +113,6 @@ const SHOWN_SIDE: usize = 256;
 /// Conventions after the quick round.
 const QUICK_KEPT: [usize; 2] = [80, 12];
 
-/// Conventions after the first exact round.
-const ROUND_KEPT: [usize; 2] = [40, 12];
-
 /// Conventions that rank this many times worse than the best go into the last round with the
 /// figures of the one before.
 const FAR: [f64; 2] = [f64::INFINITY, 4.0];
@@ -143,10 +142,16 @@ pub fn audit(
     progress: &dyn Fn(&str),
 ) -> Result<Audit, AuditError> {
     let stored = apart::with_sum(audited.checked()?, quantity, fixed);
-    let table = fixed.encoding.map_or(Ok(stored.clone()), |encoding| encoding.decoded(&stored))?;
+    let table = match fixed.encoding {
+        Some(encoding) => encoding.decoded(&stored)?,
+        None => stored,
+    };
     let live = table.live(fixed.meanings.as_ref().map(Vec::len))?;
     let case = Case { table: &table, live: &live, fixed, progress };
-    let chosen = best(&case, quantity)?;
+    let chosen = best(&case, quantity)?.ok_or_else(|| {
+        let reason = format!("no texel lies in the domain of {} under any convention tried", quantity.name());
+        AuditError::refused(&table.what, reason)
+    })?;
     let mut done = chosen.audit(&case)?;
     let Best { truth, found, sieved, off } = chosen;
     let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
@@ -162,7 +167,9 @@ pub fn audit(
     let odd = uneven || done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
-        if let Some((found, parts)) = of_two_lobes(&truth, &table, &live, fixed, [found, sieved])? {
+        if let Some((found, parts)) =
+            of_two_lobes(&truth, &table, &live, fixed, [found, sieved.list.clone()])?
+        {
             done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
@@ -175,7 +182,7 @@ pub fn audit(
         };
         done.remarks.extend(published::held(known, quantity, of)?);
     }
-    apart::with_others(done, &case, quantity)
+    apart::with_others(done, &case, quantity, &sieved)
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
@@ -215,7 +222,7 @@ fn of_two_lobes(
     };
     let fixed = Fixed { meanings: Some(candidate.fitted.columns.clone()), ..fixed.clone() };
     let last = Sample::new(table, live, LAST[class], false);
-    let again = judge::rejudge(truth, &last, &fixed, vec![candidate], 1)?;
+    let again = judge::rejudge(truth, &last, &fixed, vec![candidate], Truth::ranked)?;
     if again.is_empty() {
         return Ok(None);
     }
@@ -229,9 +236,14 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let class = usize::from(table.size.len() == 3);
     progress("the best conventions on more texels");
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
-    let found = judge::requick(truth, &more, fixed, sieved, QUICK_KEPT[class])?;
+    let found = judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?;
+    let hopeless = found.first().map(|first| is_hopeless(truth, &more, first)).transpose()?;
+    if hopeless.unwrap_or(true) && table.source == Source::Table {
+        return Ok(distinct(found));
+    }
+    let found = screen::best(found, QUICK_KEPT[class]);
     let more = Sample::new(table, live, ROUND[class], false);
-    let found = judge::rejudge(truth, &more, fixed, found, ROUND_KEPT[class])?;
+    let found = judge::rejudge(truth, &more, fixed, found, Truth::ranked)?;
     let mut clamped = Vec::new();
     for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
         let floored = k < CLAMPED[class] && table.source == Source::Table;
@@ -241,20 +253,31 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let far = FAR[class] * clamped.iter().map(|c| c.fitted.rank).fold(f64::INFINITY, f64::min);
     let (near, far): (Vec<Candidate>, Vec<Candidate>) =
         clamped.into_iter().partition(|c| c.fitted.rank <= far);
-    let near = judge::rejudge(truth, &last, fixed, near, TOLD)?;
-    let told = screen::best([near, far].concat(), TOLD);
+    let near = judge::rejudge(truth, &last, fixed, near, Truth::ranked)?;
+    let found = distinct(screen::best([near, far].concat(), TOLD));
+    if found.is_empty() { Ok(found) } else { preferred::plain_first(truth, table, live, fixed, found) }
+}
+
+/// No two candidates that differ in clamps alone.
+fn distinct(list: Vec<Candidate>) -> Vec<Candidate> {
     let mut distinct: Vec<Candidate> = Vec::new();
-    for candidate in told {
-        if !distinct.iter().any(|d| d.like(&candidate)) {
+    for candidate in list {
+        if distinct.len() < TOLD && !distinct.iter().any(|d| d.like(&candidate)) {
             distinct.push(candidate);
         }
     }
-    if distinct.is_empty() {
-        let reason =
-            format!("no texel lies in the domain of {} under any convention tried", truth.quantity());
-        return Err(AuditError::refused(&table.what, reason));
-    }
-    preferred::plain_first(truth, table, live, fixed, distinct)
+    distinct
+}
+
+/// Whether some channel of a table is far from the best convention at half of its texels, so that no
+/// closer look makes a part of it fit.
+fn is_hopeless(truth: &Truth, sample: &Sample, first: &Candidate) -> Result<bool, AuditError> {
+    let judgement = judge(truth, sample, &first.axes, first.lobe, Truth::quick)?;
+    let far = |(values, column): (&Vec<f64>, &Option<Column>)| {
+        let residuals = column.map(|column| Residuals::new(sample, &judgement, column, values));
+        residuals.is_some_and(|r| r.median() > screen::PROMISING * r.bounded(&r.judged))
+    };
+    Ok(sample.values.iter().zip(&first.fitted.columns).any(far))
 }
 
 /// Places along every axis at which the best convention is judged: all, but of a table that is too
@@ -283,7 +306,7 @@ fn finish(
     let (places, shown) = sample.thinned(shown);
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
-    let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
+    let judgement = judge(truth, &sample, &best.axes, best.lobe, Truth::exact)?;
     let points = match table.source {
         Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
         Source::Function => None,

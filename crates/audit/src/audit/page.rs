@@ -219,6 +219,9 @@ fn curve(audit: &Audit, c: &ChannelAudit, best: &Convention, along: usize, line:
         .filter(|k| *k != along)
         .map(|k| format!("{} {}", best.axes[k].scale.input().name(), number(node(k, line[k]))));
     let texels: Vec<usize> = (0..dims[along]).map(texel).collect();
+    let drawn = |t: usize| node(along, place(t, &dims)[along]).is_finite() && c.truth[t].is_finite();
+    // An index without a bound has no place on a page.
+    let texels: Vec<usize> = texels.into_iter().filter(|t| drawn(*t)).collect();
     AuditCurve {
         title: fixed.collect::<Vec<_>>().join(", "),
         x: best.axes[along].scale.input().name().into(),

@@ -175,7 +175,7 @@ fn worst(
     let whole = super::whole(truth, lobe, &table.size);
     let solid = whole != usize::MAX && table.size.len() == 3;
     let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
-    let judgement = judge(truth, &sample, &read.axes, lobe)?;
+    let judgement = judge(truth, &sample, &read.axes, lobe, Truth::exact)?;
     let mut worst: Option<f64> = None;
     for (place, k) in live.iter().enumerate() {
         let Some(column) = read.columns[*k] else { continue };

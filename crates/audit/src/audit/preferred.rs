@@ -1,8 +1,10 @@
-//! The plain registration before another, unless the other is right beyond doubt and its remedy would
-//! lessen the error of the use. A biased quantiser, sampling noise or an approximation may be nearer
-//! to texels that lie elsewhere without their lying there.
+//! One plain registration of all axes before a mixture or a shift, unless that is right beyond doubt and
+//! its remedy would lessen the error of the use; centres before end points, unless these are likely.
+//! A biased quantiser, sampling noise or an approximation may be nearer to texels that lie elsewhere
+//! without their lying there.
 
 use super::AuditError;
+use super::axis::AxisReading;
 use super::convention::Fixed;
 use super::defects::{Grain, stored};
 use super::errors::Residuals;
@@ -24,7 +26,11 @@ const OVERWHELMING: f64 = 20.0;
 /// may not grow either.
 const LESSENED: f64 = 0.7;
 
-/// The conventions with the plain form of the first before it, where that is preferred.
+/// How much better end points must rank than centres to be taken for them.
+const LIKELY: f64 = 1.2;
+
+/// The conventions with the plain form of the first before it, where that is preferred: all axes at
+/// centres, or all at end points.
 pub(super) fn plain_first(
     truth: &Truth,
     table: &AuditedTable,
@@ -33,38 +39,49 @@ pub(super) fn plain_first(
     mut found: Vec<Candidate>,
 ) -> Result<Vec<Candidate>, AuditError> {
     let best = &found[0];
-    let plain = |c: &Candidate| c.axes.iter().all(|a| a.registration == a.registration.plain());
-    if fixed.registrations.is_some() || table.source != Source::Table || plain(best) {
+    if fixed.registrations.is_some() || table.source != Source::Table {
         return Ok(found);
     }
-    let mut axes = best.axes.clone();
-    for axis in &mut axes {
-        axis.registration = axis.registration.plain();
-        axis.floor = fixed.floor(axis.scale.input()).unwrap_or(0.0);
-    }
     let sample = Sample::new(table, live, LAST[usize::from(table.size.len() == 3)], false);
-    let bare = rejudge(truth, &sample, fixed, vec![Candidate { axes, ..best.clone() }], 1)?;
-    let Some(bare) = bare.first() else { return Ok(found) };
-    let candidate = with_floors(truth, &sample, fixed, bare)?;
-    let gain = candidate.fitted.rank / best.fitted.rank;
-    let worthless = |gain: f64| -> Result<bool, AuditError> {
-        Ok(gain < OVERWHELMING && !remedy_lessens(truth, table, live, best)?)
+    let plain = |registration| -> Result<Option<Candidate>, AuditError> {
+        let mut bare = best.clone();
+        for axis in &mut bare.axes {
+            let floor = fixed.floor(axis.scale.input()).unwrap_or(0.0);
+            *axis = AxisReading { registration, floor, ..*axis };
+        }
+        let bare = rejudge(truth, &sample, fixed, vec![bare], Truth::ranked)?;
+        bare.first().map(|bare| with_floors(truth, &sample, fixed, bare)).transpose()
     };
-    let doubt = gain < BEYOND_DOUBT || worthless(gain)?;
-    if doubt || is_quantised(truth, table, (&sample, live), &candidate)? {
-        found.retain(|c| !c.like(&candidate));
-        found.insert(0, candidate);
+    let quantised = |c: &Candidate| is_quantised(truth, table, (&sample, live), c);
+    let (centres, ends) = (plain(Registration::Centre)?, plain(Registration::Endpoint)?);
+    let likely =
+        |centre: &Candidate| ends.as_ref().is_none_or(|ends| centre.fitted.rank <= LIKELY * ends.fitted.rank);
+    let plain = match (centres, ends.clone()) {
+        (Some(centre), _) if likely(&centre) || quantised(&centre)? => centre,
+        (centre, ends) => match ends.or(centre) {
+            Some(plain) => plain,
+            None => return Ok(found),
+        },
+    };
+    let gain = plain.fitted.rank / best.fitted.rank;
+    let worthless = |gain: f64| -> Result<bool, AuditError> {
+        let registration = plain.axes[0].registration;
+        Ok(gain < OVERWHELMING && !remedy_lessens(truth, table, live, (best, registration))?)
+    };
+    if gain < BEYOND_DOUBT || worthless(gain)? || quantised(&plain)? {
+        found.retain(|c| !c.like(&plain));
+        found.insert(0, plain);
     }
     Ok(found)
 }
 
-/// Whether lookups at the coordinates that the texels have are clearly better than those of a texture
-/// unit that takes them for centres, for every channel.
+/// Whether lookups at the coordinates that the texels have are clearly better than those at the plain
+/// ones, for every channel.
 fn remedy_lessens(
     truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
-    best: &Candidate,
+    (best, plain): (&Candidate, Registration),
 ) -> Result<bool, AuditError> {
     let convention = best.convention(truth, live, table.channels.len());
     let points = Points::new(truth, &convention, best.lobe)?;
@@ -72,7 +89,7 @@ fn remedy_lessens(
         let Some(column) = convention.columns[*k] else { return Ok(true) };
         let values = &table.channels[*k].values;
         let by = |registration| points.errors(&Look { size: &table.size, values, column, registration });
-        Ok(match (by(None)?, by(Some(Registration::Centre))?) {
+        Ok(match (by(None)?, by(Some(plain))?) {
             (Some(own), Some(plain)) => own.rms < LESSENED * plain.rms && own.inner <= plain.inner,
             _ => true,
         })
@@ -87,7 +104,7 @@ fn is_quantised(
     (sample, live): (&Sample, &[usize]),
     candidate: &Candidate,
 ) -> Result<bool, AuditError> {
-    let judgement = judge(truth, sample, &candidate.axes, candidate.lobe)?;
+    let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::exact)?;
     let explained = |(place, k): (usize, &usize)| {
         let Some(column) = candidate.fitted.columns[place] else { return true };
         let step = stored(table.step, &table.channels[*k].values);

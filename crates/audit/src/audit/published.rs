@@ -11,8 +11,8 @@ use lobefit::effects::{eon, reflection, sheen};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::Quantity;
 
-/// Largest difference from a published formula, or from what of it is above 0: those who ship one round its
-/// constants and order its operations in their own way, and clamp what it gives.
+/// Largest difference from a published formula, or from what of it is above 0, or in [0, 1]: those who
+/// ship one round its constants and order its operations in their own way, and clamp what it gives.
 const SAME: f64 = 2e-3;
 
 /// Formulas that were fitted to a lobe that the quantity's variants do not have: name, form.
@@ -117,7 +117,8 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
     let holds = |values: &[f64], column: &Column| {
         let off = |((i, _), base): (&(usize, [f64; 2]), &Base)| {
             let (own, known) = (values[*i], column.value(*base));
-            (own - known).abs().min((own - known.max(0.0)).abs())
+            let held = [known, known.max(0.0), known.clamp(0.0, 1.0)];
+            held.iter().map(|known| (own - known).abs()).fold(f64::INFINITY, f64::min)
         };
         points.iter().zip(&bases).map(off).all(|off| off <= SAME)
     };

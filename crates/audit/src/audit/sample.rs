@@ -1,11 +1,13 @@
 //! A part of a table, and conventions tried on it.
 
-use super::CLEAR;
+use std::cell::OnceCell;
+
 use super::axis::AxisReading;
 use super::column::Column;
 use super::convention::{Convention, Fixed, Misfit};
 use super::table::{AuditedTable, flat, place};
 use super::truth::{Beyond, Truth, Values};
+use super::{CLEAR, work};
 
 /// Texels of some places along every axis.
 pub(super) struct Sample {
@@ -226,39 +228,41 @@ pub(super) struct Fitted {
 /// user gives it.
 const LEAST_SHARE: usize = 3;
 
-/// The best columns of the channels for given base values; none if no texel is judged, or few are.
+/// The best columns of the channels, whose `values` are given, for given base values; none if no texel
+/// is judged, or few are.
 pub(super) fn fit_columns(
-    sample: &Sample,
+    values: &[Vec<f64>],
     base: &Values,
-    judged: Option<&[bool]>,
+    judged: &[bool],
     fixed: &Fixed,
     columns: &'static [Column],
 ) -> Option<Fitted> {
-    let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
-    let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
+    let texels: Vec<usize> = (0..base.len()).filter(|i| judged[*i]).collect();
     let few = fixed.axes.is_none() && fixed.roles.is_none() && texels.len() * LEAST_SHARE < base.len();
     if texels.is_empty() || few {
         return None;
     }
-    let errors_of = |channel: &[f64], column: Column, errors: &mut Vec<f64>| {
-        errors.clear();
-        for i in &texels {
-            errors.push(channel[*i] - column.value(base[*i]));
-        }
+    // One truth per column, whatever number of channels is held against it.
+    let truths: Vec<OnceCell<Vec<f64>>> = columns.iter().map(|_| OnceCell::new()).collect();
+    let truth = |column: Column| {
+        let made = || texels.iter().map(|i| column.value(base[*i])).collect::<Vec<f64>>();
+        let place = columns.iter().position(|c| *c == column)?;
+        Some(truths[place].get_or_init(made))
     };
     let best = |k: usize, channel: &Vec<f64>| {
+        let own: Vec<f64> = texels.iter().map(|i| channel[*i]).collect();
         // The first of the columns that fit best; those of which two sums tell that they do not are
         // passed over.
         let least = |tried: &[Column]| {
+            work::compared(tried.len() * own.len());
             let mut best: Option<(Column, Misfit)> = None;
-            let mut errors = Vec::with_capacity(texels.len());
             for column in tried {
-                errors_of(channel, *column, &mut errors);
+                let errors = own.iter().zip(truth(*column)?).map(|(value, truth)| value - truth);
                 let known = best.map_or(f64::INFINITY, |b| b.1.rank());
-                if Misfit::least_rank(&errors) > known {
+                if Misfit::least_rank(errors.clone()) > known {
                     continue;
                 }
-                let found = Misfit::of(&errors);
+                let found = Misfit::of(&errors.collect::<Vec<f64>>());
                 if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
                     best = Some((*column, found));
                 }
@@ -273,13 +277,13 @@ pub(super) fn fit_columns(
                 let plain = least(&plain);
                 let clear = |f: &(Column, Misfit)| plain.is_none_or(|p| CLEAR * f.1.rank() < p.1.rank());
                 // A channel beside another holds a part of the split sum, not all of it.
-                let alone = sample.values.len() == 1;
+                let alone = values.len() == 1;
                 alone.then(|| least(&fixed)).flatten().filter(clear).or(plain)
             }
         }
     };
     let mut fits: Vec<Option<(Column, Misfit)>> =
-        sample.values.iter().enumerate().map(|(k, channel)| best(k, channel)).collect();
+        values.iter().enumerate().map(|(k, channel)| best(k, channel)).collect();
     if fixed.meanings.is_none() && fixed.column.is_some() {
         keep_best(&mut fits);
     }

@@ -2,7 +2,7 @@
 //! by the values between the knots of the truth, and judged exactly where they are worst.
 
 use super::errors::{Residuals, TexelErrors};
-use super::judge::{judge, quickly};
+use super::judge::judge;
 use super::sample::Sample;
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
@@ -30,7 +30,7 @@ pub(super) fn through(
     let mut found: Vec<Option<TexelErrors>> = vec![None; live.len()];
     for first in (0..height).step_by(step) {
         let sample = Sample::rows(table, live, first..(first + step).min(height));
-        let judgement = quickly(truth, &sample, &convention.axes, lobe)?;
+        let judgement = judge(truth, &sample, &convention.axes, lobe, Truth::quick)?;
         for (place, found) in found.iter_mut().enumerate() {
             let Some(column) = convention.columns[live[place]] else { continue };
             let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
@@ -40,7 +40,7 @@ pub(super) fn through(
             let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
             let band = residuals.figures(at);
             let worst = Sample::one(table, live, &band.texel);
-            let judgement = judge(truth, &worst, &convention.axes, lobe)?;
+            let judgement = judge(truth, &worst, &convention.axes, lobe, Truth::exact)?;
             let exact = Residuals::new(&worst, &judgement, column, &worst.values[place]).figures(at);
             let band = TexelErrors { max: exact.max, truth: exact.truth, ..band };
             *found = Some(found.take().map_or(band.clone(), |all| all.with(band)));

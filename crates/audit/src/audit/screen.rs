@@ -1,14 +1,19 @@
 //! The cheap sieve: every convention on a few texels; where three axes make too many, first with
 //! the two usual registrations, which lie half a texel from all others, then the coordinates that
-//! fit best with every registration.
+//! fit best with every registration. All are judged on some thirty of the few texels first.
 
 use rayon::prelude::*;
 
-use super::AuditError;
 use super::axis::{AxisReading, Input, Registration, Scale};
 use super::convention::Fixed;
-use super::sample::{Candidate, Sample, View, everywhere, fit_columns, judged_along, ranked, shared, steps};
-use super::truth::Truth;
+use super::errors::Residuals;
+use super::judge::Judgement;
+use super::sample::{
+    Candidate, Sample, everywhere, fit_columns, judged, judged_along, ranked, shared, steps,
+};
+use super::table::place;
+use super::truth::{Truth, Values};
+use super::{AuditError, FITS};
 
 /// Conventions that a sieve lets through.
 const KEPT: usize = 300;
@@ -20,17 +25,60 @@ const KEPT: usize = 300;
 const COORDINATES: usize = 6;
 const COORDINATES_OF_ALL: usize = 120;
 
-/// The most promising conventions of some lobes, the best first. Of three axes, and of the shadowings
-/// of others, first the coordinates are chosen and then the registrations.
+/// Of conventions tried at once all are judged on some [`FIRST`] texels first, which lie across all
+/// lines of the sample, and these many at least, or one in [`THINNED`] of them, on all.
+const MANY: usize = 128;
+const THINNED: usize = 8;
+const FIRST: usize = 30;
+
+/// Root mean square beside the spread of the truth, on the few texels of a sieve, above which a channel
+/// follows nothing: four times what fits.
+pub(super) const PROMISING: f64 = 4.0 * FITS;
+
+/// What a sieve lets through.
+#[derive(Clone)]
+pub(super) struct Sieved {
+    /// The most promising conventions of all channels together, the best first.
+    pub list: Vec<Candidate>,
+    /// Of each channel alone the least misfit under any convention.
+    misfits: Vec<f64>,
+}
+
+impl Sieved {
+    /// Whether a channel, by its place, may follow a convention on its own.
+    pub fn is_promising(&self, channel: usize) -> bool {
+        self.misfits[channel] <= PROMISING
+    }
+
+    /// Whether all may.
+    pub fn all_promising(&self) -> bool {
+        (0..self.misfits.len()).all(|k| self.is_promising(k))
+    }
+
+    /// What is ranked by: the first rank, or infinity.
+    pub fn rank(&self) -> f64 {
+        self.list.first().map_or(f64::INFINITY, |c| c.fitted.rank)
+    }
+
+    /// The sieved conventions of two sets of lobes, of which the first is gone on with.
+    pub fn beside(self, other: &Sieved) -> Sieved {
+        let least = self.misfits.iter().zip(&other.misfits).map(|(a, b)| a.min(*b));
+        Sieved { misfits: least.collect(), list: self.list }
+    }
+}
+
+/// The most promising conventions of some lobes. Of three axes, and of the shadowings of others, first
+/// the coordinates are chosen and then the registrations.
 pub(super) fn screen(
     truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     lobes: &[usize],
-) -> Result<Vec<Candidate>, AuditError> {
+) -> Result<Sieved, AuditError> {
+    let mut sieved = Sieved { list: Vec::new(), misfits: vec![f64::INFINITY; sample.values.len()] };
     let axes = sample.size.len();
     let at_once = axes < 3 && lobes.iter().all(|lobe| truth.lobes()[*lobe].form.integrand.is_none());
-    let (mut found, mut rough) = (Vec::new(), Vec::new());
+    let mut rough = Vec::new();
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
             (0..axes).map(|k| fixed.readings(assigned[k], truth.inputs()[k])).collect();
@@ -45,13 +93,16 @@ pub(super) fn screen(
             }
             let task = Task { truth, sample, fixed, assigned: &assigned, lobe: *lobe };
             if at_once {
-                found = best([found, task.product(&readings)?].concat(), KEPT);
+                task.product(&readings, KEPT, &mut sieved)?;
             } else {
-                rough.push(task.coordinates(&readings)?);
+                rough.push(task.coordinates(&readings, &mut sieved)?);
             }
         }
     }
-    if at_once { Ok(found) } else { sited(truth, sample, fixed, rough) }
+    if !at_once {
+        sited(truth, sample, fixed, rough, &mut sieved)?;
+    }
+    Ok(sieved)
 }
 
 /// The best choices of coordinates with every registration: `rough` has those of each order of axes
@@ -61,14 +112,16 @@ fn sited(
     sample: &Sample,
     fixed: &Fixed,
     rough: Vec<Vec<Candidate>>,
-) -> Result<Vec<Candidate>, AuditError> {
+    sieved: &mut Sieved,
+) -> Result<(), AuditError> {
     let of_group = |list: Vec<Candidate>| list.into_iter().enumerate();
     let mut all: Vec<(usize, Candidate)> = rough.into_iter().flat_map(of_group).collect();
     all.sort_by(|a, b| a.1.fitted.rank.total_cmp(&b.1.fitted.rank));
     let chosen = all.into_iter().enumerate();
-    let chosen =
-        chosen.filter(|(i, (k, _))| *i < COORDINATES_OF_ALL || *k < COORDINATES).map(|(_, (_, c))| c);
-    let mut found = Vec::new();
+    // No registration makes a channel fit that is twice as far off as a promising one.
+    let lost = sieved.misfits.iter().any(|misfit| *misfit > 2.0 * PROMISING);
+    let kept = |i: usize, k: usize| i < COORDINATES || !lost && (i < COORDINATES_OF_ALL || k < COORDINATES);
+    let chosen = chosen.filter(|(i, (k, _))| kept(*i, *k)).map(|(_, (_, c))| c);
     for Candidate { axes, lobe, .. } in chosen {
         let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
         let assigned: Vec<usize> = truth.inputs().iter().map(along).collect();
@@ -79,9 +132,9 @@ fn sited(
         };
         let readings: Vec<Vec<AxisReading>> = assigned.iter().zip(truth.inputs()).map(readings).collect();
         let task = Task { truth, sample, fixed, assigned: &assigned, lobe };
-        found = best([found, best(task.product(&readings)?, KEPT / 10)].concat(), KEPT);
+        task.product(&readings, KEPT / 10, sieved)?;
     }
-    Ok(found)
+    Ok(())
 }
 
 /// The best of a list, by rank; of equals the first stays first.
@@ -110,8 +163,14 @@ struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Every combination of readings, from one tensor of truths over the nodes of all of them.
-    fn product(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
+    /// Every combination of readings, from one tensor of truths over the nodes of all of them; the best
+    /// `most` are added to what was sieved.
+    fn product(
+        &self,
+        readings: &[Vec<AxisReading>],
+        most: usize,
+        sieved: &mut Sieved,
+    ) -> Result<(), AuditError> {
         let dims = self.sample.dims();
         let nodes: Vec<Vec<f64>> = readings
             .iter()
@@ -121,37 +180,38 @@ impl Task<'_> {
         let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
         let values = self.truth.quick(self.lobe, &at)?;
         let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
+        let count = dims.iter().product();
         let steps = steps(&lengths, self.assigned);
-        let combinations: usize = readings.iter().map(Vec::len).product();
-        let shared = shared(self.truth, self.sample, self.fixed, self.lobe);
-        // Which places are judged under each reading, by input.
-        let along = |(list, axis): (&Vec<AxisReading>, &usize)| -> Vec<Vec<bool>> {
-            list.iter().map(|r| judged_along(self.truth, self.sample, (*axis, r), self.lobe)).collect()
-        };
-        let flags: Vec<Vec<Vec<bool>>> = readings.iter().zip(self.assigned).map(along).collect();
-        let one = |index: usize| {
-            let (mut rest, mut start) = (index, 0);
-            let mut axes = vec![readings[0][0]; self.assigned.len()];
-            let mut own: Vec<&[bool]> = vec![&[]; self.assigned.len()];
-            for (input, axis) in self.assigned.iter().enumerate() {
-                let guess = rest % readings[input].len();
-                rest /= readings[input].len();
-                start += steps[*axis] * guess * dims[*axis];
-                axes[*axis] = readings[input][guess];
-                own[*axis] = &flags[input][guess];
+        let offset = |i: usize| place(i, &dims).iter().zip(&steps).map(|(k, step)| k * step).sum();
+        let offsets = (0..count).map(offset).collect();
+        let all = All { task: self, readings, values, offsets, steps, dims };
+        let combinations: Vec<usize> = (0..readings.iter().map(Vec::len).product()).collect();
+        let kept = match combinations.len() {
+            n if n > MANY => {
+                let across = |stride: &usize| count >= FIRST * stride && !all.dims[0].is_multiple_of(*stride);
+                let stride = [7, 5, 3].into_iter().find(across).unwrap_or(1);
+                let ranked = all.fitted(&combinations, stride);
+                best(ranked, (n / THINNED).max(MANY)).into_iter().map(|c| all.index(&c)).collect()
             }
-            let judged = ranked(everywhere(own.into_iter()), shared.as_ref());
-            let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
-            let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
-            Some(Candidate { axes, lobe: self.lobe, fitted })
+            _ => combinations,
         };
-        let all: Vec<Option<Candidate>> = (0..combinations).into_par_iter().map(one).collect();
-        Ok(best(all.into_iter().flatten().collect(), KEPT))
+        let fitted = all.fitted(&kept, 1);
+        for (channel, least) in sieved.misfits.iter_mut().enumerate() {
+            let rank = |c: &&Candidate| c.fitted.misfits[channel].map_or(f64::INFINITY, |m| m.rank());
+            let nearest = fitted.iter().min_by(|a, b| rank(a).total_cmp(&rank(b)));
+            *least = nearest.map_or(*least, |c| least.min(all.misfit(c, channel)));
+        }
+        sieved.list = best([std::mem::take(&mut sieved.list), best(fitted, most)].concat(), KEPT);
+        Ok(())
     }
 
     /// The choices of coordinates, each with the usual registrations that suit it best; the best
     /// first.
-    fn coordinates(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
+    fn coordinates(
+        &self,
+        readings: &[Vec<AxisReading>],
+        sieved: &mut Sieved,
+    ) -> Result<Vec<Candidate>, AuditError> {
         let usual = |list: &Vec<AxisReading>| -> Vec<AxisReading> {
             let two = list
                 .iter()
@@ -161,12 +221,93 @@ impl Task<'_> {
         };
         let own =
             |c: &Candidate| c.axes.iter().map(|a| (a.scale, a.reversed)).collect::<Vec<(Scale, bool)>>();
+        let mut some = Sieved { list: Vec::new(), misfits: sieved.misfits.clone() };
+        self.product(&readings.iter().map(usual).collect::<Vec<_>>(), KEPT, &mut some)?;
+        sieved.misfits = some.misfits;
         let mut chosen: Vec<Candidate> = Vec::new();
-        for candidate in self.product(&readings.iter().map(usual).collect::<Vec<_>>())? {
+        for candidate in some.list {
             if chosen.len() < COORDINATES_OF_ALL && chosen.iter().all(|c| own(c) != own(&candidate)) {
                 chosen.push(candidate);
             }
         }
         Ok(chosen)
+    }
+}
+
+/// All combinations of some readings, by a number.
+struct All<'a> {
+    task: &'a Task<'a>,
+    /// By input.
+    readings: &'a [Vec<AxisReading>],
+    /// Truths at the nodes of all readings.
+    values: Values,
+    /// Where the texels of the sample lie in them under the first combination.
+    offsets: Vec<usize>,
+    steps: Vec<usize>,
+    dims: Vec<usize>,
+}
+
+impl All<'_> {
+    /// The number of a reading of all axes.
+    fn index(&self, candidate: &Candidate) -> usize {
+        let inputs = self.readings.iter().zip(self.task.assigned).rev();
+        inputs.fold(0, |index, (list, axis)| {
+            let own = list.iter().position(|r| *r == candidate.axes[*axis]).unwrap_or(0);
+            index * list.len() + own
+        })
+    }
+
+    /// The places of the readings of a combination, by input.
+    fn guesses(&self, mut index: usize) -> Vec<usize> {
+        let one = |list: &Vec<AxisReading>| {
+            let guess = index % list.len();
+            index /= list.len();
+            guess
+        };
+        self.readings.iter().map(one).collect()
+    }
+
+    /// Base values under a combination at every `stride`th texel.
+    fn base(&self, guesses: &[usize], stride: usize) -> Values {
+        let along = |(guess, axis): (&usize, &usize)| self.steps[*axis] * guess * self.dims[*axis];
+        let start: usize = guesses.iter().zip(self.task.assigned).map(along).sum();
+        self.offsets.iter().step_by(stride).map(|offset| self.values[start + offset]).collect()
+    }
+
+    /// Combinations with their figures at every `stride`th texel, in their order.
+    fn fitted(&self, combinations: &[usize], stride: usize) -> Vec<Candidate> {
+        let Task { truth, sample, fixed, assigned, lobe } = *self.task;
+        let values: Vec<Vec<f64>> =
+            sample.values.iter().map(|list| list.iter().copied().step_by(stride).collect()).collect();
+        let shared = shared(truth, sample, fixed, lobe);
+        // Which places are judged under each reading, by input.
+        let along = |(list, axis): (&Vec<AxisReading>, &usize)| -> Vec<Vec<bool>> {
+            list.iter().map(|r| judged_along(truth, sample, (*axis, r), lobe)).collect()
+        };
+        let flags: Vec<Vec<Vec<bool>>> = self.readings.iter().zip(assigned).map(along).collect();
+        let one = |index: &usize| {
+            let guesses = self.guesses(*index);
+            let mut axes = vec![self.readings[0][0]; assigned.len()];
+            let mut own: Vec<&[bool]> = vec![&[]; assigned.len()];
+            for ((input, axis), guess) in assigned.iter().enumerate().zip(&guesses) {
+                axes[*axis] = self.readings[input][*guess];
+                own[*axis] = &flags[input][*guess];
+            }
+            let judged = ranked(everywhere(own.into_iter()), shared.as_ref());
+            let judged: Vec<bool> = judged.into_iter().step_by(stride).collect();
+            let base = self.base(&guesses, stride);
+            let fitted = fit_columns(&values, &base, &judged, fixed, truth.columns())?;
+            Some(Candidate { axes, lobe, fitted })
+        };
+        combinations.par_iter().filter_map(one).collect()
+    }
+
+    /// Root mean square of a channel beside the spread of its truth.
+    fn misfit(&self, candidate: &Candidate, channel: usize) -> f64 {
+        let Task { truth, sample, lobe, .. } = *self.task;
+        let base = self.base(&self.guesses(self.index(candidate)), 1);
+        let judgement = Judgement { base, judged: judged(truth, sample, &candidate.axes, lobe) };
+        let of = |column| Residuals::new(sample, &judgement, column, &sample.values[channel]).of_all();
+        candidate.fitted.columns[channel].map_or(f64::INFINITY, of)
     }
 }

@@ -6,10 +6,10 @@ use rayon::prelude::*;
 
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
-use super::judge::{Judgement, judge, quickly};
+use super::judge::{Judgement, judge};
 use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
-use super::truth::Truth;
+use super::truth::{Truth, Truths};
 use super::{AuditError, FITS};
 
 /// The root mean square must be this many times less with two lobes than that of the best with one
@@ -22,6 +22,9 @@ const LEAST_SHARE: f64 = 0.05;
 /// A texel tells lobes apart where their errors differ by this many times the misfit of both
 /// together.
 const APART: f64 = 6.0;
+
+/// What some texels, by the quick truth, may leave more than all do.
+const LIKELY: f64 = 2.0;
 
 /// The two parts of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,8 +47,8 @@ pub struct TwoLobes {
 /// The reading under which a table that fits nothing is of two lobes, read as the larger part's,
 /// with its parts; none if it is not so. `tried` are readings, and `best` is the root mean square
 /// of the best with one lobe.
-pub(super) fn found(
-    truth: &Truth,
+pub(super) fn found<'a>(
+    truth: &Truth<'a>,
     [some, all]: [&Sample; 2],
     fixed: &Fixed,
     tried: &[Candidate],
@@ -58,17 +61,19 @@ pub(super) fn found(
         others.map(move |other| (candidate, [own, other]))
     });
     let pairs: Vec<(&Candidate, [usize; 2])> = pairs.collect();
-    let rank = |(candidate, both): &(&Candidate, [usize; 2])| -> Result<f64, AuditError> {
-        let [own, second] = both.map(|lobe| quickly(truth, some, &candidate.axes, lobe));
-        Ok(Parts::new(some, &candidate.fitted.columns, [own?, second?]).misfit().rank())
+    let parts = |(candidate, both): &(&Candidate, [usize; 2]), sample, values: Truths<'a>| {
+        let [own, second] = both.map(|lobe| judge(truth, sample, &candidate.axes, lobe, values));
+        Ok::<_, AuditError>(Parts::new(sample, &candidate.fitted.columns, [own?, second?]))
     };
-    let ranks: Vec<f64> = pairs.par_iter().map(rank).collect::<Result<_, _>>()?;
+    let quick: Vec<Parts> =
+        pairs.par_iter().map(|pair| parts(pair, some, Truth::quick)).collect::<Result<_, _>>()?;
+    let ranks: Vec<f64> = quick.par_iter().map(|parts| parts.misfit().rank()).collect();
     let first = (0..ranks.len()).min_by(|a, b| ranks[*a].total_cmp(&ranks[*b]));
-    let Some((candidate, both)) = first.map(|k| pairs[k]) else { return Ok(None) };
-    let [own, second] = both.map(|lobe| judge(truth, all, &candidate.axes, lobe));
-    let parts = Parts::new(all, &candidate.fitted.columns, [own?, second?]);
+    let Some(first) = first.filter(|k| quick[*k].explain(LIKELY, best)) else { return Ok(None) };
+    let (candidate, both) = pairs[first];
+    let parts = parts(&pairs[first], all, Truth::exact)?;
     let misfit = parts.misfit();
-    if misfit.rms * BETTER > best || misfit.rms > FITS * parts.spread() {
+    if !parts.explain(1.0, best) {
         return Ok(None);
     }
     let sides = [parts.of(0, misfit.rms), parts.of(1, misfit.rms)];
@@ -141,8 +146,11 @@ impl Parts {
         Parts { texels, errors, spread }
     }
 
-    fn spread(&self) -> f64 {
-        self.spread
+    /// Whether they leave clearly less than the `best` with one lobe, and little; `slack` times as much
+    /// where they are judged quickly.
+    fn explain(&self, slack: f64, best: f64) -> bool {
+        let rms = self.misfit().rms;
+        rms * BETTER <= slack * best && rms <= slack * FITS * self.spread
     }
 
     fn error(&self, lobe: usize, i: usize) -> f64 {

@@ -47,7 +47,7 @@ Examples:
   lobefit audit tables/ggx-dfg-correlated-32x32.exr     a table of this tool says itself what it stands for
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
-f0, 1/ior..ior (from inside, then from outside), ...;
+f0, 1/ior..ior (from inside, then from outside), ior=1.1..2.2 (evenly between two ends), ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 --smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
 of sheen neubelt, estevez-kulla.
@@ -310,8 +310,14 @@ const SHADERS: [&str; 14] = [
     "slang",
 ];
 
+const SCRIPTS: [&str; 4] = ["js", "mjs", "ts", "mts"];
+
 fn is_shader(options: &Options) -> bool {
-    let extension = options.file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    // `chunk.glsl.js` is a shader in a script.
+    let script = options.file.extension().is_some_and(|e| SCRIPTS.iter().any(|script| e == *script));
+    let stem = options.file.file_stem().map(PathBuf::from).filter(|_| script);
+    let extension = stem.as_ref().unwrap_or(&options.file).extension();
+    let extension = extension.map(|e| e.to_string_lossy().to_ascii_lowercase());
     options.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
 }
 
@@ -374,7 +380,14 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let names: Vec<&str> = found.iter().map(|f| f.1.signature.as_str()).collect();
     let names = names.join("`, `");
     match (found.len(), refused) {
-        (0, Some(error)) => Err(error.into()),
+        (0, Some(error)) if functions.len() == 1 => Err(error.into()),
+        (0, Some(error)) => {
+            let names: Vec<&str> = functions.iter().map(|f| f.signature.as_str()).collect();
+            Err(CliError::Usage(format!(
+                "{error}; {file} holds `{}`: choose one by --function, and say by --set what is no input",
+                names.join("`, `")
+            )))
+        }
         (0, None) => Err(CliError::Usage(format!("{file}: holds no function"))),
         (1, _) => {
             let (function, source) = found.swap_remove(0);

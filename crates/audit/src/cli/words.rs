@@ -1,7 +1,7 @@
 //! The words of the options.
 
 use crate::audit::{
-    Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale,
+    Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale, Span,
 };
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
@@ -107,10 +107,16 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
         (name, None) => (name, false),
     };
     let name = name.replace("F0", "f0");
+    if name.contains('=') {
+        let (ranged, ends) = range(&name)?;
+        let Ranged::Input(input) = ranged else { return Err("the ends of alpha are called for".into()) };
+        // Options live as long as the program.
+        return Ok((Scale::Span(Box::leak(Box::new(Span { input, ends, name }))), reversed));
+    }
     let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
     found.ok_or_else(|| {
         let names: Vec<&str> = SCALES.iter().map(|s| s.name()).collect();
-        format!("no such coordinate; they are gloss, {}", names.join(", "))
+        format!("no such coordinate; they are gloss, {}, and INPUT=LOW..HIGH", names.join(", "))
     })
 }
 

@@ -18,6 +18,10 @@ pub enum Step {
     Unorm16,
     /// Mantissas of 8 bits under the exponent of the largest of three.
     Rgbe,
+    /// Integers over this many, decoded from sRGB.
+    Srgb(u32),
+    /// Integers / 255 that hold (value alpha)^(1/gamma), decoded; gamma in tenths.
+    Rgbd(u32),
     /// Printed with this many digits after the decimal point.
     Decimals(u32),
 }
@@ -41,6 +45,14 @@ impl Step {
             // Of the largest of the three: what is known of one alone.
             Step::Rgbe if x == 0.0 => 0.0,
             Step::Rgbe => 0.5 * ops::exp2(ops::log2(x.abs()).floor() - 7.0),
+            // A step of what is stored is longest, after decoding, above the value.
+            Step::Srgb(n) => srgb(srgb_inverse(x) + 0.5 / f64::from(n)) - x,
+            // With the alpha that one channel alone calls for.
+            Step::Rgbd(tenths) => {
+                let (gamma, alpha) = (f64::from(tenths) / 10.0, x.abs().max(1.0).recip());
+                let stored = ops::pow(x.abs() * alpha, gamma.recip());
+                ops::pow(stored + 0.5 / 255.0, gamma) / alpha - x.abs()
+            }
             Step::Decimals(n) => (0..n).fold(0.5, |step, _| step / 10.0),
         }
     }
@@ -54,9 +66,21 @@ impl Step {
             Step::Unorm10 => "10-bit unorm".into(),
             Step::Unorm16 => "16-bit unorm".into(),
             Step::Rgbe => "RGBE".into(),
+            Step::Srgb(n) => format!("{}-bit sRGB", (n + 1).ilog2()),
+            Step::Rgbd(_) => "8-bit RGBD".into(),
             Step::Decimals(n) => format!("{n} decimals"),
         }
     }
+}
+
+/// The linear value of an sRGB one (IEC 61966-2-1).
+pub fn srgb(x: f64) -> f64 {
+    if x <= 0.04045 { x / 12.92 } else { ops::pow((x + 0.055) / 1.055, 2.4) }
+}
+
+/// The sRGB value of a linear one.
+fn srgb_inverse(x: f64) -> f64 {
+    if x <= 0.04045 / 12.92 { x * 12.92 } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 }
 }
 
 /// One channel of a table, or of a sampled function.

@@ -11,6 +11,7 @@ mod functions;
 mod furnace;
 mod lobes;
 mod made;
+mod points;
 mod shipped;
 mod sidecars;
 mod solids;

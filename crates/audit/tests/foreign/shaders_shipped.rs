@@ -105,9 +105,9 @@ fn a_chunk_is_read_with_its_chunks_and_macros() {
 
 #[test]
 fn what_is_not_there_is_named_with_the_line_that_leaves_it_out() {
-    let tree = Tree::new(&[("light.glsl.js", CHUNK), ("basics.glsl.js", BASICS)]);
+    let tree = Tree::new(&[("light.glsl.js", CHUNK), ("chunks/basics.glsl.js", BASICS)]);
     let refused = |entry: &str, around: &[&str]| tree.refused("light.glsl.js", entry, around);
-    let message = refused("sheen", &["/."]);
+    let message = refused("sheen", &["/chunks"]);
     assert!(
         message.contains("`#ifdef USE_SHEEN` at light.glsl.js: 4:1") && message.contains("--define"),
         "{message}"
@@ -123,11 +123,11 @@ fn what_is_not_there_is_named_with_the_line_that_leaves_it_out() {
     let alone = Tree::new(&[("a.glsl", plain)]);
     assert_eq!(at(&alone.one("a.glsl", "f", &[]), &[0.5]), 1.0);
     // A texture on the way is the reason, not what calls for it.
-    let message = refused("wrong", &["/."]);
+    let message = refused("wrong", &["/chunks"]);
     assert!(message.starts_with("light.glsl.js: 19:") && message.contains("nowhere"), "{message}");
-    let message = refused("lookup", &["/."]);
+    let message = refused("lookup", &["/chunks"]);
     assert!(message.starts_with("light.glsl.js: 17:1") && message.contains("texture"), "{message}");
-    let message = refused("light", &["/."]);
+    let message = refused("light", &["/chunks"]);
     assert!(message.starts_with("light.glsl.js: 18:"), "{message}");
 }
 

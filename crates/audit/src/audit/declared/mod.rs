@@ -5,6 +5,7 @@
 mod domain;
 mod findings;
 mod formula;
+mod nodes;
 mod statement;
 mod words;
 
@@ -21,6 +22,7 @@ use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
 use lobefit_truth::quantity::Quantity;
+use nodes::Inputs;
 use statement::{Axis, Statement};
 
 /// The quantity that a table says it is of, by its name; none of a file that is not this tool's.
@@ -87,6 +89,8 @@ pub struct Declared {
     pub held: Vec<Held>,
     /// Names of the truth's inputs and the places along each.
     pub places: Vec<(&'static str, Vec<f64>)>,
+    /// Texels that are judged beside those places.
+    pub texels: usize,
     /// What its axes cover without its claiming anything of it, and so is not judged: `alpha below 0.02`.
     pub beyond: Vec<String>,
     /// What it claims where the truth is not had, so that it was not judged.
@@ -154,11 +158,27 @@ pub fn declared(
     } else {
         super::truth_of(&audited, quantity, &fixed, &[form])?
     };
-    let Domain { places, beyond, cut } = Domain::new(truth, OWN, &said).map_err(odd)?;
+    let domain = Domain::new(truth, OWN, &said).map_err(odd)?;
+    let places = &domain.places;
     let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
     let base = truth.exact(OWN, &at)?;
-    let look = Look { table: &audited, said: &said, places: &places, wanted };
-    let held = look.errors(truth, &base).map_err(odd)?;
+    let dims: Vec<usize> = places.iter().map(|p| p.1.len()).collect();
+    let even = |i: usize| -> Inputs {
+        places.iter().zip(super::table::place(i, &dims)).map(|((name, list), k)| (*name, list[k])).collect()
+    };
+    let look = Look { table: &audited, said: &said, at: &even, wanted };
+    let mut held = look.errors(truth, &base).map_err(odd)?;
+    let nodes = nodes::nodes(&audited, &said, &domain);
+    if !nodes.is_empty() {
+        let look = Look { at: &|i| nodes[i].clone(), ..look };
+        let base = truth.at(OWN, &nodes)?;
+        for (held, own) in held.iter_mut().zip(look.errors(truth, &base).map_err(odd)?) {
+            if own.figures.max > held.figures.max {
+                let TexelErrors { rms, mean, median, .. } = held.figures;
+                held.figures = TexelErrors { rms, mean, median, ..own.figures };
+            }
+        }
+    }
     Ok(Declared {
         what: audited.what.clone(),
         quantity: truth.quantity(),
@@ -168,9 +188,10 @@ pub fn declared(
         held,
         claimed: said.claimed,
         truth_error: truth.bound(OWN),
-        places: places.clone(),
-        beyond,
-        cut,
+        texels: nodes.len(),
+        places: domain.places,
+        beyond: domain.beyond,
+        cut: domain.cut,
     })
 }
 
@@ -198,7 +219,8 @@ fn agreed(
 struct Look<'a> {
     table: &'a AuditedTable,
     said: &'a Statement,
-    places: &'a [(&'static str, Vec<f64>)],
+    /// The inputs at a place.
+    at: &'a dyn Fn(usize) -> Inputs,
     wanted: Option<Column>,
 }
 
@@ -206,10 +228,9 @@ impl Look<'_> {
     /// The columns beside the truth.
     fn errors(&self, truth: &Truth, base: &Values) -> Result<Vec<Held>, String> {
         let columns = self.columns(truth)?;
-        let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
         let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
         for i in 0..base.len() {
-            let inputs = self.inputs(i, &dims);
+            let inputs = (self.at)(i);
             let decoded = self.decoded(&inputs)?;
             for (list, (column, k)) in values.iter_mut().zip(&columns) {
                 let value = decoded[*k];
@@ -226,7 +247,7 @@ impl Look<'_> {
             let worst =
                 (0..errors.len()).fold(0, |w, i| if errors[i].abs() > errors[w].abs() { i } else { w });
             let n = errors.len() as f64;
-            let at = self.inputs(worst, &dims).into_iter().map(|(name, x)| (name.to_string(), x));
+            let at = (self.at)(worst).into_iter().map(|(name, x)| (name.to_string(), x));
             let figures = TexelErrors {
                 max: errors[worst].abs(),
                 rms: (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt(),
@@ -253,15 +274,10 @@ impl Look<'_> {
         if found.is_empty() { Err("it decodes to no column that is asked for".into()) } else { Ok(found) }
     }
 
-    fn inputs(&self, i: usize, dims: &[usize]) -> Vec<(&'static str, f64)> {
-        let places = super::table::place(i, dims);
-        self.places.iter().zip(places).map(|((name, list), k)| (*name, list[k])).collect()
-    }
-
     /// What the channels decode to at inputs.
     fn decoded(&self, inputs: &[(&'static str, f64)]) -> Result<Vec<f64>, String> {
         let input = |name: &str| inputs.iter().find(|(n, _)| *n == name).map(|(_, x)| *x);
-        let roughness = input("alpha").and_then(|alpha| self.roughness(alpha));
+        let roughness = input("alpha").and_then(|alpha| roughness(self.said, alpha));
         let known = |name: &str| if name == "roughness" { roughness } else { input(name) };
         let mut at = Vec::new();
         for (axis, n) in self.said.axes.iter().zip(&self.table.size) {
@@ -285,21 +301,21 @@ impl Look<'_> {
         };
         self.said.decode.iter().zip(made).map(value).collect()
     }
+}
 
-    /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving
-    /// finds it to the last digits.
-    fn roughness(&self, alpha: f64) -> Option<f64> {
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..64 {
-            let middle = 0.5 * (low + high);
-            let of = self.said.alpha.value(&|name| (name == "roughness").then_some(middle))?;
-            if !of.is_finite() {
-                return None;
-            }
-            if of < alpha { low = middle } else { high = middle }
+/// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving finds it
+/// to the last digits.
+fn roughness(said: &Statement, alpha: f64) -> Option<f64> {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..64 {
+        let middle = 0.5 * (low + high);
+        let of = said.alpha.value(&|name| (name == "roughness").then_some(middle))?;
+        if !of.is_finite() {
+            return None;
         }
-        Some(high)
+        if of < alpha { low = middle } else { high = middle }
     }
+    Some(high)
 }
 
 /// u of an axis.

@@ -29,7 +29,7 @@ fn headline(found: &Declared, limit: Option<f64>) -> String {
     let worst = found.held.iter().map(|held| &held.figures);
     let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
     let off = worst.map_or(String::new(), |worst| {
-        format!(", off by at most {} in lookups ({})", number(worst.max), place(&worst.at))
+        format!(", off by at most {} in lookups ({}; sampled)", number(worst.max), place(&worst.at))
     });
     format!("{} {}: {} {so}{off}{}", found.quantity, listed(&held), found.what, said_limit(limit))
 }
@@ -59,8 +59,9 @@ fn errors(found: &Declared, limit: Option<f64>) -> Vec<String> {
     let points = found.held.first().map_or(0, |held| held.errors.len());
     let mut out = vec![claim(found)];
     out.push(format!(
-        "Looked up as it says, over {points} points of {}: {}.",
+        "Looked up as it says, sampled at {points} places of {} and at {}: {}.",
         domain(found),
+        texels(found),
         held.collect::<Vec<_>>().join("; ")
     ));
     if !found.cut.is_empty() {
@@ -97,6 +98,14 @@ fn claim(found: &Declared) -> String {
     let of =
         if difference { " of f0 A + B for every f0 in [0, 1], which leaves A alone twice that" } else { "" };
     format!("It claims {claimed}{of}{places}.")
+}
+
+/// The texels that were judged.
+fn texels(found: &Declared) -> String {
+    match found.size.iter().product::<usize>() > found.texels {
+        true => format!("{} of its texels", found.texels),
+        false => "its texels".into(),
+    }
 }
 
 /// The ranges that were judged.

@@ -10,10 +10,10 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::AuditError;
 use super::axis::Input;
 use super::column::{Base, Column};
 use super::lobe::{Form, Lobe};
+use super::{AuditError, work};
 pub use beyond::Beyond;
 use knots::along;
 use lobefit::effects::table::aspect;
@@ -30,14 +30,20 @@ pub(super) type Values = Vec<Base>;
 /// Values of a lobe at every combination of inputs.
 pub(super) type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
-/// The values of a lobe of a quantity, or of its averages, at so many knots.
-type AtKnots = ((&'static str, bool, usize, Lobe), Arc<Values>);
+/// What is known of a lobe of a quantity, or of its averages, with so many knots.
+type OfLobe = ((&'static str, bool, usize, Lobe), Arc<Known>);
 
-/// What is integrated once for all audits of a process.
-static KNOWN: Mutex<Vec<AtKnots>> = Mutex::new(Vec::new());
+/// What is integrated once for all audits of a process: for every channel, encoding and reading that
+/// asks for it.
+static KNOWN: Mutex<Vec<OfLobe>> = Mutex::new(Vec::new());
 
-/// Values of lobes at points beyond the knots, by the bits of their inputs.
-type Outer = BTreeMap<(usize, Vec<u64>), Base>;
+/// Values of a lobe.
+#[derive(Default)]
+struct Known {
+    at_knots: Values,
+    /// Beyond the knots, by the bits of the inputs: readings share an edge.
+    outer: Mutex<BTreeMap<Vec<u64>, Base>>,
+}
 
 /// How near to 1 an index of refraction is one.
 const NO_INTERFACE: f64 = 1e-7;
@@ -45,7 +51,7 @@ const NO_INTERFACE: f64 = 1e-7;
 /// Fewest points of glass that share their work.
 const SHARED: usize = 256;
 
-/// Most of those that are kept.
+/// Most values beyond the knots that are kept.
 const OUTER: usize = 1 << 16;
 
 /// A quantity's truth.
@@ -54,10 +60,8 @@ pub(super) struct Truth<'a> {
     lobes: Vec<Lobe>,
     /// How each of the lobes is integrated.
     specs: Vec<Spec<'a>>,
-    /// Values at the knots, for each lobe; nothing of a quantity without knots.
-    values: Vec<Arc<Values>>,
-    /// What was integrated beyond the knots: readings share an edge.
-    outer: Mutex<Outer>,
+    /// What is known of each lobe; nothing of a quantity without knots.
+    known: Vec<Arc<Known>>,
     /// Ranges of inputs that are asked for.
     domain: Vec<(Input, [f64; 2])>,
 }
@@ -90,32 +94,32 @@ impl<'a> Truth<'a> {
     ) -> Result<Truth<'a>, AuditError> {
         let lobes = Lobe::of(spec.quantity, forms, sides);
         let specs = lobes.iter().map(|lobe| changed(spec.of_form(lobe.form))).collect();
-        let (values, outer, domain) = (Vec::new(), Mutex::default(), Vec::new());
-        let mut truth = Truth { spec, lobes, specs, values, outer, domain };
+        let mut truth = Truth { spec, lobes, specs, known: Vec::new(), domain: Vec::new() };
         if !spec.knots.is_empty() {
             let of =
                 |lobe: usize| if truth.lobes[lobe].both { Ok(Arc::default()) } else { truth.at_knots(lobe) };
-            truth.values = (0..truth.lobes.len()).map(of).collect::<Result<_, _>>()?;
+            truth.known = (0..truth.lobes.len()).map(of).collect::<Result<_, _>>()?;
         }
         Ok(truth)
     }
 
     /// The values of a lobe at the knots. They are not made under the lock: a thread that waits for
     /// others in it may be given another audit.
-    fn at_knots(&self, lobe: usize) -> Result<Arc<Values>, AuditError> {
+    fn at_knots(&self, lobe: usize) -> Result<Arc<Known>, AuditError> {
         let count = self.specs[lobe].knots.iter().map(|knots| knots.count).sum();
         let key = (self.quantity(), self.spec.averaged, count, self.lobes[lobe]);
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known().iter().find(|(known, _)| *known == key).map(|(_, values)| values.clone());
-        if let Some(values) = found {
-            return Ok(values);
+        let found = known().iter().find(|(known, _)| *known == key).map(|(_, known)| known.clone());
+        if let Some(known) = found {
+            return Ok(known);
         }
         let Spec { knots, tolerances, .. } = self.specs[lobe];
         let knots: Vec<Vec<f64>> = knots.iter().map(|knots| knots.inputs()).collect();
         let at: Vec<&[f64]> = knots.iter().map(Vec::as_slice).collect();
-        let values = Arc::new(self.integrated(lobe, self.product(&at), tolerances[0])?);
-        known().push((key, values.clone()));
-        Ok(values)
+        let at_knots = self.integrated(lobe, self.product(&at), tolerances[0])?;
+        let own = Arc::new(Known { at_knots, outer: Mutex::default() });
+        known().push((key, own.clone()));
+        Ok(own)
     }
 
     /// Name of the quantity.
@@ -181,9 +185,9 @@ impl<'a> Truth<'a> {
         if let Some(halves) = self.halves(lobe, at, Truth::quick) {
             return halves;
         }
-        let Some(values) = self.values.get(lobe) else { return self.exact(lobe, at) };
+        let Some(known) = self.known.get(lobe) else { return self.exact(lobe, at) };
         let knots = self.specs[lobe].knots;
-        let mut values: Values = values.to_vec();
+        let mut values: Values = known.at_knots.clone();
         for (k, (knots_of, at)) in knots.iter().zip(at).enumerate().rev() {
             let step = knots[..k].iter().map(|faster| faster.count).product();
             values = along(knots_of, at, step, &values);
@@ -216,8 +220,8 @@ impl<'a> Truth<'a> {
             let mut inputs = points.columns().zip(knots);
             inputs.all(|((_, x), knots)| (knots.range[0]..=knots.range[1]).contains(&x[i]))
         };
-        let key = |i: usize| (lobe, points.columns().map(|(_, x)| x[i].to_bits()).collect::<Vec<u64>>());
-        let outer = || self.outer.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = |i: usize| points.columns().map(|(_, x)| x[i].to_bits()).collect::<Vec<u64>>();
+        let outer = || self.known[lobe].outer.lock().unwrap_or_else(PoisonError::into_inner);
         let mut missing = vec![false; points.len()];
         {
             let outer = outer();
@@ -237,6 +241,20 @@ impl<'a> Truth<'a> {
             }
         }
         Ok(values)
+    }
+
+    /// The same at single points, whose inputs are in the order of [`Truth::inputs`].
+    pub(super) fn at(&self, lobe: usize, points: &[Vec<(&'static str, f64)>]) -> Result<Values, AuditError> {
+        let column = |k: usize| points.iter().map(|point| point[k].1).collect::<Vec<f64>>();
+        if self.specs[lobe].interpolated {
+            let one = |point: &Vec<(&str, f64)>| {
+                let at: Vec<[f64; 1]> = point.iter().map(|(_, x)| [*x]).collect();
+                Ok(self.exact(lobe, &at.iter().map(<[f64; 1]>::as_slice).collect::<Vec<_>>())?[0])
+            };
+            return points.iter().map(one).collect();
+        }
+        let columns = self.inputs().iter().enumerate().map(|(k, input)| (input.name(), column(k)));
+        self.integrated(lobe, Points::new(columns), self.specs[lobe].tolerances[1])
     }
 
     /// Of a lobe of both sides the values of each, put together along the index, which is the first
@@ -306,6 +324,7 @@ impl<'a> Truth<'a> {
         let variant = self.lobes[lobe].variant();
         let iors = points.column(Input::Ior.name()).map(<[f64]>::to_vec);
         let count = points.len();
+        work::integrated(count);
         let points = filled(quantity, self.inside(lobe, points));
         let mut columns = quantity.truth(&variant, &points, outputs, tolerance)?.columns;
         if normal {

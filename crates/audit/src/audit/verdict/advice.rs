@@ -1,10 +1,11 @@
 //! What to change.
 
 use super::defect::{LINES, extent};
+use super::points::{LIKELY, SAME};
 use super::words::listed;
 use crate::audit::axis::{Input, Registration};
 use crate::audit::table::Source;
-use crate::audit::{Audit, Column, Defect, Fit, TwoLobes};
+use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 
 /// The steps that mend it; none where there is nothing to mend.
 pub(super) fn advice(audit: &Audit) -> Vec<String> {
@@ -23,7 +24,7 @@ pub(super) fn advice(audit: &Audit) -> Vec<String> {
     let encoding = audit.encoding.iter().map(|encoding| encoding.remedy.to_string());
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     steps.extend(encoding);
-    if audit.source == Source::Table {
+    if audit.source == Source::Table && !is_open(audit) {
         steps.extend(registrations(audit));
     }
     for (name, axis) in audit.axes.iter().zip(&audit.best().axes) {
@@ -76,6 +77,13 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
         _ => return None,
     };
     Some(step.to_string())
+}
+
+/// Whether another registration fits as well or better at the texels: then no remedy of it is sure.
+fn is_open(audit: &Audit) -> bool {
+    let registrations = |t: &Tried| t.convention.axes.iter().map(|a| a.registration).collect::<Vec<_>>();
+    let second = audit.tried.iter().skip(1).find(|t| (t.rank / audit.tried[0].rank - 1.0).abs() >= SAME);
+    audit.margin < LIKELY && second.is_some_and(|t| registrations(t) != registrations(&audit.tried[0]))
 }
 
 /// What to do about the axes, those of the same registration together.

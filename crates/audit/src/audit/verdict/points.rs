@@ -11,13 +11,16 @@ use crate::audit::truth::Beyond;
 use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
-const SAME: f64 = 1e-6;
+pub(super) const SAME: f64 = 1e-6;
+
+/// How much worse the next convention must rank for the first to be likely.
+pub(super) const LIKELY: f64 = 1.2;
 
 /// The verdict; `limit` is the largest error that the user allows.
 pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     let mut errors = Vec::new();
-    for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
-        errors.extend(at_places(audit, channel));
+    for (k, channel) in audit.channels.iter().filter(|c| c.column.is_some()).enumerate() {
+        errors.extend(at_places(audit, channel, k == 0));
         let known = audit.fit != Fit::None && audit.two_lobes.is_none();
         let told = channel.defects.iter().filter(|d| known || matches!(d, Defect::Dead { .. }));
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
@@ -223,10 +226,10 @@ fn doubt(audit: &Audit) -> String {
             m if m >= CLEAR => {
                 format!("in no doubt: the next {next} ({other}) fits {times} times worse.")
             }
-            m if m >= 1.2 => {
+            m if m >= LIKELY => {
                 format!("likely: the next {next} ({other}) fits {times} times worse.")
             }
-            m if m < 1.0 / 1.2 => format!(
+            m if m < 1.0 / LIKELY => format!(
                 "the plain {next} is taken, since to change it would not lessen the error of lookups for certain; at its texels another ({other}) fits {} \
                  times better.",
                 number(1.0 / m)
@@ -237,22 +240,16 @@ fn doubt(audit: &Audit) -> String {
     out.trim_end().into()
 }
 
-/// Errors of a channel at its texels, or at points.
-fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
+/// Errors of a channel at its texels, or at points; of the first with how many are judged.
+fn at_places(audit: &Audit, channel: &ChannelAudit, first: bool) -> Option<String> {
     let e = channel.errors.as_ref()?;
     let column = channel.column?.name();
-    let part = if e.judged < e.all {
+    let part = if e.judged < e.all && first {
         let left = e.all - e.judged - e.unsampled;
         let points = if audit.source == Source::Table { "texels" } else { "points" };
         let told = [
             (left, beyond(audit)),
-            (
-                e.unsampled,
-                format!(
-                    "were not looked at, for the table is too large to judge each texel: {}",
-                    judged_at(audit)
-                ),
-            ),
+            (e.unsampled, format!("were not looked at, as the table is large: {}", judged_at(audit))),
         ];
         let told: Vec<String> =
             told.iter().filter(|(n, _)| *n > 0).map(|(n, why)| format!("{n} {why}")).collect();
@@ -281,8 +278,9 @@ fn at_places(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         Source::Table => format!("texel {:?} ({})", e.texel, place(&e.at)),
         Source::Function => place(&e.at),
     };
+    let scope = if first { scope + " " } else { String::new() };
     Some(format!(
-        "{scope} {column} is off by at most {} (RMS {}){part}, worst at {texel}, where it is {} and {} is true.",
+        "{scope}{column} is off by at most {} (RMS {}){part}, worst at {texel}: {} for {}.",
         number(e.max),
         number(e.rms),
         words::long(e.value),
@@ -301,7 +299,7 @@ fn judged_at(audit: &Audit) -> String {
     let along =
         |((name, at), n): ((&String, &Vec<usize>), &usize)| format!("{} of {n} along {name}", at.len());
     let all: Vec<String> = audit.axes.iter().zip(&audit.places).zip(&audit.size).map(along).collect();
-    format!("judged are {}, evenly spaced, both ends among them", all.join(", "))
+    format!("judged are {}", all.join(", "))
 }
 
 /// What the plain reading makes of it.
@@ -336,8 +334,7 @@ fn idle(audit: &Audit) -> Option<String> {
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
     let told = idle.map(|c| match (c.constant, &c.other) {
         (_, Some(Other::Quantity(other))) => {
-            let Verdict { headline, convention, .. } = of(other, None);
-            format!("Channel {} is of another quantity: {headline}: {convention}", c.name)
+            format!("Channel {} is of another quantity: {}.", c.name, headline(other, None))
         }
         (_, Some(Other::Unknown)) => {
             format!("Channel {} is left out: it follows nothing that is known.", c.name)
@@ -382,24 +379,22 @@ fn lookups(audit: &Audit) -> Option<String> {
         return None;
     }
     let centred = audit.best().axes.iter().all(|a| a.registration == Registration::Centre);
-    let one = |name: &str, own: &LookupErrors| {
-        format!(
-            "{name} is off by at most {} (RMS {}), worst at {}, and by {} between the outermost texels",
-            number(own.max),
-            number(own.rms),
-            place(&own.at),
-            number(own.inner)
-        )
-    };
     let channels = || audit.channels.iter().filter_map(|c| Some((c.column?.name(), c)));
-    let mut all: Vec<String> =
-        channels().filter_map(|(name, c)| Some(one(name, c.lookup.as_ref()?))).collect();
-    all.extend(audit.blend.as_ref().map(|blend| one("f0 A + B at the worst f0", blend)));
-    if all.is_empty() {
-        return None;
-    }
+    let (name, worst) = largest_lookup(audit)?;
+    let others = channels().filter(|(own, _)| *own != name);
+    let others: Vec<String> =
+        others.filter_map(|(own, c)| Some(format!("{own} by {}", number(c.lookup.as_ref()?.max)))).collect();
+    let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
+    let f0 = if audit.blend.is_some() { " at the worst f0" } else { "" };
     let where_they_are = if centred { "" } else { " at the coordinates that its texels have" };
-    let mut text = format!("Looked up with linear interpolation{where_they_are}, {}.", all.join("; "));
+    let mut text = format!(
+        "Looked up with linear interpolation{where_they_are}, {name}{f0} is off by at most {} (RMS {}), worst at {}, and by {} between the \
+         outermost texels{others}.",
+        number(worst.max),
+        number(worst.rms),
+        place(&worst.at),
+        number(worst.inner)
+    );
     let plain = channels().filter_map(|(name, c)| Some((name, c.plain_lookup.as_ref()?)));
     if let Some((name, plain)) =
         plain.reduce(|a, b| if b.1.max > a.1.max { b } else { a }).filter(|_| !centred)

@@ -1,4 +1,5 @@
-//! Where files that a shader includes may lie: inside the folders that are named, and nowhere else.
+//! Where files that a shader includes may lie: in its own folder and inside those that are named, and
+//! nowhere else.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -54,6 +55,13 @@ impl Folders {
             folders.modules.sort_by(|a, b| a.file.cmp(&b.file));
         }
         Ok((folders, before))
+    }
+
+    /// The same with the folder of the source, after those that are named.
+    pub fn beside(mut self, source: Option<&Path>) -> Folders {
+        let real = source.and_then(|source| fs::canonicalize(source).ok());
+        self.roots.extend(real.as_deref().and_then(Path::parent).map(Path::to_path_buf));
+        self
     }
 
     /// Takes note of the modules in a folder, and of the folders in it.

@@ -98,6 +98,7 @@ pub(super) fn preprocessed(
 ) -> Result<Preprocessed, ForeignError> {
     let modules = language == ShaderLanguage::Wgsl && imports::called_for(&file.text);
     let (folders, before) = Folders::open(around, modules)?;
+    let folders = folders.beside(path);
     let mut all = Preprocessor {
         out: Preprocessed { files: vec![file], ..Preprocessed::default() },
         folders,
