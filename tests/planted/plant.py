@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Plants the defects of defects.json, one at a time, and says which tests catch each.
 
-    python3 tests/planted/plant.py [FIRST [LAST]]
+    python3 tests/planted/plant.py [NUMBER ...]
 
 All defects go into one copy of the packages, each behind a switch that an environment variable turns, so that
 they are built once. A defect is a text of a file with the expression between [[ and ]] that it replaces, and
 the test binaries that are run with it: `math` is that of crates/math, `attack` that of crates/promises, the
-others are those of crates/truth. A defect that fewer than two tests catch fails the run; caught.md beside this
-file is what the whole run prints.
+others are those of crates/truth. A defect that fewer than two tests catch fails the run. caught.md beside this
+file has the row of each.
 """
 
 import json
@@ -92,34 +92,44 @@ def failures(binary, number):
     return [f"{name} {test}" for test in found] or ([f"{name} dies"] if done.returncode else [])
 
 
+HEAD = [
+    "# Defects that were planted, and the tests that caught them",
+    "",
+    "`python3 tests/planted/plant.py` plants each and writes this page; four of those that caught it are named.",
+    "",
+    "| defect | in | tests that fail | of them |",
+    "|---|---|---|---|",
+]
+
+
+def written():
+    """The rows of the page by defect: what a run of some defects leaves as it is."""
+    path = HERE / "caught.md"
+    rows = path.read_text().splitlines()[len(HEAD) :] if path.exists() else []
+    return {row.split(" | ")[0].removeprefix("| "): row for row in rows}
+
+
 def main():
     defects = json.loads((HERE / "defects.json").read_text())
-    asked = [int(number) for number in sys.argv[1:3]]
-    first, last = asked + [1, len(defects)][len(asked) :]
+    asked = {int(number) for number in sys.argv[1:]} or set(range(1, len(defects) + 1))
     plant(defects)
     binaries = build()
-    used = sorted({name for defect in defects[first - 1 : last] for name in defect["tests"]})
+    used = sorted({name for number in asked for name in defects[number - 1]["tests"]})
     sound = {name: failures(binaries[name], 0) for name in used}
     assert not any(sound.values()), f"without a defect: {sound}"
-    lines, missed = [], []
+    rows, lines, missed = written(), [], []
     for number, defect in enumerate(defects, 1):
-        if not first <= number <= last:
+        if number not in asked:
             continue
         caught = [test for name in defect["tests"] for test in failures(binaries[name], number)]
-        lines.append(f"| {defect['name']} | `{defect['file']}` | {len(caught)} | {', '.join(caught[:4])} |")
-        print(lines[-1], flush=True)
+        row = f"| {defect['name']} | `{defect['file']}` | {len(caught)} | {', '.join(caught[:4])} |"
+        print(row, flush=True)
+        lines.append(row)
+        rows[defect["name"]] = row
         if len(caught) < 2:
             missed.append(defect["name"])
-    if (first, last) == (1, len(defects)):
-        head = [
-            "# Defects that were planted, and the tests that caught them",
-            "",
-            "`python3 tests/planted/plant.py` plants each and writes this page; four of those that caught it are named.",
-            "",
-            "| defect | in | tests that fail | of them |",
-            "|---|---|---|---|",
-        ]
-        (HERE / "caught.md").write_text("\n".join(head + lines) + "\n")
+    page = [rows[defect["name"]] for defect in defects if defect["name"] in rows]
+    (HERE / "caught.md").write_text("\n".join(HEAD + page) + "\n")
     print(f"{len(lines) - len(missed)} of {len(lines)} defects caught by two tests or more")
     if missed:
         sys.exit(f"caught by fewer than two: {missed}")

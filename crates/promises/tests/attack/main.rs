@@ -3,6 +3,7 @@
 
 mod arithmetic;
 mod big;
+mod identities;
 mod optics;
 mod points;
 mod quantities;
