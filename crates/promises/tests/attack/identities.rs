@@ -45,12 +45,17 @@ fn energies_close() {
     close(PI * multiscatter::kulla_conty(0.3, 0.3, 0.3), 0.3, 1e-15);
     assert!(multiscatter::kulla_conty(0.3, 0.3, f64::NAN).is_nan());
     assert!(diffuse::kelemen(0.3, 0.3, f64::NAN).is_nan());
-    close(fresnel::conductor(1.0 + 1e-9, 1e-9, 1.0), fresnel::f0_of_conductor(1.0 + 1e-9, 1e-9), 1e-14);
+    // An index of 1 + d, to the first order: |d|^2 (1 + cos^2(2 theta))/(8 cos^4(theta)).
+    let (c, d) = (0.7, 1e-11);
+    let twice: f64 = 2.0 * c * c - 1.0;
+    let limit = 2.0 * d * d * (1.0 + twice * twice) / (8.0 * c * c * c * c);
+    close(fresnel::conductor(1.0 + d, d, c), limit, 1e-6);
     assert_eq!(footprint::width(1.0, 1e6), 1.0, "as wide as a lobe gets");
     let (rule, alpha) = (Gauss::new(64), 0.3);
     let area =
         rule.integrate(0.0, 1.0, |sine| 2.0 * PI * sine * sheen::lobe::distribution(alpha, [sine, 0.0, 0.0]));
     close(area, 1.0, 1e-6);
+    close(sheen::lobe::distribution(alpha, [1.0, 0.0, 0.0]), (2.0 + 1.0 / alpha) / (2.0 * PI), 1e-15);
 }
 
 #[test]
