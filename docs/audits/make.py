@@ -280,7 +280,11 @@ def files(folder, names):
     artefacts = [a for p in listed()["projects"] for a in p["artefacts"] if a["id"] in names]
     if len(artefacts) != len(set(names)):
         sys.exit("an artefact that zoo.json has not")
-    print("\n".join(place(folder, artefact) for artefact in artefacts))
+    made = [place(folder, artefact) for artefact in artefacts]
+    missing = [path for path in made if not os.path.exists(path)]
+    if missing:
+        sys.exit(f"not there: {', '.join(missing)}")
+    print("\n".join(made))
 
 
 if __name__ == "__main__":

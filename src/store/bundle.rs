@@ -113,15 +113,14 @@ impl<D: Disk> Folder<D> {
         created: &mut Vec<PathBuf>,
     ) -> Result<Prepared<D::Temp>, StoreError> {
         self.create_root(created)?;
-        // A folder that was removed in mid-run took its lock with it.
-        if self.lock.is_none() || !created.is_empty() {
-            let locked = self.acquire();
-            if matches!(locked, Err(StoreError::Busy { .. })) {
-                // What was made belongs to the other process now.
-                created.clear();
-            }
-            locked?;
+        // A folder that was removed in mid-run took its lock with it, whoever made it again.
+        self.lock = None;
+        let locked = self.acquire();
+        if matches!(locked, Err(StoreError::Busy { .. })) {
+            // What was made belongs to the other process now.
+            created.clear();
         }
+        locked?;
         self.sweep(files)?;
         let mut prepared = Prepared::default();
         for (name, bytes) in files {

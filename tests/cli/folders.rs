@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
-use crate::common::{bytes, first_stage, lobefit, lobefit_with, names, start, stderr};
+use crate::common::{bytes, first_stage, lobefit, lobefit_with, names, signal, start, stderr};
 
 /// A table that takes some tenths of a second.
 const SCENE: &str = r#"{"schema_version": 1, "reports": false, "languages": ["wgsl"], "materials": [
@@ -32,12 +32,17 @@ fn assert_ends(output: &Output, code: i32, words: &str) {
     assert!(said.contains(words), "`{words}` in {said}");
 }
 
-/// Runs a slow bake; once it is at work, `meddle` changes what lies around it.
-fn meddled(at: &Path, meddle: impl FnOnce()) -> Output {
-    let mut child = start(&at.join("cache"), at, &SLOW);
+/// Runs a slow bake; once it is at work, it stands still while `meddle` changes what lies around it.
+fn meddled(mut child: Child, meddle: impl FnOnce()) -> Output {
     first_stage(&mut child);
+    signal(&child, "STOP");
     meddle();
+    signal(&child, "CONT");
     child.wait_with_output().unwrap()
+}
+
+fn slow(at: &Path) -> Child {
+    start(&at.join("cache"), at, &SLOW)
 }
 
 /// The second of two bakes into one folder is refused before its work.
@@ -47,7 +52,7 @@ fn of_two_bakes_into_one_folder_the_second_is_refused() {
     let (folder, whole) = scene();
     let at = folder.path();
     fs::create_dir(at.join("out")).unwrap();
-    let first = meddled(at, || {
+    let first = meddled(slow(at), || {
         assert_ends(&lobefit(at, &WARM, b""), 3, BUSY);
         assert!(names(&at.join("out")).is_empty(), "it has written nothing");
     });
@@ -73,7 +78,16 @@ fn a_folder_that_is_removed_in_mid_run_is_made_again() {
     let at = folder.path();
     let out = at.join("out");
     fs::create_dir(&out).unwrap();
-    let output = meddled(at, || fs::remove_dir(&out).unwrap());
+    let output = meddled(slow(at), || fs::remove_dir(&out).unwrap());
+    assert_ends(&output, 0, "");
+    assert!(bytes(&out) == whole);
+    // One that somebody else makes again is locked all the same.
+    fs::remove_dir_all(&out).unwrap();
+    fs::create_dir(&out).unwrap();
+    let output = meddled(slow(at), || {
+        fs::remove_dir(&out).unwrap();
+        fs::create_dir(&out).unwrap();
+    });
     assert_ends(&output, 0, "");
     assert!(bytes(&out) == whole);
     // The folder that the program stands in cannot be made again.
@@ -86,10 +100,8 @@ fn a_folder_that_is_removed_in_mid_run_is_made_again() {
 fn meddled_here(at: &Path) -> Output {
     let here = at.join("here");
     fs::create_dir(&here).unwrap();
-    let mut child = start(&at.join("cache"), &here, &["bake", "../scene.json", "--no-cache"]);
-    first_stage(&mut child);
-    fs::remove_dir(&here).unwrap();
-    child.wait_with_output().unwrap()
+    let child = start(&at.join("cache"), &here, &["bake", "../scene.json", "--no-cache"]);
+    meddled(child, || fs::remove_dir(&here).unwrap())
 }
 
 #[test]
@@ -104,7 +116,7 @@ fn what_comes_into_the_way_in_mid_run_is_named_and_stays() {
         ("out/manifest.json", false, "error: out/manifest.json: not the manifest of a bake"),
     ] {
         fs::create_dir(&out).unwrap();
-        let output = meddled(at, || {
+        let output = meddled(slow(at), || {
             if place == "out" {
                 fs::remove_dir(&out).unwrap();
             }
@@ -161,7 +173,9 @@ fn as_user(at: &Path, words: &[&str]) -> Output {
     const NOBODY: u32 = 65534;
     // That user may not be able to reach the folder of the build.
     let program = at.join("program");
-    fs::copy(env!("CARGO_BIN_EXE_lobefit"), &program).unwrap();
+    // Copied by another process: a child of another test would hold the file open for writing.
+    let copied = Command::new("cp").arg(env!("CARGO_BIN_EXE_lobefit")).arg(&program).status();
+    assert!(copied.unwrap().success());
     let mut command = Command::new(&program);
     command.args(words).current_dir(at).env("LOBEFIT_CACHE", at.join("cache"));
     if fs::metadata(&program).unwrap().uid() == 0 {

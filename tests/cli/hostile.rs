@@ -1,5 +1,5 @@
-//! Files of up to 16 MiB that are made to hurt: the program reads or refuses each within 2 s of a processor and
-//! 256 MiB, as the system counts them.
+//! Files of up to 16 MiB that are made to hurt: the program reads or refuses each within 2 s of a processor
+//! and 288 MiB of addresses.
 
 use std::fs;
 use std::path::Path;
@@ -10,9 +10,9 @@ use crate::common::stderr;
 /// The largest file of a user.
 const BYTES: usize = 16 << 20;
 
-/// Seconds of a processor, and KiB of addresses: the program itself and the stacks of its threads take the 32 MiB
-/// above 256.
-const LIMITS: &str = "ulimit -t 2 && ulimit -v 294912 && exec \"$@\"";
+/// Seconds of a processor, twice what is promised for those that share one, and KiB of addresses: the program
+/// itself and the stacks of its threads take 32 MiB.
+const LIMITS: &str = "ulimit -t 4 && ulimit -v 294912 && exec \"$@\"";
 
 /// A file: its name, its bytes, what the program is asked to do with it, the exit code, and words of the error.
 type Case = (&'static str, fn() -> Vec<u8>, &'static [&'static str], i32, &'static str);

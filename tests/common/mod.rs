@@ -77,6 +77,13 @@ pub fn stderr(output: &Output) -> String {
     text.split_inclusive('\n').filter(|line| !stage(line)).collect()
 }
 
+/// Sends a signal by its name to a program that has not ended.
+#[allow(dead_code, reason = "some tests stop or break off a program at work")]
+pub fn signal(child: &Child, name: &str) {
+    let sent = Command::new("sh").arg("-c").arg(format!("kill -{name} {}", child.id())).status();
+    assert!(sent.expect("a shell").success());
+}
+
 /// Waits until a program that was started announces its first stage: it is at work, and has written
 /// nothing.
 #[allow(dead_code, reason = "some tests change what lies around a program at work")]

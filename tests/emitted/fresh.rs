@@ -13,8 +13,8 @@ use rand_pcg::Pcg64;
 /// Points at once.
 const CHUNK: usize = 1 << 20;
 
-/// The largest error of each fit at points of its quantity's inputs, beside its certificate; both with
-/// what the truth there is off by.
+/// Holds each fit at points of its quantity's inputs to its certificate, with what the truth there is off
+/// by.
 fn held(fits: &[(&Fit, &[String])], of: &str, column: &str, points: &Points, roughness: &[f32]) {
     let quantity = quantity::find(of).expect("a quantity");
     let variant = Variant::from(Smith::Correlated).of(quantity.choices());

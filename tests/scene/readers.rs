@@ -38,7 +38,13 @@ pub const READERS: [Reader; 7] = [
     Reader {
         name: "gltf",
         read: |bytes| foreign(Format::Gltf, bytes),
-        seeds: &["examples/gltf/painted.glb"],
+        seeds: &[
+            "examples/gltf/painted.glb",
+            "examples/gltf/metal.glb",
+            "examples/gltf/glass.glb",
+            "examples/gltf/brushed.glb",
+            "examples/gltf/cloth.glb",
+        ],
     },
     Reader {
         name: "materialx",

@@ -88,11 +88,13 @@ pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Di
                 let (html, figures) = record::page(&record)
                     .map_err(|source| CliError::Record { file: file.clone(), source })?;
                 let shown = found.get(&page).map_or(&[][..], Vec::as_slice);
-                let pairs = [(&figures[..], &bytes[..]), (html.as_bytes(), shown)];
-                if let Some((made, found)) = pairs.into_iter().find(|(made, found)| made != found) {
-                    let place = bake::different_text(&page, made, found).detail;
-                    let detail =
-                        format!("not the page of {file}: {place}; make it with lobefit cost --page {file}");
+                let pairs = [(&file, &figures[..], &bytes[..]), (&page, html.as_bytes(), shown)];
+                let differs = pairs.into_iter().find(|(_, made, found)| made != found);
+                if let Some((other, made, found)) = differs {
+                    let place = bake::different_text(other, made, found).detail;
+                    let detail = format!(
+                        "not the page of {file}: {other}, {place}; make it with lobefit cost --page {file}"
+                    );
                     differences.push(Difference::plain(&page, bake::Kind::Different, &detail));
                 }
                 let (device, rows) = (record.device.adapter, record.rows.len());

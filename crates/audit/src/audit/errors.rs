@@ -122,7 +122,7 @@ impl<'a> Residuals<'a> {
         rms / self.bounded(texels)
     }
 
-    /// The same of all that are judged; infinite where none is.
+    /// The same of all that are judged; infinite where there are no texels to judge.
     pub(super) fn of_all(&self) -> f64 {
         if self.judged.is_empty() { f64::INFINITY } else { self.misfit(&self.judged) }
     }

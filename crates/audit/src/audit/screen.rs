@@ -75,7 +75,10 @@ pub(super) fn screen(
     fixed: &Fixed,
     lobes: &[usize],
 ) -> Result<Sieved, AuditError> {
-    let mut sieved = Sieved { list: Vec::new(), misfits: vec![f64::INFINITY; sample.values.len()] };
+    // A channel that nothing is asked of is not far from it.
+    let asked = |k: usize| fixed.meanings.as_ref().is_none_or(|given| given[k].is_some());
+    let misfits = (0..sample.values.len()).map(|k| if asked(k) { f64::INFINITY } else { 0.0 }).collect();
+    let mut sieved = Sieved { list: Vec::new(), misfits };
     let axes = sample.size.len();
     let at_once = axes < 3 && lobes.iter().all(|lobe| truth.lobes()[*lobe].form.integrand.is_none());
     let mut rough = Vec::new();
@@ -200,6 +203,11 @@ impl Task<'_> {
             let rank = |c: &&Candidate| c.fitted.misfits[channel].map_or(f64::INFINITY, |m| m.rank());
             let nearest = fitted.iter().min_by(|a, b| rank(a).total_cmp(&rank(b)));
             *least = nearest.map_or(*least, |c| least.min(all.misfit(c, channel)));
+        }
+        if self.fixed.meanings.is_none() && self.fixed.column.is_some() {
+            // One of the channels is the column.
+            let least = sieved.misfits.iter().copied().fold(f64::INFINITY, f64::min);
+            sieved.misfits.fill(least);
         }
         sieved.list = best([std::mem::take(&mut sieved.list), best(fitted, most)].concat(), KEPT);
         Ok(())

@@ -109,7 +109,14 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
     let name = name.replace("F0", "f0");
     if name.contains('=') {
         let (ranged, ends) = range(&name)?;
-        let Ranged::Input(input) = ranged else { return Err("the ends of alpha are called for".into()) };
+        let Ranged::Input(input) = ranged else {
+            return Err("an axis that is even in roughness between two ends is not known; \
+                        state INPUT=LOW..HIGH of alpha, mu, ior or anisotropy"
+                .into());
+        };
+        if ends.iter().any(|end| !end.is_finite()) {
+            return Err("two finite ends are called for, as ior=1.1..2.2".into());
+        }
         // Options live as long as the program.
         return Ok((Scale::Span(Box::leak(Box::new(Span { input, ends, name }))), reversed));
     }

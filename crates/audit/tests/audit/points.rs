@@ -1,4 +1,4 @@
-//! The points of an outside trial, each of which an audit once got wrong, on tables of the test's own.
+//! Tables that an audit may misread: clamped, truncated, encoded, with a channel of nothing known.
 
 use crate::common;
 
@@ -11,7 +11,8 @@ use lobefit_audit::audit::{
 use lobefit_audit::foreign::{Hints, Step, Surroundings, read_functions, read_table};
 use lobefit_math::ops;
 use lobefit_truth::integrate::reflection::{Effort, split};
-use lobefit_truth::quantity;
+use lobefit_truth::quantity::{self, Quantity, SCHLICK_SMITH};
+use rayon::prelude::*;
 
 const N: usize = 32;
 
@@ -83,10 +84,10 @@ fn no_remedy_is_stated_of_a_registration_that_is_open() {
     assert!(!remedy.contains("compute texel") && !remedy.contains("sample at"), "{remedy}");
 }
 
-/// Point 6: mantissas of seven bits that were cut off, of end points, are neither a shift nor a mixture of
+/// Mantissas of seven bits that were cut off, of end points, are neither a shift nor a mixture of
 /// end points and centres.
 #[test]
-fn point_6_a_truncated_table_of_end_points_is_one() {
+fn a_truncated_table_of_end_points_is_one() {
     let cut = |x: f64| {
         let step = ops::pow(2.0, ops::log2(x).floor() - 6.0);
         (x / step).floor() * step
@@ -96,10 +97,10 @@ fn point_6_a_truncated_table_of_end_points_is_one() {
     assert!(found.plain.is_none(), "{:?}", found.plain);
 }
 
-/// Point 2: conductors clamped at two widths, each stated, are right to rounding; unstated, they are not
+/// Conductors clamped at two widths, each stated, are right to rounding; unstated, they are not
 /// said to be of other code beyond the clamped rows.
 #[test]
-fn point_2_clamps_are_stated() {
+fn clamps_are_stated() {
     for clamp in [0.02, 0.035] {
         let e = |x: usize, y: usize| ggx((centre(y) * centre(y)).max(clamp).sqrt(), centre(x)).0;
         let clamped = table(&[("R", &e)]);
@@ -110,10 +111,10 @@ fn point_2_clamps_are_stated() {
     }
 }
 
-/// Point 3: of three channels the third follows nothing. The others are judged without it, a limit needs
+/// Of three channels the third follows nothing. The others are judged without it, a limit needs
 /// `-` for it.
 #[test]
-fn point_3_a_channel_of_nothing_known_is_left_out_by_a_dash() {
+fn a_channel_of_nothing_known_is_left_out_by_a_dash() {
     let (a, b) =
         (|x: usize, y: usize| ggx(centre(y), centre(x)).0, |x: usize, y: usize| ggx(centre(y), centre(x)).1);
     let odd = |x: usize, y: usize| 0.5 + 0.5 * ops::sin(9.0 * centre(x)) * ops::cos(7.0 * centre(y));
@@ -124,12 +125,27 @@ fn point_3_a_channel_of_nothing_known_is_left_out_by_a_dash() {
     is_formed(&found);
     let dashed = Fixed { meanings: Some(vec![Some(Column::E), Some(Column::B), None]), ..Fixed::default() };
     assert!(run(&shipped, "ggx-reflection", &dashed).passes(Some(1e-6)));
+    // Under another shadowing, too, that is found without the channel.
+    let smith = Smith::Separable.into();
+    let schlick: Vec<Vec<f64>> = (0..N * N)
+        .into_par_iter()
+        .map(|i| {
+            let (rough, mu) = (centre(i / N), centre(i % N));
+            SCHLICK_SMITH[0].at(&smith, &[rough * rough, mu], 1e-7).unwrap()
+        })
+        .collect();
+    let [a, b] = [0, 2].map(|k| {
+        let schlick = &schlick;
+        move |x: usize, y: usize| schlick[y * N + x][k]
+    });
+    let shipped = table(&[("R", &a), ("G", &b), ("B", &odd)]);
+    assert!(run(&shipped, "ggx-reflection", &dashed).passes(Some(1e-4)));
 }
 
-/// Point 5, of encodings: an exact table of E in 8 bits of sRGB is what rounding leaves, at each value
+/// An exact table of E in 8 bits of sRGB is what rounding leaves, at each value
 /// the step there.
 #[test]
-fn point_5_a_step_of_srgb_is_that_at_the_value() {
+fn a_step_of_srgb_is_that_at_the_value() {
     let encoded = |x: f64| {
         let curve = if x <= 0.04045 / 12.92 { x * 12.92 } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 };
         (curve * 255.0).round() / 255.0
@@ -152,10 +168,10 @@ fn point_5_a_step_of_srgb_is_that_at_the_value() {
     assert!(refused.unwrap_err().to_string().contains("--encoding"));
 }
 
-/// Point 15: the first line has the grade, the quantity, the error and the limit; at most five points
+/// The first line has the grade, the quantity, the error and the limit; at most five points
 /// follow, none of them a page.
 #[test]
-fn point_15_a_verdict_is_a_line_and_five_points() {
+fn a_verdict_is_a_line_and_five_points() {
     let (e, b) =
         (|x: usize, y: usize| ggx(end(y), end(x)).0, |x: usize, y: usize| ggx(centre(y), centre(x)).1);
     let split = |x: usize, y: usize| ggx(centre(y), centre(x)).0 - b(x, y);

@@ -31,9 +31,9 @@ fn too_many() -> String {
     format!("more than {XML_NODES} elements and texts")
 }
 
-/// Follows tags only: how many elements and comments there are, how deep elements stand in one another, how many
-/// attributes each has, and how many namespaces are declared. A parser reserves room for these, compares and
-/// copies them.
+/// Follows tags only: how many elements and comments there are, how deep elements stand in one another,
+/// how many attributes each has, and how many namespaces are declared. A parser reserves room for these,
+/// compares and copies them.
 fn bounded(bytes: &[u8]) -> Result<(), (usize, String)> {
     let (mut at, mut depth, mut namespaces, mut nodes) = (0, 0_usize, 0, 0);
     while let Some(start) = find(bytes, at, b"<") {

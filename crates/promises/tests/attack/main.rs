@@ -54,14 +54,18 @@ impl Attack {
         let of = |(ours, exact): (f64, &Big)| {
             let bar = promise.relative * exact.abs().to_f64() + promise.absolute + FLOOR;
             let off = if ours.is_finite() { (Big::from(ours) - exact).abs().to_f64() } else { f64::INFINITY };
-            if off == 0.0 { 0.0 } else { off / bar }
+            let off = if off == 0.0 { 0.0 } else { off / bar };
+            if off.is_nan() { f64::INFINITY } else { off }
         };
         let ours = (self.ours)(x);
-        ours.into_iter().zip(&(self.exact)(&big)).map(of).fold(0.0, f64::max)
+        let exact = (self.exact)(&big);
+        assert_eq!(ours.len(), exact.len(), "{}", self.name);
+        ours.into_iter().zip(&exact).map(of).fold(0.0, f64::max)
     }
 }
 
-/// A number of trials, times `LOBEFIT_TRIALS` where that is set: more by night, fewer where defects are planted.
+/// A number of trials, times `LOBEFIT_TRIALS` where that is set: more by night, fewer where defects are
+/// planted.
 pub(crate) fn trials(usual: u64) -> u64 {
     let times: f64 =
         std::env::var("LOBEFIT_TRIALS").map_or(1.0, |text| text.parse().expect("LOBEFIT_TRIALS"));

@@ -116,7 +116,8 @@ fn apart(of: &dyn Quantity, variant: &Variant, x: &[f64], seed: u64) -> Option<f
     let error = values[values.len() - 1];
     let off = sampled.iter().zip(&values).map(|(sampled, value)| {
         let off = (sampled.value - value).abs() - error - 1e-13;
-        if off <= 0.0 { 0.0 } else { off / sampled.standard_error }
+        let off = if off <= 0.0 { 0.0 } else { off / sampled.standard_error };
+        if off.is_nan() { f64::INFINITY } else { off }
     });
     Some(off.fold(0.0, f64::max))
 }

@@ -62,7 +62,8 @@ pub fn dielectric(ior: f64, c: f64) -> f64 {
 }
 
 /// 2 int_0^1 F(c) c dc of [`dielectric`], to 1e-12: panels graded to the branch point at c = i
-/// sqrt(ior^2 - 1); 0 at ior = 1, NaN below it. Duntley 1942 has it in closed form, which cancels near ior = 1.
+/// sqrt(ior^2 - 1); 0 at ior = 1, NaN below it. Duntley 1942 has it in closed form, which cancels near
+/// ior = 1.
 pub fn dielectric_average(ior: f64) -> f64 {
     static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(24));
     let branch = ((ior - 1.0) * (ior + 1.0)).sqrt();

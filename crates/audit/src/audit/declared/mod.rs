@@ -168,7 +168,7 @@ pub fn declared(
     };
     let look = Look { table: &audited, said: &said, at: &even, wanted };
     let mut held = look.errors(truth, &base).map_err(odd)?;
-    let nodes = nodes::nodes(&audited, &said, &domain);
+    let (texels, nodes) = nodes::nodes(&audited, &said, &domain);
     if !nodes.is_empty() {
         let look = Look { at: &|i| nodes[i].clone(), ..look };
         let base = truth.at(OWN, &nodes)?;
@@ -188,7 +188,7 @@ pub fn declared(
         held,
         claimed: said.claimed,
         truth_error: truth.bound(OWN),
-        texels: nodes.len(),
+        texels,
         places: domain.places,
         beyond: domain.beyond,
         cut: domain.cut,

@@ -17,13 +17,14 @@ const HALVINGS: usize = 32;
 /// Inputs by name, in the order of the truth.
 pub(super) type Inputs = Vec<(&'static str, f64)>;
 
-/// The inputs at the texels that are judged, where the file claims something.
-pub(super) fn nodes(table: &AuditedTable, said: &Statement, domain: &Domain) -> Vec<Inputs> {
+/// How many texels are judged, where the file claims something, and the inputs there.
+pub(super) fn nodes(table: &AuditedTable, said: &Statement, domain: &Domain) -> (usize, Vec<Inputs>) {
     let count = table.channels.first().map_or(0, |c| c.values.len());
     let texels = if count > ALL { outstanding(table) } else { (0..count).collect() };
-    let mut found = Vec::new();
+    let (mut judged, mut found) = (0, Vec::new());
     for texel in texels {
         let Some(known) = inverse(&place(texel, &table.size), table, said) else { continue };
+        let from = found.len();
         // What runs along no axis, as the azimuth, is judged at both ends of its range.
         for last in [false, true] {
             let input = |(name, list): &(&'static str, Vec<f64>)| {
@@ -34,10 +35,11 @@ pub(super) fn nodes(table: &AuditedTable, said: &Statement, domain: &Domain) -> 
                     .then_some((*name, x.clamp(low, high)))
             };
             let all: Option<Inputs> = domain.places.iter().map(input).collect();
-            found.extend(all.filter(|inputs| !found.contains(inputs)));
+            found.extend(all.filter(|inputs| !found[from..].contains(inputs)));
         }
+        judged += usize::from(found.len() > from);
     }
-    found
+    (judged, found)
 }
 
 /// Texels that are farthest from the mean of their neighbours, along the axis where they are least so.
