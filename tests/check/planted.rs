@@ -257,8 +257,14 @@ fn the_program_says_it(baked: &Baked) {
         text.truncate(if end == "json" { text.len() / 2 } else { text.len() });
         text
     });
-    expected.insert("reports/gpu/page.html", &["not the page of reports/gpu/page.json: line ", "<h2"]);
-    expected.insert("reports/gpu/figure.html", &["not the page of reports/gpu/figure.json: line "]);
+    expected.insert(
+        "reports/gpu/page.html",
+        &["not the page of reports/gpu/page.json: reports/gpu/page.html, line ", "<h2"],
+    );
+    expected.insert(
+        "reports/gpu/figure.html",
+        &["not the page of reports/gpu/figure.json: reports/gpu/figure.html, line "],
+    );
     expected.insert("reports/gpu/cut.json", &["no record of lobefit cost --gpu --record", "line "]);
     let output = lobefit(folder.path(), &["check", "-", "--json"], SCENE.as_bytes());
     assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(1), ""));

@@ -7,6 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::emit_support::{self, example::text};
 use lobefit::bake::Baked;
+use lobefit_math::ops;
 use lobefit_promises::promises;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Real, Source, Tape};
@@ -163,7 +164,7 @@ fn point(random: &mut Pcg64, tape: &Tape, beyond: bool) -> Option<Vec<f32>> {
     for (name, inside, outside) in &RANGES {
         let [low, high] = if beyond { outside } else { inside };
         let between = low + (high - low) * random.random::<f32>();
-        let near = low + (high - low) * 10_f32.powf(-6.0 * random.random::<f32>());
+        let near = low + (high - low) * ops::powf(10.0, -6.0 * random.random::<f32>());
         drawn.push((name, [*low, *high, between, between, near, near][random.random_range(0..6)]));
     }
     let of = |name: &str| drawn.iter().find(|(other, _)| *other == name).map(|(_, x)| *x);

@@ -4,7 +4,7 @@ use lobefit_audit::audit::{AuditedTable, Channel, Fit, Fixed, Scale, Source, aud
 use lobefit_audit::foreign::Step;
 use lobefit_truth::quantity;
 
-/// A table of four channels of which none is of anything.
+/// A table of four channels that are of nothing.
 fn odd(size: &[usize], step: Step) -> AuditedTable {
     let texels: usize = size.iter().product();
     let value = |i: usize, c: usize| {
@@ -26,10 +26,10 @@ fn odd(size: &[usize], step: Step) -> AuditedTable {
     }
 }
 
-/// Point 16: a file that follows nothing is the dearest, for everything is tried on it: four encodings,
+/// A file that follows nothing is the dearest, for everything is tried on it: four encodings,
 /// other quantities, each channel. One truth serves all of these, and what loses is judged at few texels.
 #[test]
-fn point_16_a_file_of_nothing_stays_within_a_budget() {
+fn a_file_of_nothing_stays_within_a_budget() {
     let spent = |table: &AuditedTable, quantity: &str, fixed: &Fixed| {
         let before = work();
         let found = audit(table, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
