@@ -27,16 +27,18 @@ fn jitter(i: usize, j: usize) -> f64 {
     (h >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-type Filled<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
+/// A channel: its name, and its value at a column and a row.
+pub(crate) type Filled<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
 
-fn table(channels: &[Filled]) -> AuditedTable {
+/// A table as engines ship it, of so many columns and rows.
+pub(crate) fn square(side: usize, channels: &[Filled]) -> AuditedTable {
     let channel = |(name, f): &Filled| Channel {
         name: name.to_string(),
-        values: (0..N * N).map(|i| f(i % N, i / N)).collect(),
+        values: (0..side * side).map(|i| f(i % side, i / side)).collect(),
     };
     AuditedTable {
         what: "shipped".into(),
-        size: vec![N, N],
+        size: vec![side, side],
         axes: AuditedTable::axes_of(2),
         source: Source::Table,
         channels: channels.iter().map(channel).collect(),
@@ -45,7 +47,11 @@ fn table(channels: &[Filled]) -> AuditedTable {
     }
 }
 
-fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
+fn table(channels: &[Filled]) -> AuditedTable {
+    square(N, channels)
+}
+
+pub(crate) fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
     let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
     eprintln!(
         "{}\n{:?}",

@@ -1,12 +1,13 @@
 //! Tables that an audit may misread: clamped, truncated, encoded, with a channel of nothing known.
 
+use crate::channels::{Filled, run, square};
 use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
     Audit, AuditedTable, Channel, Column, Defect, ENCODINGS, Fit, Fixed, Grade, Input, Other, Registration,
-    Scale, Source, Span, audit, declared, sampled,
+    Scale, Span, audit, declared, sampled,
 };
 use lobefit_audit::foreign::{Hints, Step, Surroundings, read_functions, read_table};
 use lobefit_math::ops;
@@ -36,28 +37,8 @@ fn jitter(i: usize, j: usize, seed: u64) -> f64 {
     (h >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-type Filled<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
-
 fn table(channels: &[Filled]) -> AuditedTable {
-    let channel = |(name, f): &Filled| Channel {
-        name: name.to_string(),
-        values: (0..N * N).map(|i| f(i % N, i / N)).collect(),
-    };
-    AuditedTable {
-        what: "shipped".into(),
-        size: vec![N, N],
-        axes: AuditedTable::axes_of(2),
-        source: Source::Table,
-        channels: channels.iter().map(channel).collect(),
-        step: Step::None,
-        dead: Vec::new(),
-    }
-}
-
-fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
-    let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
-    eprintln!("{}", found.verdict(None));
-    found
+    square(N, channels)
 }
 
 fn registrations(found: &Audit) -> Vec<Registration> {
