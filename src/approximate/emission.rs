@@ -172,14 +172,11 @@ impl Emission {
     /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate
     /// where none keeps it, or where a budget alone is stated.
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
-        let limit = self.limit(max_ops);
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
-        let affordable = |i: &usize| self.within.is_some_and(|most| ops(&fits[*i]) <= most);
-        let bar = of_norm.iter().filter(|i| affordable(i)).map(|&i| error(&fits[i], norm)).reduce(f64::min);
-        let keeping = of_norm.iter().copied().filter(|&i| {
-            limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit)
-                && bar.is_none_or(|bar| error(&fits[i], norm) <= bar)
-        });
+        let bar = self.bar(of_norm.iter().map(|&i| &fits[i]), norm);
+        let limit = self.limit(max_ops);
+        let keeps = |i: &usize| limit.is_some_and(|limit| keeps(&fits[*i], norm, limit, bar));
+        let keeping = of_norm.iter().copied().filter(keeps);
         let price = |i: &usize| fits[*i].price;
         let cheapest = keeping.min_by(|a, b| price(a).total_cmp(&price(b)).then(least(a, b)));
         cheapest.or_else(|| of_norm.iter().copied().min_by(least))
@@ -191,11 +188,26 @@ impl Emission {
         self.max_error.or(free.then_some(USUAL_ERROR))
     }
 
-    /// The error at which a search through formulas of growing cost ends: of what is dearer nothing is
+    /// The least error of the fits within the operations that another demand allows itself: what is taken
+    /// is no less accurate. None where nobody has such a budget.
+    fn bar<'f>(&self, fits: impl Iterator<Item = &'f Fit>, norm: Norm) -> Option<f64> {
+        let affordable = fits.filter(|fit| self.within.is_some_and(|most| ops(fit) <= most));
+        affordable.map(|fit| error(fit, norm)).reduce(f64::min)
+    }
+
+    /// The error at which a search through formulas of growing cost may end: of what is dearer nothing is
     /// emitted or shown. None where all are asked for.
     pub(super) fn enough(&self, max_ops: Option<u32>) -> Option<f64> {
-        let one = self.pick == Pick::Best && !self.shown && self.within.is_none();
+        let one = self.pick == Pick::Best && !self.shown;
         self.limit(max_ops).filter(|_| one)
+    }
+
+    /// Whether a search that has these fits, among them all of at most [`Emission::within`] operations, and
+    /// goes on with formulas of at least a price, has the one to take in a norm already.
+    pub(super) fn settled(&self, fits: &[&Fit], norm: Norm, limit: f64, price: f64) -> bool {
+        let of_norm = || fits.iter().copied().filter(|fit| fit.norm() == norm.name());
+        let bar = self.bar(of_norm(), norm);
+        of_norm().any(|fit| fit.price < price && keeps(fit, norm, limit, bar))
     }
 
     /// The formula as a function of this name with the arguments that are asked for. Its own
@@ -241,6 +253,11 @@ fn frontier(fits: &[Fit], of_norm: &[usize], norm: Norm) -> Vec<usize> {
         better
     });
     order
+}
+
+/// Whether a fit keeps a limit on its largest error, and is no worse than the bar in its norm.
+fn keeps(fit: &Fit, norm: Norm, limit: f64, bar: Option<f64>) -> bool {
+    fit.approximation.certificate.max_abs <= limit && bar.is_none_or(|bar| error(fit, norm) <= bar)
 }
 
 fn ops(fit: &Fit) -> u32 {

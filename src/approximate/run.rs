@@ -186,23 +186,25 @@ impl<'a> Stage<'a> {
         (jobs, results)
     }
 
-    /// The fits of formulas of growing cost, until one in each norm is within a limit.
+    /// The fits of formulas of growing cost, until the one to take in each norm is among them.
     fn fits_within(&self, formulas: Vec<Hypothesis>, limit: f64) -> Result<Results, FitStageError> {
-        let price = |h: Hypothesis| Ok((self.wanted.emission.price(&h)?, h));
+        let Wanted { emission, norms, .. } = self.wanted;
+        let price = |h: Hypothesis| Ok((emission.price(&h)?, h));
         let mut priced = formulas.into_iter().map(price).collect::<Result<Vec<_>, FitStageError>>()?;
         priced.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut jobs, mut results) = (Vec::new(), Vec::new());
-        let keeps = |norm: &Norm, results: &[Result<Fit, FitStageError>]| {
-            let within =
-                |fit: &Fit| fit.norm() == norm.name() && fit.approximation.certificate.max_abs <= limit;
-            results.iter().flatten().any(within)
-        };
-        while !priced.is_empty() && !self.wanted.norms.iter().all(|norm| keeps(norm, &results)) {
+        let is_within = |h: &Hypothesis| emission.within.is_some_and(|most| h.tape().cost_ops() <= most);
+        let (within, mut priced): (Vec<_>, Vec<_>) = priced.into_iter().partition(|(_, h)| is_within(h));
+        let formulas = |some: Vec<(f64, Hypothesis)>| some.into_iter().map(|(_, h)| h).collect::<Vec<_>>();
+        let (mut jobs, mut results) = self.fits(&formulas(within), By::Us);
+        while let Some((least, _)) = priced.first() {
+            let fits: Vec<&Fit> = results.iter().flatten().collect();
+            if norms.iter().all(|norm| emission.settled(&fits, *norm, limit, *least)) {
+                break;
+            }
             // Formulas of one price go together: of equals the more accurate is taken.
             let last = priced[TOGETHER.min(priced.len()) - 1].0;
             let rest = priced.split_off(priced.partition_point(|(price, _)| *price <= last));
-            let some: Vec<Hypothesis> = priced.into_iter().map(|(_, h)| h).collect();
-            let (more, fits) = self.fits(&some, By::Us);
+            let (more, fits) = self.fits(&formulas(priced), By::Us);
             jobs.extend(more);
             results.extend(fits);
             priced = rest;

@@ -46,7 +46,7 @@ pub(super) struct Options {
     /// Bake these effects only and keep what an older bake of the same recipe, by the same build of
     /// lobefit, left in the output folder of the others. An effect that the scene does not call for
     /// is refused with the reason from the plan
-    #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
+    #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect())]
     pub only: Vec<String>,
     /// Make piece K of N, the file shard-K-of-N.lobefit in the output folder and nothing else; `lobefit
     /// merge` puts the pieces together. An effect is in one piece

@@ -102,11 +102,11 @@ pub struct Options {
     #[arg(long, value_name = "BYTES")]
     pub max_bytes: Option<u64>,
     /// Count what functions cost on this vendor's GPUs, by the model of its compiled code
-    #[arg(long, value_name = "VENDOR", value_parser = vendor, requires = "limited")]
+    #[arg(long, value_name = "VENDOR", value_parser = vendor(), requires = "limited")]
     pub vendor: Option<Vendor>,
     /// The language of the snippets: rust, wgsl, hlsl, glsl, msl or c; by default wgsl, or the scene's
     /// first where it asks for others alone
-    #[arg(long, value_name = "LANGUAGE", value_parser = language, requires = "limited")]
+    #[arg(long, value_name = "LANGUAGE", value_parser = language(), requires = "limited")]
     pub language: Option<Language>,
     /// Time the emitted WGSL on a graphics processor instead; writes nothing without --record
     #[arg(long)]

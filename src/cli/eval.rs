@@ -76,7 +76,7 @@ pub(super) enum Method {
 #[derive(Args)]
 pub(super) struct Options {
     /// Quantity to compute
-    #[arg(value_parser = quantity)]
+    #[arg(value_parser = quantity())]
     pub quantity: &'static dyn Quantity,
     /// CSV file with a header (`-`: standard input)
     #[arg(long, value_name = "IN.csv")]
@@ -89,7 +89,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "WORD|FILE")]
     pub kernel: Option<String>,
     /// Shadowing form: correlated or separable
-    #[arg(long, value_name = "S", value_parser = smith, default_value = "correlated")]
+    #[arg(long, value_name = "S", value_parser = smith(), default_value = "correlated")]
     pub smith: Smith,
     /// Largest error to accept of a value; without it, the quantity's own promise (1e-4 where the
     /// kernel is a table, 1e-3 of one that ends with a jump)

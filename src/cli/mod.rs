@@ -22,6 +22,7 @@ pub mod points;
 pub mod progress;
 mod scene_from;
 mod schema;
+pub mod word;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
+use super::word::Words;
 use crate::bake::{SHARDS, Shard};
 use crate::data::{Smith, Vendor};
 use crate::effects::catalogue;
@@ -75,12 +76,8 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 /// The name of an effect.
-pub fn effect(text: &str) -> Result<String, String> {
-    let names: Vec<&str> = catalogue().iter().map(|effect| effect.name()).collect();
-    match names.contains(&text) {
-        true => Ok(text.into()),
-        false => Err(format!("no such effect; the effects are {}", names.join(", "))),
-    }
+pub fn effect() -> Words<String> {
+    Words::one_of("effect", catalogue().iter().map(|effect| (effect.name(), effect.name().into())))
 }
 
 /// One of the pieces of a bake.
@@ -89,26 +86,43 @@ pub fn shard(text: &str) -> Result<Shard, String> {
         .ok_or_else(|| format!("K/N with whole numbers, K from 1 to N, N at most {SHARDS}, is called for"))
 }
 
+/// The names of all quantities.
+fn quantities() -> Vec<&'static str> {
+    QUANTITIES.iter().map(|quantity| quantity.name()).collect()
+}
+
 /// The quantity of a name.
-pub fn quantity(name: &str) -> Result<&'static dyn Quantity, String> {
-    quantity::find(name).ok_or_else(|| {
-        let names: Vec<&str> = QUANTITIES.iter().map(|q| q.name()).collect();
-        format!("no such quantity in this version; the quantities are {}", names.join(", "))
+///
+/// # Errors
+/// The names that there are.
+pub fn quantity_of(name: &str) -> Result<&'static dyn Quantity, String> {
+    quantity::find(name)
+        .ok_or_else(|| format!("no such quantity in this version; there are {}", quantities().join(", ")))
+}
+
+/// The name of a quantity.
+pub fn quantity() -> Words<&'static dyn Quantity> {
+    Words::read(quantities(), quantity_of)
+}
+
+/// `QUANTITY[:COLUMN]`, as a reader of quantity and column has it.
+pub fn quantity_column<T: Clone + Send + Sync + 'static>(
+    read: impl Fn(&'static dyn Quantity, Option<&str>) -> Result<T, String> + Send + Sync + 'static,
+) -> Words<T> {
+    Words::read(quantities(), move |text| {
+        let (name, column) = text.split_once(':').map_or((text, None), |(name, of)| (name, Some(of)));
+        read(quantity_of(name)?, column)
     })
 }
 
 /// A shadowing form.
-pub fn smith(text: &str) -> Result<Smith, String> {
-    [Smith::Correlated, Smith::Separable]
-        .into_iter()
-        .find(|s| s.name() == text)
-        .ok_or_else(|| "`correlated` or `separable` is called for".into())
+pub fn smith() -> Words<Smith> {
+    Words::one_of("shadowing form", [Smith::Correlated, Smith::Separable].map(|form| (form.name(), form)))
 }
 
 /// A vendor of GPUs.
-pub fn vendor(text: &str) -> Result<Vendor, String> {
-    let of = Vendor::of(&text.to_ascii_lowercase());
-    of.ok_or_else(|| format!("one of {} is called for", Vendor::WORDS.join(", ")))
+pub fn vendor() -> Words<Vendor> {
+    Words::one_of("vendor", Vendor::ALL.map(|vendor| (vendor.word(), vendor)))
 }
 
 /// The word for no vendor: the cost is in operations.
@@ -119,20 +133,14 @@ pub const NEUTRAL: &str = "neutral";
 pub struct Gpus(pub Option<Vendor>);
 
 /// A vendor's GPUs, or neutral.
-pub fn gpus(text: &str) -> Result<Gpus, String> {
-    match vendor(text) {
-        _ if text.eq_ignore_ascii_case(NEUTRAL) => Ok(Gpus(None)),
-        Ok(vendor) => Ok(Gpus(Some(vendor))),
-        Err(_) => Err(format!("one of {}, {NEUTRAL} is called for", Vendor::WORDS.join(", "))),
-    }
+pub fn gpus() -> Words<Gpus> {
+    let vendors = Vendor::ALL.map(|vendor| (vendor.word(), Gpus(Some(vendor))));
+    Words::one_of("vendor", vendors.into_iter().chain([(NEUTRAL, Gpus(None))]))
 }
 
 /// A language of the emitted code.
-pub fn language(text: &str) -> Result<Language, String> {
-    Language::parse(&text.to_ascii_lowercase()).ok_or_else(|| {
-        let names: Vec<&str> = Language::ALL.iter().map(|language| language.name()).collect();
-        format!("no such language; the languages are {}", names.join(", "))
-    })
+pub fn language() -> Words<Language> {
+    Words::one_of("language", Language::ALL.map(|language| (language.name(), language)))
 }
 
 /// A finite number above 0.

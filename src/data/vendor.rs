@@ -28,22 +28,14 @@ pub enum Vendor {
 impl Vendor {
     /// All of them.
     pub const ALL: [Vendor; 5] = [Vendor::Amd, Vendor::Intel, Vendor::Adreno, Vendor::Mali, Vendor::Nvidia];
-    /// The words of all.
-    pub const WORDS: [&str; 5] = ["amd", "intel", "adreno", "mali", "nvidia"];
-
     /// The word that files and options have.
     pub fn word(self) -> &'static str {
-        Vendor::WORDS[self as usize]
+        ["amd", "intel", "adreno", "mali", "nvidia"][self as usize]
     }
 
     /// The name that people give it.
     pub fn title(self) -> &'static str {
         ["AMD", "Intel", "Adreno", "Mali", "NVIDIA"][self as usize]
-    }
-
-    /// The vendor of a word.
-    pub fn of(word: &str) -> Option<Vendor> {
-        Vendor::ALL.into_iter().find(|vendor| vendor.word() == word)
     }
 
     /// What work costs by the committed model, in its unit.

@@ -55,10 +55,10 @@ fn messages_name_the_option_and_what_it_takes() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, expected) in [
         (&["bake", "--threads", "0"][..], "a whole number from 1 to 256"),
-        (&["bake", "--only", "reflections"], "the effects are reflection, anisotropy"),
+        (&["bake", "--only", "reflections"], "no such effect; there are reflection, anisotropy"),
         (
             &["eval", "no-such", "--points", "-"],
-            "the quantities are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",
+            "there are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",
         ),
         (&["eval", "ggx-average", "--points", "-", "--seed", "1"], "--method monte-carlo"),
         (&["plan", "no-such.json"], "error: no-such.json: cannot read: "),

@@ -13,6 +13,7 @@ use lobefit::cli::declared;
 use lobefit::cli::options::ThreadsOption;
 use lobefit::cli::output::{Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
+use lobefit::cli::word::Words;
 use lobefit::store::{self, Folder};
 
 const REMARKS: &str = "\
@@ -41,7 +42,7 @@ const FILE_BYTES: u64 = 1 << 30;
 #[command(name = "lobefit report", bin_name = "lobefit report", version, after_help = after_help())]
 struct Options {
     /// The study, one of those below
-    #[arg(long, value_name = "NAME", value_parser = study, required_unless_present = "check")]
+    #[arg(long, value_name = "NAME", value_parser = study(), required_unless_present = "check")]
     study: Option<&'static dyn Study>,
     /// Scene whose `culling` is simulated, in place of the example's (occlusion)
     #[arg(long, value_name = "FILE")]
@@ -181,9 +182,6 @@ fn check(options: &Options, root: &Path) -> Result<Outcome, CliError> {
 }
 
 /// The study of a name.
-fn study(text: &str) -> Result<&'static dyn Study, String> {
-    study::from_name(text).ok_or_else(|| {
-        let names: Vec<&str> = STUDIES.into_iter().map(Study::name).collect();
-        format!("no such study; the studies are {}", names.join(", "))
-    })
+fn study() -> Words<&'static dyn Study> {
+    Words::one_of("study", STUDIES.map(|study| (study.name(), study)))
 }

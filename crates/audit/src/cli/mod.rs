@@ -74,19 +74,19 @@ struct Options {
     /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL, HLSL)
     pub file: PathBuf,
     /// Quantity that it is measured as, and the column that is asked for; a table of this tool says its own
-    #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
+    #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted())]
     pub stands_for: Option<Wanted>,
     /// What runs along x, y, z: `mu,roughness`
     #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
     pub axes: Vec<(Scale, bool)>,
     /// Where texels lie, of all axes or of each
-    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
+    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration())]
     pub registration: Vec<Registration>,
     /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
-    #[arg(long, value_name = "S", value_parser = form)]
+    #[arg(long, value_name = "S", value_parser = form())]
     pub smith: Option<&'static Form>,
     /// Where the ray comes from, of glass: `outside` or `inside`
-    #[arg(long, value_name = "SIDE", value_parser = side)]
+    #[arg(long, value_name = "SIDE", value_parser = side())]
     pub side: Option<Side>,
     /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
     #[arg(long, value_name = "M,..", value_delimiter = ',', allow_hyphen_values = true)]
@@ -95,7 +95,7 @@ struct Options {
     #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
     pub clamp: Vec<(Input, f64)>,
     /// What its values are decoded from before they are read: `srgb`, `rgbe`, `rgbd-2.2`, `rgbd`
-    #[arg(long, value_name = "E", value_parser = encoding)]
+    #[arg(long, value_name = "E", value_parser = encoding())]
     pub encoding: Option<&'static Encoding>,
     /// Samples that each texel is the mean of: what so many leave is no defect
     #[arg(long, value_name = "N")]
@@ -110,7 +110,7 @@ struct Options {
     #[arg(long, value_name = "N")]
     pub channels: Option<usize>,
     /// How numbers lie in a file that does not say: f16, f32, f64, unorm8, unorm16
-    #[arg(long, value_name = "F", value_parser = raw_format)]
+    #[arg(long, value_name = "F", value_parser = raw_format())]
     pub raw_format: Option<RawFormat>,
     /// Name of the array in a text
     #[arg(long, value_name = "NAME")]

@@ -4,7 +4,7 @@ use super::{Asked, Options, Read, Wanted, file_name, is_shader, named, sidecar};
 use crate::audit::{self, AuditedTable};
 use crate::foreign::{self, Hints};
 use lobefit::cli::CliError;
-use lobefit::cli::options::quantity;
+use lobefit::cli::options::quantity_of;
 use lobefit::cli::output::say;
 use lobefit_truth::quantity::QUANTITIES;
 
@@ -14,7 +14,7 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
     match (options.stands_for, is_shader(options)) {
         (Some(wanted), _) => Ok(wanted),
         (None, false) if let Some(name) = stated(options, bytes)? => {
-            let found = quantity(&name).map(|quantity| (quantity, None));
+            let found = quantity_of(&name).map(|quantity| (quantity, None));
             found.map_err(|why| CliError::Usage(format!("{file}: says that it is of `{name}`: {why}")))
         }
         _ => Err(CliError::Usage(format!(

@@ -4,7 +4,8 @@ use crate::audit::{
     Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale, Span,
 };
 use crate::foreign::RawFormat;
-use lobefit::cli::options::quantity;
+use lobefit::cli::options::quantity_column;
+use lobefit::cli::word::Words;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
 
@@ -75,10 +76,8 @@ pub(super) fn floor(text: &str) -> Result<(Input, f64), String> {
     if value >= 0.0 { Ok((input, value)) } else { Err("a clamp is no negative number".into()) }
 }
 
-pub(super) fn wanted(text: &str) -> Result<(&'static dyn Quantity, Option<Column>), String> {
-    let (name, of) = text.split_once(':').map_or((text, None), |(n, c)| (n, Some(c)));
-    let quantity = quantity(name)?;
-    Ok((quantity, of.map(|c| column(quantity, c)).transpose()?))
+pub(super) fn wanted() -> Words<(&'static dyn Quantity, Option<Column>)> {
+    quantity_column(|quantity, of| Ok((quantity, of.map(|c| column(quantity, c)).transpose()?)))
 }
 
 pub(super) fn column(quantity: &dyn Quantity, name: &str) -> Result<Column, String> {
@@ -127,32 +126,20 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
     })
 }
 
-pub(super) fn registration(text: &str) -> Result<Registration, String> {
-    REGISTRATIONS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = REGISTRATIONS.iter().map(|s| s.name()).collect();
-        format!("no such registration; they are {}", names.join(", "))
-    })
+pub(super) fn registration() -> Words<Registration> {
+    Words::one_of("registration", REGISTRATIONS.map(|place| (place.name(), place)))
 }
 
-pub(super) fn form(text: &str) -> Result<&'static Form, String> {
-    Form::find(text).ok_or_else(|| {
-        let words: Vec<&str> = FORMS.iter().map(|form| form.word).collect();
-        format!("no such shadowing form; they are {}", words.join(", "))
-    })
+pub(super) fn form() -> Words<&'static Form> {
+    Words::one_of("shadowing form", FORMS.iter().map(|form| (form.word, form)))
 }
 
-pub(super) fn encoding(text: &str) -> Result<&'static Encoding, String> {
-    ENCODINGS.iter().find(|encoding| encoding.word == text).ok_or_else(|| {
-        let words: Vec<&str> = ENCODINGS.iter().map(|encoding| encoding.word).collect();
-        format!("no such encoding; they are {}", words.join(", "))
-    })
+pub(super) fn encoding() -> Words<&'static Encoding> {
+    Words::one_of("encoding", ENCODINGS.iter().map(|encoding| (encoding.word, encoding)))
 }
 
-pub(super) fn side(text: &str) -> Result<Side, String> {
-    [Side::Outside, Side::Inside]
-        .into_iter()
-        .find(|s| s.name() == text)
-        .ok_or_else(|| "`outside` or `inside` is called for".into())
+pub(super) fn side() -> Words<Side> {
+    Words::one_of("side", [Side::Outside, Side::Inside].map(|side| (side.name(), side)))
 }
 
 pub(super) fn size(text: &str) -> Result<Size, String> {
@@ -163,9 +150,6 @@ pub(super) fn size(text: &str) -> Result<Size, String> {
     }
 }
 
-pub(super) fn raw_format(text: &str) -> Result<RawFormat, String> {
-    RawFormat::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = RawFormat::ALL.iter().map(|f| f.name()).collect();
-        format!("no such format; they are {}", names.join(", "))
-    })
+pub(super) fn raw_format() -> Words<RawFormat> {
+    Words::one_of("format", RawFormat::ALL.map(|format| (format.name(), format)))
 }

@@ -11,14 +11,15 @@ use crate::search::{AidKind, Aids, SearchJob};
 use lobefit::approximate::target::{TargetError, TargetSpec};
 use lobefit::cli::CliError;
 use lobefit::cli::input::kernel;
-use lobefit::cli::options::{Gpus, NEUTRAL, ThreadsOption, gpus, positive, smith};
+use lobefit::cli::options::{Gpus, NEUTRAL, ThreadsOption, gpus, language, positive, quantity_column, smith};
+use lobefit::cli::word::Words;
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit::scene::limits;
 use lobefit::store;
 use lobefit_fit::Goal;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Hypothesis, Precision};
-use lobefit_truth::quantity::{self, Choice, QUANTITIES, Quantity, Variant};
+use lobefit_truth::quantity::{Choice, Quantity, Variant};
 
 /// Starting points where no number is asked for.
 const STARTS: u16 = 8;
@@ -38,7 +39,7 @@ pub(super) struct Options {
     pub max_ops: Option<u32>,
     /// GPUs on which formulas are to be cheap (--search only), by a model of the vendor's compiled
     /// code: amd, intel, adreno, mali or nvidia; neutral counts operations
-    #[arg(long, value_name = "VENDOR", requires = "search", conflicts_with = "hypothesis", value_parser = gpus, default_value = NEUTRAL)]
+    #[arg(long, value_name = "VENDOR", requires = "search", conflicts_with = "hypothesis", value_parser = gpus(), default_value = NEUTRAL)]
     pub cost: Gpus,
     /// Forms of each cost that are built upon (--search only): more take longer and may find better
     /// ones; without it, 24
@@ -48,14 +49,14 @@ pub(super) struct Options {
     /// searches beforehand, which are printed), none, or some of complement (1 - mu), reciprocal
     /// (1 / (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of, square (of the
     /// whole form)
-    #[arg(long, value_name = "H", requires = "search", conflicts_with = "hypothesis", value_delimiter = ',', value_parser = helper, default_value = "auto")]
+    #[arg(long, value_name = "H", requires = "search", conflicts_with = "hypothesis", value_delimiter = ',', value_parser = helper(), default_value = "auto")]
     pub helpers: Vec<Asked>,
     /// Quantity and column that the formula approximates; without a column, the quantity's first
-    #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]
+    #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to())]
     pub to: To,
     /// What it is used as, one of the uses below; without it, the quantity's own use, f0-blend for
     /// a formula of f0 and an albedo, else value
-    #[arg(long = "use", value_name = "USE", value_parser = used_as)]
+    #[arg(long = "use", value_name = "USE", value_parser = used_as())]
     pub used_as: Option<Use>,
     /// What the constants minimise: max, rms, p=P (the p-norm, 2 <= P <= 1000); several make
     /// several fits
@@ -91,13 +92,13 @@ pub(super) struct Options {
     #[arg(long)]
     pub positive_denominator: bool,
     /// Arithmetic of a certificate: f32, f32-fma, f16, f16-fma; the first is the main one
-    #[arg(long, value_name = "P", value_parser = precision, default_value = "f32")]
+    #[arg(long, value_name = "P", value_parser = precision(), default_value = "f32")]
     pub precision: Vec<Precision>,
     /// Shadowing form: correlated or separable
-    #[arg(long, value_name = "S", value_parser = smith, default_value = "correlated")]
+    #[arg(long, value_name = "S", value_parser = smith(), default_value = "correlated")]
     pub smith: Smith,
     /// How roughness becomes alpha: roughness, roughness^2 or roughness^4
-    #[arg(long, value_name = "MAP", value_parser = alpha_map, default_value = "roughness^2")]
+    #[arg(long, value_name = "MAP", value_parser = alpha_map(), default_value = "roughness^2")]
     pub alpha_map: AlphaMap,
     /// Starting points of the search, 1 to 1024
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), default_value_t = STARTS)]
@@ -110,7 +111,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "E", value_parser = positive)]
     pub limit: Option<f64>,
     /// Languages to write: rust, wgsl, hlsl, glsl, msl, c; without it, all of them
-    #[arg(long, value_name = "L", value_delimiter = ',', value_parser = language)]
+    #[arg(long, value_name = "L", value_delimiter = ',', value_parser = language())]
     pub language: Vec<Language>,
     /// Folder for the page, the figures and the code, created if missing
     #[arg(long, value_name = "DIR")]
@@ -357,25 +358,21 @@ fn read(path: &Path) -> Result<(String, String), CliError> {
     }
 }
 
-fn to(text: &str) -> Result<To, String> {
-    let (name, column) = text.split_once(':').map_or((text, None), |(name, column)| (name, Some(column)));
-    let names = || QUANTITIES.iter().map(|q| q.name()).collect::<Vec<_>>().join(", ");
-    let quantity = quantity::find(name)
-        .ok_or_else(|| format!("no such quantity in this version; the quantities are {}", names()))?;
-    let columns = &quantity.outputs()[..quantity.outputs().len() - 1];
-    match column {
-        Some(column) if !columns.contains(&column) => {
-            Err(format!("{name} has no column {column}; its columns are {}", columns.join(", ")))
+fn to() -> Words<To> {
+    quantity_column(|quantity, column| {
+        let columns = &quantity.outputs()[..quantity.outputs().len() - 1];
+        match column {
+            Some(column) if !columns.contains(&column) => {
+                let name = quantity.name();
+                Err(format!("{name} has no column {column}; its columns are {}", columns.join(", ")))
+            }
+            column => Ok(To { quantity, column: column.map(String::from) }),
         }
-        column => Ok(To { quantity, column: column.map(String::from) }),
-    }
+    })
 }
 
-fn used_as(text: &str) -> Result<Use, String> {
-    Use::of(text).ok_or_else(|| {
-        let names: Vec<&str> = Use::all().iter().map(|used_as| used_as.name).collect();
-        format!("the uses are {}", names.join(", "))
-    })
+fn used_as() -> Words<Use> {
+    Words::one_of("use", Use::all().into_iter().map(|used_as| (used_as.name, used_as)))
 }
 
 fn goal(text: &str) -> Result<Goal, String> {
@@ -439,28 +436,15 @@ fn range(text: &str) -> Result<Demand, String> {
     Ok(Demand::Range { low, high })
 }
 
-fn precision(text: &str) -> Result<Precision, String> {
-    let names = Precision::ALL.map(Precision::name);
-    Precision::ALL
-        .into_iter()
-        .find(|p| p.name() == text)
-        .ok_or_else(|| format!("one of {} is called for", names.join(", ")))
+fn precision() -> Words<Precision> {
+    Words::one_of("precision", Precision::ALL.map(|precision| (precision.name(), precision)))
 }
 
-fn helper(text: &str) -> Result<Asked, String> {
-    let mut all = [Asked::Auto, Asked::None].into_iter().chain(AidKind::ALL.map(Asked::This));
-    all.clone().find(|asked| asked.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = all.by_ref().map(Asked::name).collect();
-        format!("one of {} is called for", names.join(", "))
-    })
+fn helper() -> Words<Asked> {
+    let all = [Asked::Auto, Asked::None].into_iter().chain(AidKind::ALL.map(Asked::This));
+    Words::one_of("helper", all.map(|asked| (asked.name(), asked)))
 }
 
-fn alpha_map(text: &str) -> Result<AlphaMap, String> {
-    let found = AlphaMap::ALL.into_iter().find(|map| map.name() == text);
-    found.ok_or_else(|| format!("one of {} is called for", AlphaMap::ALL.map(AlphaMap::name).join(", ")))
-}
-
-fn language(text: &str) -> Result<Language, String> {
-    Language::parse(text)
-        .ok_or_else(|| format!("one of {} is called for", Language::ALL.map(Language::name).join(", ")))
+fn alpha_map() -> Words<AlphaMap> {
+    Words::one_of("alpha map", AlphaMap::ALL.map(|map| (map.name(), map)))
 }

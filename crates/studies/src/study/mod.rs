@@ -110,11 +110,6 @@ pub static STUDIES: [&dyn Study; 4] = [
     &occlusion::Occlusion { own: None, times: None, choices: None },
 ];
 
-/// The study of a name.
-pub fn from_name(name: &str) -> Option<&'static dyn Study> {
-    STUDIES.into_iter().find(|study| study.name() == name)
-}
-
 impl dyn Study + '_ {
     /// The files that it writes, relative to the folder of a bake: page and results. The reduced
     /// study and that of each scene have a folder of their own.

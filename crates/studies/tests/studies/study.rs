@@ -207,7 +207,7 @@ fn wrong_use_is_refused_and_writes_nothing() {
         (&["report"][..], "--study <NAME>"),
         (
             &["report", "--study", "rooms"],
-            "no such study; the studies are coupling, parallax, stability, occlusion",
+            "no such study; there are coupling, parallax, stability, occlusion",
         ),
         (&["report", "--study", "coupling", "--threads", "0"], "1 to 256"),
         (&["report", "--study", "coupling", "--reduced", "--times"], "the study coupling times nothing"),
