@@ -306,8 +306,7 @@ Emitted functions of numbers as GPUs may run them, in f32 with subnormal numbers
 const FUNCTIONS: &str = "
 ## Functions
 
-In f64, beside textbook forms in 300 bits at 100 000 points each (2 000 where the truth takes a logarithm or a sine), crowded within twelve
-decades of both ends, on them and beside them, below the least normal number, and on the diagonals
+In f64, beside textbook forms in 320 bits at 100 000 points each, crowded within twelve decades of both ends, on them and beside them, below the least normal number, and on the diagonals
 (`crates/promises/tests/attack/main.rs`). To every bar 1e-60 is added. A NaN of an input that the value depends on gives a NaN. Samplers of
 visible normals have the density of Smith's theory by chi-square, for alpha down to 1e-4 (`crates/promises/tests/attack/samplers.rs`).
 
