@@ -2,17 +2,11 @@
 //! and 288 MiB of addresses.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
 
-use crate::common::stderr;
+use crate::common::{limited, stderr};
 
 /// The largest file of a user.
 const BYTES: usize = 16 << 20;
-
-/// Seconds of a processor, twice what is promised for those that share one, and KiB of addresses: the program
-/// itself and the stacks of its threads take 32 MiB.
-const LIMITS: &str = "ulimit -t 4 && ulimit -v 294912 && exec \"$@\"";
 
 /// A file: its name, its bytes, what the program is asked to do with it, the exit code, and words of the error.
 type Case = (&'static str, fn() -> Vec<u8>, &'static [&'static str], i32, &'static str);
@@ -76,18 +70,6 @@ const CASES: [Case; 22] = [
     ("shard-1-of-1.lobefit", || vec![b'['; BYTES], &["merge", "mirrors.json", "--out", "out", "--shards", "."], 2, "not a whole shard of a bake"),
 ];
 
-fn run(at: &Path, words: &[&str]) -> Output {
-    let mut command = Command::new("sh");
-    command.args(["-c", LIMITS, "sh", env!("CARGO_BIN_EXE_lobefit")]).args(words);
-    // An arena of the allocator takes 64 MiB of addresses, whatever is in it.
-    command
-        .current_dir(at)
-        .env("LOBEFIT_CACHE", at.join("cache"))
-        .env("MALLOC_ARENA_MAX", "1")
-        .env("RAYON_NUM_THREADS", "2");
-    command.stdin(Stdio::null()).stdout(Stdio::null()).output().expect("a shell")
-}
-
 #[test]
 fn hostile_files_take_little_time_and_memory() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -111,7 +93,7 @@ fn hostile_files_take_little_time_and_memory() {
         // A verb names the file, or a file that names it.
         let is_named = words.len() == 1 || words.ends_with(&["--textures"]) || words.ends_with(&["--points"]);
         let words = if is_named { [words, &[name]].concat() } else { words.to_vec() };
-        let output = run(at, &words);
+        let output = limited(at, &words);
         let error = stderr(&output);
         if output.status.code() != Some(code) || !error.contains(said) {
             wrong.push(format!(
