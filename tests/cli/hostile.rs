@@ -41,7 +41,7 @@ fn bomb(side: u32) -> Vec<u8> {
 }
 
 #[rustfmt::skip]
-const CASES: [Case; 22] = [
+const CASES: [Case; 23] = [
     // Nesting, one long token, a million of small ones.
     ("a.json", || [SCENE.as_bytes(), &vec![b'['; BYTES - 100]].concat(), &["plan"], 2, "nested deeper than 64 levels"),
     ("b.json", || [SCENE.as_bytes(), &vec![b'1'; BYTES - 100], b"]}"].concat(), &["plan"], 2, "number out of range"),
@@ -50,6 +50,7 @@ const CASES: [Case; 22] = [
     // As many materials as a scene may have, no two of which have the same goals, or the same fields.
     ("e.json", || many(SCENE, |i| format!(r#"{{"name":"{i}","kind":"metal","f0":1,"roughness":[{},1],"wants":{{"fit":{{"max_ops":{},"max_error":{}}}}}}}"#, i as f64 / 1e5, 5 + i % 995, (i + 1) as f64 / 1e5), "]}"), &["plan"], 0, ""),
     ("f.json", || many(SCENE, |i| format!(r#"{{"name":"{i}","kind":"metal","f0":1,"anisotropy":[{0},1],"roughness":[{0},1],"wants":{{"tables":[{{"max_error":{1}}}]}}}}"#, i as f64 / 1e5, (i + 1) as f64 / 1e5), "]}"), &["plan"], 0, ""),
+    ("g.json", || many(SCENE, |i| format!(r#"{{"name":"{i}","kind":"dielectric","ior":1.5,"roughness":[{0},1],"coat":{{"ior":1.5,"roughness":[{0},1],"max_ops":{1},"max_error":{2}}},"wants":{{"exact_fresnel":{{"max_ops":{1},"max_error":{2}}},"fit":{{"max_error":{2}}}}}}}"#, i as f64 / 1e5, 5 + i % 995, (i + 1) as f64 / 1e5), "]}"), &["plan"], 0, ""),
     ("a.gltf", || many(&format!("{GLTF}\"materials\":["), |i| format!(r#"{{"name":"{i}","pbrMetallicRoughness":{{"roughnessFactor":{}}}}}"#, (i + 1) as f64 / 65_536.0), "]}"), &["plan"], 0, ""),
     ("b.gltf", || filled(&format!("{GLTF}\"meshes\":["), r#"{"primitives":[{}]}"#, "]}"), &["plan"], 0, ""),
     ("c.gltf", || [GLTF.as_bytes(), b"\"x\":", "{\"a\":".repeat(BYTES / 5 - 100).as_bytes()].concat(), &["plan"], 2, "nested deeper than 64 levels"),
