@@ -126,15 +126,16 @@ impl JobSummary {
 
 impl Called {
     /// An effect with the jobs that demands merge into; `None` where there is no demand.
-    pub fn new(by: &'static dyn Effect, scene: &Scene, demands: Vec<Demand>) -> Option<Called> {
-        let mut seen = BTreeSet::new();
-        let because: Vec<String> =
-            demands.iter().map(|demand| &demand.because).filter(|why| seen.insert(*why)).cloned().collect();
+    pub fn new(by: &'static dyn Effect, scene: &Scene, mut demands: Vec<Demand>) -> Option<Called> {
         let reasons = grouped(&demands);
+        let mut seen = BTreeSet::new();
+        let is_first: Vec<bool> = demands.iter().map(|demand| seen.insert(&demand.because)).collect();
+        drop(seen);
+        let all = demands.iter_mut().map(|demand| std::mem::take(&mut demand.because)).zip(is_first);
+        let because: Vec<String> = all.filter_map(|(why, is_first)| is_first.then_some(why)).collect();
         let mut work = merged(demands);
-        if scene.output.pick == Pick::Best {
-            work.iter_mut().for_each(Job::promise_once);
-        }
+        let is_one = scene.output.pick == Pick::Best;
+        work.iter_mut().for_each(if is_one { Job::promise_once } else { Job::promise_each });
         if scene.output.every_error.is_some() {
             let set = work.iter_mut().flat_map(|job| &mut job.promises).flat_map(|promise| &mut promise.by);
             set.for_each(|(_, field)| *field = "--max-error".into());

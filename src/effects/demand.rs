@@ -1,5 +1,6 @@
 //! What a scene wants of an effect: a demand for each material or probe, merged into jobs.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::BakeError;
@@ -38,7 +39,7 @@ enum Least {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Demand {
     /// Name of the job that it joins; demands of one job have one name.
-    pub job: String,
+    pub job: Cow<'static, str>,
     /// Place of the job among the effect's; equal ranks keep the order of first mention.
     pub rank: usize,
     /// Place of the material or probe in its list of the scene.
@@ -49,7 +50,7 @@ pub struct Demand {
     pub name: String,
     /// Field of the scene that holds the goals: `materials[0].wants.fit`.
     pub field: String,
-    /// Why, as a sentence.
+    /// Why, as a sentence; [`Called`](super::Called) takes it.
     pub because: String,
     /// Domain by input, each once: a scene may have a hundred thousand demands.
     pub spans: Vec<(&'static str, Span)>,
@@ -111,9 +112,6 @@ pub struct Job {
     /// The demands, in the scene's order.
     pub demands: Vec<Demand>,
 }
-
-/// Places of a job's promises, by operations and the bits of the error.
-type Places = BTreeMap<(Option<u32>, u64), usize>;
 
 impl Span {
     /// A range that may be one value.
@@ -212,7 +210,7 @@ pub fn listed(by: &[(String, String)]) -> String {
 impl Job {
     fn new(demand: &Demand) -> Job {
         Job {
-            name: demand.job.clone(),
+            name: demand.job.to_string(),
             ranges: Ranges::new(),
             goals: demand.goals.clone(),
             promises: Vec::new(),
@@ -220,29 +218,35 @@ impl Job {
         }
     }
 
-    /// Takes a demand; `known` has the places of the promises.
-    fn join(&mut self, demand: Demand, known: &mut Places) {
+    /// Takes a demand.
+    fn join(&mut self, demand: Demand) {
         for &(input, span) in &demand.spans {
             let all = self.ranges.entry(input).or_insert(span.range);
             *all = hull(*all, span.range);
         }
         self.goals.join(&demand.goals);
-        if let Some(max_error) = demand.goals.max_error {
-            let (max_ops, by) = (demand.goals.max_ops, demand.limit());
+        self.demands.push(demand);
+    }
+
+    /// A promise for each pair of operations and error that is wanted.
+    pub(super) fn promise_each(&mut self) {
+        // Places of promises, by operations and the bits of the error.
+        let mut known = BTreeMap::new();
+        for demand in &self.demands {
+            let Goals { max_ops, max_error: Some(max_error), .. } = demand.goals else { continue };
             let place = *known.entry((max_ops, max_error.to_bits())).or_insert(self.promises.len());
             match self.promises.get_mut(place) {
-                Some(promise) => promise.by.push(by),
-                None => self.promises.push(Promise { max_ops, max_error, by: vec![by] }),
+                Some(promise) => promise.by.push(demand.limit()),
+                None => self.promises.push(Promise { max_ops, max_error, by: vec![demand.limit()] }),
             }
         }
-        self.demands.push(demand);
     }
 
     /// One promise for one fit.
     pub(super) fn promise_once(&mut self) {
         let Goals { max_ops, max_error, .. } = self.goals;
-        let strictest = self.promises.iter().filter(|promise| Some(promise.max_error) == max_error);
-        let by = strictest.flat_map(|promise| promise.by.clone()).collect();
+        let strictest = self.demands.iter().filter(|demand| demand.goals.max_error == max_error);
+        let by = strictest.map(Demand::limit).collect();
         self.promises = max_error.map(|max_error| Promise { max_ops, max_error, by }).into_iter().collect();
     }
 
@@ -356,20 +360,19 @@ fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<Str
     Some(format!("{name} {each} became {}", goal(&job.goals)))
 }
 
-/// The jobs of an effect's demands.
+/// The jobs of an effect's demands, which promise nothing yet.
 pub fn merged(demands: Vec<Demand>) -> Vec<Job> {
-    let mut jobs: Vec<(usize, Job, Places)> = Vec::new();
+    let mut jobs: Vec<(usize, Job)> = Vec::new();
     for demand in demands {
-        let known = jobs.iter().position(|(_, job, _)| job.name == demand.job);
+        let known = jobs.iter().position(|(_, job)| job.name == demand.job);
         let index = known.unwrap_or_else(|| {
-            jobs.push((demand.rank, Job::new(&demand), Places::new()));
+            jobs.push((demand.rank, Job::new(&demand)));
             jobs.len() - 1
         });
-        let (_, job, places) = &mut jobs[index];
-        job.join(demand, places);
+        jobs[index].1.join(demand);
     }
     jobs.sort_by_key(|(rank, ..)| *rank);
-    let mut jobs: Vec<Job> = jobs.into_iter().map(|(_, job, _)| job).collect();
+    let mut jobs: Vec<Job> = jobs.into_iter().map(|(_, job)| job).collect();
     jobs.iter_mut().for_each(Job::widen);
     jobs
 }

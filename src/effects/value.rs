@@ -79,7 +79,10 @@ impl ValueFits<'_> {
     pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
         let (name, kind) = (&scene.materials[of].name, scene.materials[of].kind.name());
         let roughness = Span::roughness(roughness, scene.alpha);
-        let mu = self.has_mu().then(|| ("mu", Span::new(scene.mu)));
+        // Room for the index of refraction that some effects add.
+        let mut spans = Vec::with_capacity(3);
+        spans.push(("roughness", roughness));
+        spans.extend(self.has_mu().then(|| ("mu", Span::new(scene.mu))));
         Demand {
             job: self.of.into(),
             rank: 0,
@@ -88,7 +91,7 @@ impl ValueFits<'_> {
             name: name.clone(),
             field: format!("materials[{of}].{}", self.field),
             because: format!("{name}: {kind} {} (roughness {})", self.because, roughness.text()),
-            spans: [("roughness", roughness)].into_iter().chain(mu).collect(),
+            spans,
             goals,
             layer: self.layer,
             call: CallOps::default(),

@@ -44,6 +44,24 @@ pub fn start(cache: &Path, folder: &Path, arguments: &[&str]) -> Child {
     command.spawn().expect("the binary runs")
 }
 
+/// Seconds of a processor, twice what is promised for those that share one, and KiB of addresses: the program
+/// itself and the stacks of its threads take 32 MiB.
+const LIMITS: &str = "ulimit -t 4 && ulimit -v 294912 && exec \"$@\"";
+
+/// Runs the program on a file that is made to hurt: within 2 s of a processor and 288 MiB of addresses.
+#[allow(dead_code, reason = "few tests limit the program")]
+pub fn limited(folder: &Path, arguments: &[&str]) -> Output {
+    let (program, arguments) = program(arguments);
+    let mut command = Command::new("sh");
+    command.args(["-c", LIMITS, "sh", program]).args(arguments).current_dir(folder);
+    // An arena of the allocator takes 64 MiB of addresses, whatever is in it.
+    command
+        .env("LOBEFIT_CACHE", folder.join("cache"))
+        .env("MALLOC_ARENA_MAX", "1")
+        .env("RAYON_NUM_THREADS", "2");
+    command.stdin(Stdio::null()).stdout(Stdio::null()).output().expect("a shell")
+}
+
 /// Names in a folder, sorted.
 #[allow(dead_code, reason = "not every test looks at a folder")]
 pub fn names(folder: &Path) -> Vec<String> {

@@ -2,6 +2,8 @@
 
 #[path = "../baked_support/mod.rs"]
 mod baked_support;
+#[path = "../fit_support/mod.rs"]
+mod fit_support;
 #[path = "../published_support/mod.rs"]
 mod published_support;
 
@@ -9,6 +11,7 @@ mod accuracy;
 mod axis;
 mod azimuth;
 mod catalogue;
+mod hypotheses;
 mod lookup;
 mod parallax;
 mod probe;

@@ -2,7 +2,7 @@
 #![allow(dead_code, clippy::disallowed_methods)]
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use lobefit_fit::Samples;
@@ -10,7 +10,9 @@ use lobefit_shade::Hypothesis;
 
 /// The folder of hypotheses.
 pub fn folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("fits/hypotheses")
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = package.ancestors().map(|at| at.join("fits/hypotheses")).find(|folder| folder.is_dir());
+    folder.expect("the repository's hypotheses")
 }
 
 /// A hypothesis of the folder, by name.

@@ -163,7 +163,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
     let (name, kind, specular) = (&material.name, material.kind.name(), base.specular.name());
     let ignored = anisotropy(material).map_or("", |_| "; its anisotropy is left out of them");
     Some(Demand {
-        job: format!("coupling-{specular}"),
+        job: format!("coupling-{specular}").into(),
         rank: base.specular as usize,
         of,
         item: 0,

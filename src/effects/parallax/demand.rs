@@ -56,7 +56,7 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
     let (name, kernel) = (&probe.name, probe.kernel.word());
     let ranges = format!("roughness {}, rho {}{mips}", roughness.text(), rho.text());
     Demand {
-        job: format!("parallax-{}", probe.kernel.name()),
+        job: format!("parallax-{}", probe.kernel.name()).into(),
         rank,
         of,
         item: 0,

@@ -138,7 +138,7 @@ pub fn demand(
         spans.push(("phi", Span::new([0.0, FRAC_PI_2])));
     }
     Some(Demand {
-        job: names(family, smith, want).join(" "),
+        job: names(family, smith, want).join(" ").into(),
         rank: 0,
         of,
         item,

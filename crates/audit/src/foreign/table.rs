@@ -173,18 +173,28 @@ impl RawFormat {
 
     /// The values of little-endian bytes; bytes after the last whole value are left out.
     pub(super) fn values(self, bytes: &[u8]) -> Vec<f64> {
+        self.every(bytes, 0, 1)
+    }
+
+    /// One number of each texel of `count`, from the place `first`.
+    pub(super) fn every(self, bytes: &[u8], first: usize, count: usize) -> Vec<f64> {
+        let every = (first, count);
         match self {
-            RawFormat::Unorm8 => bytes.iter().map(|&b| f64::from(b) / 255.0).collect(),
-            RawFormat::F16 => pieces(bytes, |b| f16::from_le_bytes(b).to_f64()),
-            RawFormat::Unorm16 => pieces(bytes, |b| f64::from(u16::from_le_bytes(b)) / 65535.0),
-            RawFormat::F32 => pieces(bytes, |b| f64::from(f32::from_le_bytes(b))),
-            RawFormat::F64 => pieces(bytes, f64::from_le_bytes),
+            RawFormat::Unorm8 => pieces(bytes, every, |[b]| f64::from(b) / 255.0),
+            RawFormat::F16 => pieces(bytes, every, |b| f16::from_le_bytes(b).to_f64()),
+            RawFormat::Unorm16 => pieces(bytes, every, |b| f64::from(u16::from_le_bytes(b)) / 65535.0),
+            RawFormat::F32 => pieces(bytes, every, |b| f64::from(f32::from_le_bytes(b))),
+            RawFormat::F64 => pieces(bytes, every, f64::from_le_bytes),
         }
     }
 }
 
-fn pieces<const N: usize>(bytes: &[u8], value: impl Fn([u8; N]) -> f64) -> Vec<f64> {
-    bytes.as_chunks::<N>().0.iter().map(|piece| value(*piece)).collect()
+fn pieces<const N: usize>(
+    bytes: &[u8],
+    (first, count): (usize, usize),
+    value: impl Fn([u8; N]) -> f64,
+) -> Vec<f64> {
+    bytes.as_chunks::<N>().0.iter().skip(first).step_by(count).map(|piece| value(*piece)).collect()
 }
 
 /// What the caller knows about a file that the file does not say.

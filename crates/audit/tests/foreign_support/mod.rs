@@ -111,6 +111,12 @@ pub fn hdr(size: [usize; 2], texels: &[[u8; 3]], runs: bool) -> Vec<u8> {
 
 /// An EXR file of parts of 6 x 4 texels with the named channels.
 pub fn exr_of_parts(parts: &[(&str, &[&str])]) -> Vec<u8> {
+    exr((6, 4), parts, value)
+}
+
+/// An EXR file of parts of a size, with the named channels and what each holds at a texel.
+pub fn exr(size: (usize, usize), parts: &[(&str, &[&str])], value: fn(usize, usize) -> f64) -> Vec<u8> {
+    let texels = 0..size.0 * size.1;
     let layers: Vec<Layer<AnyChannels<FlatSamples>>> = parts
         .iter()
         .map(|(name, channels)| {
@@ -118,18 +124,21 @@ pub fn exr_of_parts(parts: &[(&str, &[&str])]) -> Vec<u8> {
                 .iter()
                 .enumerate()
                 .map(|(c, name)| {
-                    AnyChannel::new(*name, FlatSamples::F32((0..24).map(|t| value(t, c) as f32).collect()))
+                    AnyChannel::new(
+                        *name,
+                        FlatSamples::F32(texels.clone().map(|t| value(t, c) as f32).collect()),
+                    )
                 })
                 .collect();
             Layer::new(
-                (6, 4),
+                size,
                 LayerAttributes::named(*name),
                 Encoding::SMALL_LOSSLESS,
                 AnyChannels::sort(channels),
             )
         })
         .collect();
-    let attributes = ImageAttributes::new(IntegerBounds::from_dimensions((6, 4)));
+    let attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
     let mut bytes = Cursor::new(Vec::new());
     let image = Image::from_layers(attributes, layers);
     image.write().non_parallel().to_buffered(&mut bytes).unwrap();

@@ -16,23 +16,20 @@ fn dot(a: [&Big; 3], b: [&Big; 3]) -> Big {
 }
 
 fn of_lanes(attacks: &mut Vec<Attack>) {
-    attacks.push(
-        Attack::of("math::lanes::exp", |x| vec![lanes::exp(&[x[0]; LANES])[3]], |x| vec![x[0].exp()]).dear(),
-    );
-    attacks.push(
-        Attack::of("math::lanes::ln", |x| vec![lanes::ln(&[x[0]; LANES])[5]], |x| vec![x[0].ln()]).dear(),
-    );
-    attacks.push(
-        Attack::of(
-            "math::lanes::sincos_turns",
-            |x| {
-                let (sines, cosines) = lanes::sincos_turns(&[x[0]; LANES]);
-                vec![sines[4], cosines[4]]
-            },
-            |x| (2.0 * Big::pi() * &x[0]).sin_cos().to_vec(),
-        )
-        .dear(),
-    );
+    attacks.push(Attack::of(
+        "math::lanes::exp",
+        |x| vec![lanes::exp(&[x[0]; LANES])[3]],
+        |x| vec![x[0].exp()],
+    ));
+    attacks.push(Attack::of("math::lanes::ln", |x| vec![lanes::ln(&[x[0]; LANES])[5]], |x| vec![x[0].ln()]));
+    attacks.push(Attack::of(
+        "math::lanes::sincos_turns",
+        |x| {
+            let (sines, cosines) = lanes::sincos_turns(&[x[0]; LANES]);
+            vec![sines[4], cosines[4]]
+        },
+        |x| (2.0 * Big::pi() * x[0]).sin_cos().to_vec(),
+    ));
     attacks.push(Attack::of(
         "math::lanes::sum",
         |x| vec![lanes::sum(&std::array::from_fn(|i| x[i]))],
@@ -51,7 +48,7 @@ fn of_vectors(attacks: &mut Vec<Attack>) {
         "math::vector::cross",
         move |x| vector::cross(split(x).0, split(x).1).to_vec(),
         |x| {
-            let of = |i: usize, j: usize| &x[i] * &x[3 + j] - &x[j] * &x[3 + i];
+            let of = |i: usize, j: usize| x[i] * x[3 + j] - x[j] * x[3 + i];
             vec![of(1, 2), of(2, 0), of(0, 1)]
         },
     ));
@@ -65,7 +62,7 @@ fn of_vectors(attacks: &mut Vec<Attack>) {
         |x| vector::normalise([x[0], x[1], x[2]]).to_vec(),
         |x| {
             let length = dot(at(x, 0), at(x, 0)).sqrt();
-            at(x, 0).map(|k| k / &length).to_vec()
+            at(x, 0).map(|k| k / length).to_vec()
         },
     ));
     // Tangents of a direction that is drawn on the plane: each has length 1 and stands at right angles

@@ -32,15 +32,11 @@ impl Pixels {
 
     /// The channels of texels, named and in the order red, green, blue, alpha.
     pub fn channels(self, bytes: &[u8]) -> Vec<Channel> {
-        let values = self.format.values(bytes);
         let count = self.order.len();
         "RGBA"
             .chars()
             .filter_map(|name| Some((name, self.order.find(name)?)))
-            .map(|(name, c)| Channel {
-                name: name.to_string(),
-                values: values.iter().skip(c).step_by(count).copied().collect(),
-            })
+            .map(|(name, c)| Channel { name: name.to_string(), values: self.format.every(bytes, c, count) })
             .collect()
     }
 }

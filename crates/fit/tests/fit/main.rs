@@ -1,15 +1,14 @@
 //! The solver, the formula dialect, constraints, precision and search.
 
-#[path = "../code_support/mod.rs"]
+#[path = "../../../../tests/code_support/mod.rs"]
 mod code_support;
-#[path = "../fit_support/mod.rs"]
+#[path = "../../../../tests/fit_support/mod.rs"]
 mod fit_support;
 
 mod code;
 mod constraints;
 mod dialect;
 mod global;
-mod hypotheses;
 mod nist;
 mod planted;
 mod poles;

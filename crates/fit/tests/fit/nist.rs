@@ -26,7 +26,7 @@ struct Dataset {
 /// Reads the parameters (`b1 = start 1, start 2, certified, deviation`), the residual sum and the
 /// data below the second `Data:`.
 fn read(name: &str) -> Dataset {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/oracle/nist/{name}.dat"));
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../tests/oracle/nist/{name}.dat"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let number = |word: &str| word.parse::<f64>().unwrap_or_else(|e| panic!("{name}: {word}: {e}"));
     let (mut starts, mut certified, mut sum) = ([Vec::new(), Vec::new()], Vec::new(), f64::NAN);
