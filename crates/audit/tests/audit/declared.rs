@@ -235,3 +235,19 @@ fn statements_that_would_take_for_ever_or_lead_nowhere_are_refused() {
         assert!(named, "{to:.60}: {error:?}");
     }
 }
+
+/// One texel of a table of this tool's own that is off shows whole, though no place between the texels
+/// shows it.
+#[test]
+fn a_single_wrong_texel_of_a_table_of_our_own_is_found() {
+    let bytes = include_bytes!("../../../../tables/ggx-dfg-correlated-32x32.exr");
+    let read = read_table(bytes, "own.exr", &Hints::default()).unwrap().remove(0);
+    let mut table = AuditedTable::from(&read);
+    let quantity = quantity::find("ggx-reflection").unwrap();
+    let sound = declared(&table, quantity, None, &read.note).unwrap();
+    assert!(sound.passes(Some(0.002)) && sound.verdict(None).to_string().contains("sampled"));
+    table.channels[0].values[17 * 32 + 9] += 0.003;
+    let found = declared(&table, quantity, None, &read.note).unwrap();
+    eprintln!("{}", found.verdict(Some(0.002)));
+    assert!(found.worst() > 0.0023 && !found.passes(Some(0.002)), "{}", found.worst());
+}
