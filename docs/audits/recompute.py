@@ -65,9 +65,9 @@ SHIFTS = {
 
 
 def coordinate(axis, i, n):
-    """An input and its value at texel i of n."""
+    """An input and its value at texel i of n; a function is taken at centres."""
     i = n - 1 - i if axis["reversed"] else i
-    shift, ends = SHIFTS[axis["registration"]]
+    shift, ends = SHIFTS[axis.get("registration", "centre")]
     of = lambda i, n: min(max((i + shift) / max(n - ends, 1), 0), 1)
     if axis["coordinate"] == "1/ior..ior":
         # From inside with the index falling from 2.5 to 1, then from outside with the index rising.

@@ -3,9 +3,10 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{Column, Defect, Fit, Fixed, Registration, Scale};
+use lobefit_math::ops;
 use lobefit_truth::integrate::reflection::{self, Effort};
 
-use crate::support::{axes, both, columns, half, plane, reflection_of, run, said, shipped};
+use crate::support::{axes, both, columns, half, plane, reflection_of, run, said, says, shipped};
 
 #[test]
 fn a_loss_without_its_tail_is_found() {
@@ -167,4 +168,28 @@ fn a_column_that_was_never_filled_is_named_and_the_rest_is_read() {
     let said = found.verdict(None).to_string();
     assert!(said.starts_with("FAIL") && said.contains("fill column x = 0"), "{said}");
     assert!(!found.passes(Some(1.0)));
+}
+
+/// A slice of HIPRT's table of thin glass (`40GGX_Thin_Glass_Ess_Correlated_32x32x96.hdr`) is no quantity here: what
+/// goes through both walls leaves by a lobe of another width. It is of nothing, under either name.
+#[test]
+fn a_slice_of_thin_glass_is_of_nothing_known() {
+    let at = |i: usize| (i as f64 + 0.5) / 24.0;
+    // Ior 1.83 at normal incidence; the transmitted lobe of 0.35 alpha.
+    let reflected = |mu: f64| 0.086 + 0.914 * ops::pow(1.0 - mu, 5.0);
+    let e = |x: usize, y: usize| {
+        let [own, through] = [1.0, 0.35].map(|share| both(Smith::Correlated, share * at(y) * at(y), at(x)).0);
+        let r = 2.0 * reflected(at(x)) / (1.0 + reflected(at(x)));
+        r * own + (1.0 - r) * through
+    };
+    let table = plane([24; 2], &[("R", &e), ("G", &e), ("B", &e)]);
+    for quantity in ["ggx-reflection", "ggx-glass"] {
+        let found = run(&table, quantity, &Fixed::default());
+        assert_eq!(found.fit, Fit::None, "{quantity}");
+        says(
+            &found.verdict(Some(0.5)),
+            "UNKNOWN",
+            &["fits no convention", "Channel G is the same as R", "do not ship it"],
+        );
+    }
 }

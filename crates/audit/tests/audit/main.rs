@@ -5,6 +5,7 @@ mod baked_support;
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
+mod axes;
 mod declared;
 mod defects;
 mod functions;

@@ -3,12 +3,13 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, audit,
+    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Form, Registration, Scale, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::reflection::{self, Effort, albedo, split_of};
 use lobefit_truth::optics::beckmann::Beckmann;
-use lobefit_truth::quantity;
+use lobefit_truth::quantity::{self, Variant};
+use rayon::prelude::*;
 
 use crate::support::{axes, both, columns, half, jitter, plane, reflection_of, run, said, shipped};
 
@@ -326,4 +327,37 @@ fn every_texel_is_judged() {
     assert_eq!(errors.texel, [5, 1]);
     assert!((errors.max - 0.5).abs() < 1e-3 && !found.passes(Some(0.1)), "{}", errors.max);
     assert_eq!(found.channels[0].map.len(), 4096 * 4);
+}
+
+/// Truths by interpolation keep the error that they state, at places that are no knots of theirs.
+#[test]
+fn a_truth_keeps_the_error_that_it_states() {
+    let at = |i: usize| (i as f64 + 0.5) / 29.0;
+    let [mu, roughness] = [Scale::Mu, Scale::Roughness].map(|scale| (scale, false));
+    for (name, form) in [
+        ("ggx-reflection", "correlated"),
+        ("ggx-reflection", "separable"),
+        ("beckmann-reflection", "separable"),
+        ("ggx-average", "correlated"),
+        ("sheen-charlie", "neubelt"),
+    ] {
+        let (own, form) = (quantity::find(name).unwrap(), Form::find(form).unwrap());
+        let variant = form.smith.map_or_else(Variant::default, Variant::from);
+        let one = name == "ggx-average";
+        let (size, axes) =
+            if one { (vec![29], vec![roughness]) } else { (vec![29, 29], vec![mu, roughness]) };
+        let value = |i: usize| {
+            let x = if one { vec![at(i) * at(i)] } else { vec![at(i / 29) * at(i / 29), at(i % 29)] };
+            own.at(&variant, &x, 1e-8).unwrap()[0]
+        };
+        let values: Vec<f64> = (0..size.iter().product()).into_par_iter().map(value).collect();
+        let fixed = Fixed {
+            axes: Some(axes),
+            registrations: Some(vec![Registration::Centre]),
+            form: Some(form),
+            ..Fixed::default()
+        };
+        let found = run(&shipped(&size, vec![("0", values)]), name, &fixed);
+        assert!(found.worst() <= found.truth_error, "{name}: {} of {}", found.worst(), found.truth_error);
+    }
 }

@@ -244,9 +244,26 @@ fn what_glsl_would_not_evaluate_is_refused() {
         ("(y = b) > 0.2", "assignment"),
         ("(k <<= 1) > 2", "assignment"),
         ("(k >>= 1) < 2", "assignment"),
+        ("(k |= 1) > 2", "assignment"),
     ] {
         let error = read(right).unwrap_err().to_string();
         assert!(error.contains(named) && error.contains("&&") && error.contains("5:"), "{right}: {error}");
     }
     assert!(read("pure(b)").is_ok() && read("(b <= 0.5 || b >= 0.9 || b == 1.0)").is_ok());
+}
+
+#[test]
+fn depth_is_bounded_and_length_is_not() {
+    let read = |body: &str| {
+        let source = format!("float f(float x) {{ return {body}; }}");
+        read_functions(source.as_bytes(), "d.glsl", Some("f")).map(drop).map_err(|e| e.to_string())
+    };
+    assert_eq!(read(&vec!["vec2(x, -2.0).y"; 100].join(" + ")), Ok(()));
+    for deep in [
+        "(".repeat(2000) + "x" + &")".repeat(2000),
+        "-".repeat(2000) + "x",
+        "x".to_string() + &".x".repeat(2000),
+    ] {
+        assert!(read(&deep).unwrap_err().contains("operators and brackets around a term"), "{deep:.20}");
+    }
 }
