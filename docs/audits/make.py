@@ -86,7 +86,8 @@ def audit(folder, artefact):
     if not os.path.exists(file):
         return "the file is not there"
     result = os.path.join(folder, "audits", artefact["id"] + ".json")
-    newest = max(os.path.getmtime(f) for f in (file, os.path.realpath(shutil.which("lobefit"))))
+    programs = [os.path.realpath(shutil.which(name) or file) for name in ("lobefit", "lobefit-audit")]
+    newest = max(os.path.getmtime(f) for f in (file, *programs))
     command = ["lobefit", "audit", file, *options(folder, artefact), "--points", POINTS, "--json", "--quiet"]
     said = result + ".command"
     same = os.path.exists(result) and os.path.exists(said) and open(said).read() == shlex.join(command)
@@ -112,6 +113,7 @@ def ours(folder):
     for report in ("reflection", "sheen"):
         for a in json.load(open(os.path.join(bake, "reports", report + ".json")))["approximations"]:
             formulas[a["name"]] = a
+    formulas.update((fit["name"], fit) for fit in manifest["fits"] if fit["quantity"] == "ggx-average")
     return tables, formulas
 
 
@@ -129,10 +131,15 @@ def error(figures):
 
 
 def compared(entry, tables, formulas):
-    """What this program makes at the same size, or with no more operations."""
+    """What this program makes at the same size, or with no more operations, or why it makes nothing."""
+    if isinstance(entry, str):
+        return entry
     if isinstance(entry, list):
         said = [(("same lookup" if "plain" in name else "own lookup"), tables[name]) for name in entry]
         return "<br>".join(f"{how}: {number(e['max'])}, RMS {number(e['rms'])}" for how, e in said)
+    if "formula" in entry:
+        figures, ops = formulas[entry["formula"]]["certificate"], formulas[entry["formula"]]["cost"]["ops"]
+        return f"`{entry['formula']}`: {number(figures['max_abs'])}, RMS {number(figures['rms'])} ({ops} operations, no table)"
     theirs = formulas[entry["published"]]["cost"]["ops"]
     family = [a for n, a in formulas.items() if n.startswith(entry["family"]) and not a["published"]]
     fitting = [a for a in family if a["cost"]["ops"] <= theirs]
@@ -257,7 +264,7 @@ def main(folder):
     artefacts = [a for p in zoo["projects"] for a in p["artefacts"]]
     found = {a["id"]: audit(folder, a) for a in artefacts}
     tables, formulas = ours(folder)
-    compares = {a["id"]: compared(a["ours"], tables, formulas) if "ours" in a else "" for a in artefacts}
+    compares = {a["id"]: compared(a["ours"], tables, formulas) for a in artefacts}
     known = integrated()
     stale = {a["id"]: unknown(folder, a, known.get(a["id"])) for a in artefacts}
     entries = {i: {"why": why} if why else known[i] for i, why in stale.items()}

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Checks the audits of zoo.json by a second integration and writes docs/audits/recomputed.json.
 
-    python3 docs/audits/recompute.py FOLDER
+    python3 docs/audits/recompute.py FOLDER [ARTEFACT ...]
 
-FOLDER is that of make.py, whose audits are used again. Of each channel `lobefit audit --points` draws 200 texels of those
-that it judges. Here the value of each is read from the file again (decode.py; of shader functions it is the audit's own),
-its coordinates follow from the convention that the audit states, and the truth comes from lobes.py, which shares neither
-method nor code with the program. A channel agrees where
+FOLDER is that of make.py, whose audits are used again. With artefacts, the others keep what was found of them. Of each
+channel `lobefit audit --points` draws 200 texels of those that it judges. Here the value of each is read from the file
+again (of tables by decode.py, of shader functions by functions.py), its coordinates follow from the convention that the
+audit states, and the truth comes from lobes.py, which shares neither method nor code with the program. A channel agrees
+where
 
 - no truth differs from that of the audit by more than four standard errors, also at the texel that the audit calls worst;
 - no error exceeds the largest that the audit states by more;
@@ -28,6 +29,7 @@ import time
 import numpy as np
 
 import decode
+import functions
 import lobes
 import make
 
@@ -63,9 +65,9 @@ SHIFTS = {
 
 
 def coordinate(axis, i, n):
-    """An input and its value at texel i of n."""
+    """An input and its value at texel i of n; a function is taken at centres."""
     i = n - 1 - i if axis["reversed"] else i
-    shift, ends = SHIFTS[axis["registration"]]
+    shift, ends = SHIFTS[axis.get("registration", "centre")]
     of = lambda i, n: min(max((i + shift) / max(n - ends, 1), 0), 1)
     if axis["coordinate"] == "1/ior..ior":
         # From inside with the index falling from 2.5 to 1, then from outside with the index rising.
@@ -83,14 +85,17 @@ def place(axes, texel, size):
 
 def read_again(point, values, axes):
     """The value and the inputs of a point, and what is wrong with those that the audit states."""
-    if values is None:
-        return point["value"], point["at"], None
-    values = values.squeeze()
-    value, at = values[tuple(point["texel"][::-1])], place(axes, point["texel"], values.shape[::-1])
-    if abs(value - point["value"]) > 1e-6 * max(1, abs(value)):
-        return value, at, f"texel {point['texel']} holds {value:.6g}, the audit reads {point['value']:.6g}"
+    texel, near = point["texel"], functions.ROUNDED
+    if callable(values):
+        value, size = float(values(texel)), [functions.SIDE] * len(texel)
+    else:
+        values = values.squeeze()
+        value, size, near = values[tuple(texel[::-1])], values.shape[::-1], 1e-6
+    at = place(axes, texel, size)
+    if abs(value - point["value"]) > near * max(1, abs(value)):
+        return value, at, f"texel {texel} holds {value:.6g}, the audit reads {point['value']:.6g}"
     far = [name for name, x in point["at"].items() if abs(at.get(name, np.inf) - x) > 1e-6 * max(1, abs(x))]
-    return value, at, f"texel {point['texel']} lies elsewhere along {', '.join(far)}" if far else None
+    return value, at, f"texel {texel} lies elsewhere along {', '.join(far)}" if far else None
 
 
 def integrated(found, at, holds, stated):
@@ -135,7 +140,7 @@ def other(found, lobe, own, values):
     """The errors of a channel against a lobe that the audit does not know."""
     errors = []
     for point in own["points"]:
-        value, at, _ = read_again(point, values and values[own["name"]], found["conventions"][0]["axes"])
+        value, at, _ = read_again(point, values[own["name"]], found["conventions"][0]["axes"])
         errors.append(value - lobes.truth(found["quantity"], lobe, at, own["holds"])[0])
     return rounded({"lobe": lobe, "max": max(map(abs, errors)), "rms": float(np.sqrt(np.mean(np.square(errors))))})
 
@@ -151,33 +156,35 @@ def entry(job):
     if isinstance(found, str):
         return {"id": artefact["id"], "agrees": False, "why": found}, 0
     file = make.place(folder, artefact)
-    values = decode.texels(file, artefact["options"], found)
+    values = decode.texels(file, artefact["options"], found) or functions.Channels(file, make.options(folder, artefact), found)
     judged = [own for own in found["channels"] if own.get("points")]
-    done = [channel(found, own, values and values[own["name"]]) for own in judged]
-    head = {"id": artefact["id"], "sha256": make.digest(file), "values": "read again" if values else "of the audit"}
+    done = [channel(found, own, values[own["name"]]) for own in judged]
+    head = {"id": artefact["id"], "sha256": make.digest(file)}
     if "second" in artefact:
         head["other"] = other(found, artefact["second"], judged[0], values)
     return {**head, "agrees": all(c["agrees"] for c in done), "channels": done}, time.time() - begun
 
 
-def main(folder):
+def main(folder, names):
     artefacts = [a for p in make.listed()["projects"] for a in p["artefacts"]]
     os.makedirs(os.path.join(folder, "audits"), exist_ok=True)
-    entries = []
+    entries = make.integrated() if names else {}
     with multiprocessing.Pool(2) as pool:
-        for found, seconds in pool.imap(entry, [(folder, a) for a in artefacts]):
-            entries.append(found)
+        wanted = [(folder, a) for a in artefacts if not names or a["id"] in names]
+        for found, seconds in pool.imap(entry, wanted):
+            entries[found["id"]] = found
             points = sum(c["points"] for c in found.get("channels", []))
             why = "agrees" if found["agrees"] else "; ".join(c["why"] for c in [found, *found.get("channels", [])] if "why" in c)
             print(f"{found['id']}: {points} points, {seconds:.0f} s: {why}", file=sys.stderr)
+    done = [entries[a["id"]] for a in artefacts if a["id"] in entries]
     with open(os.path.join(make.HERE, "recomputed.json"), "w") as out:
-        json.dump({"schema_version": 1, "artefacts": entries}, out, indent=1)
+        json.dump({"schema_version": 1, "artefacts": done}, out, indent=1)
         out.write("\n")
-    if not all(found["agrees"] for found in entries):
-        sys.exit("does not agree: " + ", ".join(found["id"] for found in entries if not found["agrees"]))
+    if not all(found["agrees"] for found in done):
+        sys.exit("does not agree: " + ", ".join(found["id"] for found in done if not found["agrees"]))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(sys.argv[1], sys.argv[2:])

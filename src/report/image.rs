@@ -1,6 +1,6 @@
 //! A picture in linear light.
 
-use lobefit_math::ops;
+use lobefit_math::srgb;
 
 /// Pixels of linear RGB with the primaries of sRGB (IEC 61966-2-1), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,8 +23,7 @@ impl Image {
 
 /// The curve of sRGB (IEC 61966-2-1) of linear light, cut to [0, 1].
 pub fn encoded(x: f64) -> f64 {
-    let x = x.clamp(0.0, 1.0);
-    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 }
+    srgb::encoded(x.clamp(0.0, 1.0))
 }
 
 /// Luminance as displayed: the curve of sRGB of the luminance of linear RGB in [0, 1].

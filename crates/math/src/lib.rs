@@ -1,4 +1,4 @@
-//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, vectors in
+//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, the curve of sRGB, vectors in
 //! space and masks of sub-voxels.
 
 pub mod chebyshev;
@@ -9,6 +9,7 @@ pub mod panels;
 pub mod piecewise;
 pub mod recurrence;
 pub mod sobol;
+pub mod srgb;
 pub mod subvoxel;
 pub mod sum;
 pub mod vector;

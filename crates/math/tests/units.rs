@@ -2,7 +2,7 @@
 //! once more, and the library is not.
 #![allow(dead_code, reason = "what of these files no test calls")]
 
-use lobefit_math::ops;
+use lobefit_math::{ops, srgb};
 
 #[path = "../src/chebyshev.rs"]
 mod chebyshev;
@@ -20,3 +20,16 @@ mod recurrence;
 mod sobol;
 #[path = "../src/sum.rs"]
 mod sum;
+
+/// Values of IEC 61966-2-1, and the curve and its inverse on both sides of where they bend.
+#[test]
+fn the_curve_of_srgb_is_undone_by_its_inverse() {
+    assert!((srgb::encoded(0.5) - 0.735_356_983_052_449_5).abs() < 1e-15);
+    assert!((srgb::decoded(0.5) - 0.214_041_140_482_232_55).abs() < 1e-15);
+    assert_eq!([0.0, 1.0].map(srgb::decoded), [0.0, 1.0]);
+    for i in 0..=1000 {
+        let x = f64::from(i) / 1000.0;
+        let back = srgb::decoded(srgb::encoded(x));
+        assert!((back - x).abs() < 1e-15, "{x}: {back}");
+    }
+}

@@ -7,8 +7,8 @@ use super::defects::stored;
 use super::plain::Plain;
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
-use crate::foreign::{Channel, Step, srgb};
-use lobefit_math::ops;
+use crate::foreign::{Channel, Step};
+use lobefit_math::{ops, srgb};
 use lobefit_truth::quantity::Quantity;
 
 /// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have
@@ -38,7 +38,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         word: "srgb",
         name: "sRGB",
         remedy: "its values were encoded for display: store them as they are, or sample it as an sRGB texture",
-        decode: |x, _| srgb(x),
+        decode: |x, _| srgb::decoded(x),
         step: |stored| match stored {
             Step::Unorm8 => Step::Srgb(255),
             Step::Unorm10 => Step::Srgb(1023),

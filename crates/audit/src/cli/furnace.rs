@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
 
-use super::origin::quoted;
-use super::words::setting;
+use super::origin::{named, origin, quoted};
+use super::source::SourceOptions;
 use crate::audit::Grade;
 use crate::foreign::{self, ShaderFunction};
 use crate::furnace::{self, Allowance, Asked, FurnaceFindings, Role};
@@ -16,7 +16,6 @@ use lobefit::cli::declared;
 use lobefit::cli::options::{ThreadsOption, not_negative};
 use lobefit::cli::output::{Outcome, print};
 use lobefit::cli::progress::Spinner;
-use lobefit::report::Origin;
 use lobefit::store::{self, Files, Folder};
 
 const EXAMPLES: &str = "\
@@ -48,21 +47,11 @@ enum CosineOption {
 struct Options {
     /// Shader (WGSL, GLSL, HLSL)
     pub file: PathBuf,
-    /// Function; `name(vec3, vec3, float)` where several have that name
-    #[arg(long, value_name = "NAME")]
-    pub function: Option<String>,
-    /// Macro of the shader's preprocessor
-    #[arg(long, value_name = "NAME[=VALUE]")]
-    pub define: Vec<String>,
-    /// Folder that the shader may include files from, or a file that stands before it
-    #[arg(long, value_name = "DIR")]
-    pub include: Vec<PathBuf>,
+    #[command(flatten)]
+    pub source: SourceOptions,
     /// What an argument is
     #[arg(long, value_name = "NAME=ROLE", value_parser = role)]
     pub role: Vec<(String, Role)>,
-    /// Value of an argument; a vector or a structure may be set by its name
-    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
-    pub set: Vec<(String, f64)>,
     /// Values of the roughness, as the function takes it
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = not_negative,
           default_values_t = [0.1, 0.25, 0.5, 0.75, 1.0])]
@@ -114,7 +103,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     progress.stage("the white furnace");
     let asked = Asked {
         roles: options.role.clone(),
-        set: options.set.clone(),
+        set: options.source.set.clone(),
         roughness: options.roughness.clone(),
         cosine: options.cosine.map(|c| matches!(c, CosineOption::Included)),
         tolerance: options.limit.iter().chain(&options.max_loss).fold(TOLERANCE, |all, x| all.min(x / 4.0)),
@@ -127,7 +116,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     let is_limited = options.limit.is_some() || options.max_loss.is_some();
     let passed = !is_limited || judgement.grade == Grade::Pass;
     let found = FurnaceFindings {
-        origin: origin(options, &bytes, &name),
+        origin: origin(&bytes, &command(options, &name)),
         file: name.clone(),
         function: function.signature,
         limit: options.limit,
@@ -151,10 +140,10 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
 /// The function that is meant.
 fn function(options: &Options, bytes: &[u8]) -> Result<ShaderFunction, CliError> {
     let file = options.file.display().to_string();
-    let around = foreign::Surroundings { defines: options.define.clone(), includes: options.include.clone() };
-    let mut found = foreign::read_functions(bytes, &file, options.function.as_deref(), &around)?;
+    let mut found = options.source.read(bytes, &file)?;
     if found.len() > 1 {
-        let asked = Asked { roles: options.role.clone(), set: options.set.clone(), ..Asked::default() };
+        let asked =
+            Asked { roles: options.role.clone(), set: options.source.set.clone(), ..Asked::default() };
         let whole: Vec<ShaderFunction> =
             found.iter().filter(|f| furnace::is_brdf(f, &asked)).cloned().collect();
         found = if whole.is_empty() { found } else { whole };
@@ -169,27 +158,19 @@ fn function(options: &Options, bytes: &[u8]) -> Result<ShaderFunction, CliError>
     }
 }
 
-/// What made the report; the command names every option that bears on it.
-fn origin(options: &Options, bytes: &[u8], name: &str) -> Origin {
-    let mut words = vec!["lobefit furnace".to_string(), quoted(name)];
-    let mut add = |option: &str, value: String| words.push(format!("{option} {}", quoted(&value)));
-    options.function.iter().for_each(|f| add("--function", f.clone()));
-    options.define.iter().for_each(|d| add("--define", d.clone()));
-    options.include.iter().for_each(|i| add("--include", i.display().to_string()));
-    options.role.iter().for_each(|(n, role)| add("--role", format!("{n}={}", role.words())));
-    options.set.iter().for_each(|(n, x)| add("--set", format!("{n}={x}")));
+/// The command that makes the report again.
+fn command(options: &Options, name: &str) -> Vec<String> {
     let rough: Vec<String> = options.roughness.iter().map(f64::to_string).collect();
-    add("--roughness", rough.join(","));
     let cosine = options.cosine.and_then(|c| c.to_possible_value());
-    cosine.iter().for_each(|c| add("--cosine", c.get_name().into()));
-    options.limit.iter().for_each(|l| add("--limit", l.to_string()));
-    options.max_loss.iter().for_each(|x| add("--max-loss", x.to_string()));
-    words.extend(options.one_way.then(|| "--one-way".to_string()));
-    Origin {
-        scene: String::new(),
-        recipe: blake3::hash(bytes).to_hex().to_string(),
-        tool: env!("CARGO_PKG_VERSION").into(),
-        command: words.join(" "),
-        pages: Vec::new(),
-    }
+    let roles = options.role.iter().map(|(n, role)| named("--role", &format!("{n}={}", role.words())));
+    ["lobefit furnace".to_string(), quoted(name)]
+        .into_iter()
+        .chain(options.source.words())
+        .chain(roles)
+        .chain([named("--roughness", &rough.join(","))])
+        .chain(cosine.map(|c| named("--cosine", c.get_name())))
+        .chain(options.limit.map(|l| named("--limit", &l.to_string())))
+        .chain(options.max_loss.map(|x| named("--max-loss", &x.to_string())))
+        .chain(options.one_way.then(|| "--one-way".to_string()))
+        .collect()
 }

@@ -5,6 +5,7 @@ mod judged;
 mod origin;
 mod refusal;
 mod sidecar;
+mod source;
 mod stated;
 mod tables;
 mod words;
@@ -31,9 +32,9 @@ use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
+use source::SourceOptions;
 use words::{
-    Ranged, Size, axis, column, encoding, floor, form, range, raw_format, registration, setting, side, size,
-    wanted,
+    Ranged, Size, axis, column, encoding, floor, form, range, raw_format, registration, side, size, wanted,
 };
 
 const EXAMPLES: &str = "\
@@ -118,18 +119,8 @@ struct Options {
     /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
-    /// Function of a shader; `name(float, vec3)` where several have that name
-    #[arg(long, value_name = "NAME")]
-    pub function: Option<String>,
-    /// Macro of a shader's preprocessor
-    #[arg(long, value_name = "NAME[=VALUE]")]
-    pub define: Vec<String>,
-    /// Folder that a shader may include files from, or a file that stands before it
-    #[arg(long, value_name = "DIR")]
-    pub include: Vec<PathBuf>,
-    /// Value of an argument that is no input; a vector or a structure may be set by its name
-    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
-    pub set: Vec<(String, f64)>,
+    #[command(flatten)]
+    pub source: SourceOptions,
     /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`, or of roughness, alpha =
     /// roughness^2 unless the axis alpha^(1/4) is stated; of both, where both hold
     #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
@@ -216,7 +207,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
         drop(progress);
         let found = audit::declared_findings(
             said,
-            origin::origin(options, &bytes),
+            origin::origin(&bytes, &origin::audit(options)),
             &file_name(options),
             &holds,
             options.limit,
@@ -245,7 +236,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
     let cost = priced.map(price).transpose()?;
     drop(progress);
-    let origin = origin::origin(options, &bytes);
+    let origin = origin::origin(&bytes, &origin::audit(options));
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
     let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
     let passed = found.passed && said.is_none();
@@ -318,7 +309,7 @@ fn is_shader(options: &Options) -> bool {
     let stem = options.file.file_stem().map(PathBuf::from).filter(|_| script);
     let extension = stem.as_ref().unwrap_or(&options.file).extension();
     let extension = extension.map(|e| e.to_string_lossy().to_ascii_lowercase());
-    options.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
+    options.source.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
 }
 
 /// Refuses options that mean nothing for the kind of file.
@@ -338,11 +329,11 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
         let given = [
-            ("--set", !options.set.is_empty()),
+            ("--set", !options.source.set.is_empty()),
             ("--isa", options.isa),
             ("--domain", !options.domain.is_empty()),
-            ("--define", !options.define.is_empty()),
-            ("--include", !options.include.is_empty()),
+            ("--define", !options.source.define.is_empty()),
+            ("--include", !options.source.include.is_empty()),
         ];
         ("a table", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     };
@@ -359,7 +350,7 @@ const NAMED: usize = 4;
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
-    let functions = foreign::read_functions(bytes, &file, options.function.as_deref(), &around(options))?;
+    let functions = options.source.read(bytes, &file)?;
     if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
         let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
         let others = function.left_out.len() - names.len();
@@ -372,7 +363,7 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let mut found = Vec::new();
     let mut refused = None;
     for function in &functions {
-        match audit::sampled(function, options.wanted.0, &options.set, &scales) {
+        match audit::sampled(function, options.wanted.0, &options.source.set, &scales) {
             Ok(sampled) => found.push((sampled, function)),
             Err(error) => refused = refused.or(Some(error)),
         }
@@ -394,7 +385,7 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
             let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
             let what = format!("{} ({})", function.what, file_name(options));
             let inverse = match scales.is_empty() {
-                true => audit::sampled_inverse(source, options.wanted.0, &options.set)?,
+                true => audit::sampled_inverse(source, options.wanted.0, &options.source.set)?,
                 false => None,
             };
             let inverse = inverse.map(|inverse| AuditedTable { what: what.clone(), ..inverse });
@@ -438,9 +429,4 @@ fn file_name(options: &Options) -> String {
 /// The file's name with the array's: verdicts depend on no folder.
 fn named(options: &Options, array: &str) -> String {
     if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
-}
-
-/// What stands around a shader file.
-fn around(options: &Options) -> foreign::Surroundings {
-    foreign::Surroundings { defines: options.define.clone(), includes: options.include.clone() }
 }

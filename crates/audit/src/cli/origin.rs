@@ -3,18 +3,19 @@
 use super::Asked;
 use lobefit::report::Origin;
 
-/// What made the report; the command names every option that bears on it, in the order of the help.
-pub(super) fn origin(options: &Asked, bytes: &[u8]) -> Origin {
+/// What made the report, of the file's bytes and the words of a command, which name every option that bears on it.
+pub(super) fn origin(bytes: &[u8], words: &[String]) -> Origin {
     Origin {
         scene: String::new(),
         recipe: blake3::hash(bytes).to_hex().to_string(),
         tool: env!("CARGO_PKG_VERSION").into(),
-        command: command(options),
+        command: words.join(" "),
         pages: Vec::new(),
     }
 }
 
-fn command(options: &Asked) -> String {
+/// The command of an audit.
+pub(super) fn audit(options: &Asked) -> Vec<String> {
     let (quantity, column) = options.wanted;
     let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
     let list = |words: Vec<String>| Some(words.join(",")).filter(|w| !w.is_empty());
@@ -38,23 +39,22 @@ fn command(options: &Asked) -> String {
         ("--raw-format", options.raw_format.map(|f| f.name().into())),
         ("--symbol", options.symbol.clone()),
         ("--layer", options.layer.clone()),
-        ("--function", options.function.clone()),
     ];
     let mut words = vec!["lobefit audit".to_string(), quoted(&super::file_name(options))];
     for (option, value) in given {
-        words.extend(value.map(|v| format!("{option} {}", quoted(&v))));
+        words.extend(value.map(|v| named(option, &v)));
     }
-    words.extend(
-        options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
-    );
-    let named = |option: &str, value: &str| format!("{option} {}", quoted(value));
+    words.extend(options.source.words());
     let range = |(of, [low, high]): &(super::Ranged, [f64; 2])| format!("{}={low}..{high}", of.name());
     words.extend(options.domain.iter().map(|d| named("--domain", &range(d))));
-    words.extend(options.define.iter().map(|d| named("--define", d)));
-    words.extend(options.include.iter().map(|i| named("--include", &i.display().to_string())));
     words.extend(options.isa.then(|| "--isa".to_owned()));
     words.extend(options.limit.map(|l| format!("--limit {l}")));
-    words.join(" ")
+    words
+}
+
+/// An option and its value as they are typed.
+pub(super) fn named(option: &str, value: &str) -> String {
+    format!("{option} {}", quoted(value))
 }
 
 /// A word as a shell takes it: in single quotes where it holds anything but letters, digits and

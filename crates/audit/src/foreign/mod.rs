@@ -19,4 +19,4 @@ pub use error::ForeignError;
 use error::Spot;
 pub use recognise::read_table;
 pub use shader::{ShaderFunction, Surroundings, read_functions};
-pub use table::{Channel, ForeignTable, Hints, RawFormat, Step, srgb};
+pub use table::{Channel, ForeignTable, Hints, RawFormat, Step};

@@ -1,7 +1,7 @@
 //! What a file holds, as plain values.
 
 use half::f16;
-use lobefit_math::ops;
+use lobefit_math::{ops, srgb};
 
 /// How finely a format can tell values apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ impl Step {
             Step::Rgbe if x == 0.0 => 0.0,
             Step::Rgbe => 0.5 * ops::exp2(ops::log2(x.abs()).floor() - 7.0),
             // A step of what is stored is longest, after decoding, above the value.
-            Step::Srgb(n) => srgb(srgb_inverse(x) + 0.5 / f64::from(n)) - x,
+            Step::Srgb(n) => srgb::decoded(srgb::encoded(x) + 0.5 / f64::from(n)) - x,
             // With the alpha that one channel alone calls for.
             Step::Rgbd(tenths) => {
                 let (gamma, alpha) = (f64::from(tenths) / 10.0, x.abs().max(1.0).recip());
@@ -71,16 +71,6 @@ impl Step {
             Step::Decimals(n) => format!("{n} decimals"),
         }
     }
-}
-
-/// The linear value of an sRGB one (IEC 61966-2-1).
-pub fn srgb(x: f64) -> f64 {
-    if x <= 0.04045 { x / 12.92 } else { ops::pow((x + 0.055) / 1.055, 2.4) }
-}
-
-/// The sRGB value of a linear one.
-fn srgb_inverse(x: f64) -> f64 {
-    if x <= 0.04045 / 12.92 { x * 12.92 } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 }
 }
 
 /// One channel of a table, or of a sampled function.
@@ -212,28 +202,4 @@ pub struct Hints {
     pub symbol: Option<String>,
     /// Name of the layer of an EXR file.
     pub layer: Option<String>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn steps_are_half_the_distance_of_neighbours() {
-        assert_eq!(Step::Half.rounding(1.0), 0.5 / 1024.0);
-        assert_eq!(Step::Half.rounding(-0.75), 0.5 / 2048.0);
-        assert_eq!(Step::Half.rounding(0.0), 0.5 / 16_777_216.0);
-        assert_eq!(Step::Half.rounding(65504.0), 16.0, "the largest half");
-        assert!((Step::Decimals(3).rounding(7.0) - 5e-4).abs() < 1e-18);
-        assert_eq!(Step::Unorm8.rounding(0.3), 0.5 / 255.0);
-    }
-
-    #[test]
-    fn numbers_are_little_endian() {
-        assert_eq!(RawFormat::F16.values(&[0x00, 0x3c, 0x00, 0x38]), [1.0, 0.5]);
-        assert_eq!(RawFormat::F32.values(&[0, 0, 0x80, 0x3f, 9]), [1.0]);
-        assert_eq!(RawFormat::F64.values(&1.25f64.to_le_bytes()), [1.25]);
-        assert_eq!(RawFormat::Unorm8.values(&[0, 255]), [0.0, 1.0]);
-        assert_eq!(RawFormat::Unorm16.values(&[255, 255, 0, 0]), [1.0, 0.0]);
-    }
 }

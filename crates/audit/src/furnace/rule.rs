@@ -121,33 +121,3 @@ fn nodes(rule: &Gauss, ends: &[f64]) -> Vec<(f64, f64)> {
     };
     ends.windows(2).flat_map(on).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_hemisphere_and_a_narrow_lobe_are_whole() {
-        for cosine in [0.02, 0.05, 0.4, 1.0] {
-            let view = direction(cosine, 0.0);
-            let sum = |f: &dyn Fn(Vector) -> f64| -> f64 {
-                lights(view, [11, 6, 22]).into_iter().map(|(l, w)| f(l) * w).sum()
-            };
-            let whole = sum(&|_| 1.0) / (2.0 * PI);
-            let cosines = sum(&|l| l[2]) / PI;
-            assert!(
-                (whole - 1.0).abs() < 2e-3 && (cosines - 1.0).abs() < 1e-4,
-                "{cosine}: {whole} {cosines}"
-            );
-            // D (n.h)/(4 v.h) of GGX is a density of which a part is below the surface: none of a
-            // narrow lobe of a view that is not grazing.
-            let lobe = |l: Vector| {
-                let h = half(l, view);
-                let base = h[2] * h[2] * (1e-4 - 1.0) + 1.0;
-                1e-4 / (PI * base * base) * h[2] / (4.0 * dot(view, h))
-            };
-            let narrow = sum(&lobe);
-            assert!(cosine < 0.4 || (narrow - 1.0).abs() < 2e-3, "{cosine}: {narrow}");
-        }
-    }
-}

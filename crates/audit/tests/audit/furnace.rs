@@ -158,3 +158,26 @@ fn arguments_are_known_by_name_or_said() {
         "{verdict:?}"
     );
 }
+
+#[test]
+fn names_of_arguments_tell_what_they_are() {
+    let text = "struct Surface { float TdotH; vec3 baseColor; float specularF90; float metallic; };
+        float f(Surface s, float NdotL, float n_dot_v, float dotNH, float _NoV, float LoH, float VdotH, float cosNL,
+                float clampedNdotL, float perceptual_roughness, vec3 lightDir, vec3 wo, vec3 normal, vec3 h, vec3 X,
+                float mode, vec3 position) {
+            return 0.1 * (NdotL + n_dot_v + dotNH + _NoV + LoH + VdotH + cosNL + clampedNdotL + perceptual_roughness
+                + s.TdotH + s.baseColor.x + s.specularF90 + lightDir.z + wo.z + normal.z + h.z + X.x) + s.metallic + mode + position.x;
+        }";
+    let function = read(text, "f.glsl", "f");
+    let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
+    let message = furnace(&function, &asked).unwrap_err().to_string();
+    assert!(message.contains("what s.metallic, mode, position.x is given is not known"), "{message}");
+    let set = ["s.metallic", "mode", "position"].map(|name| (name.to_string(), 0.0)).to_vec();
+    let found = furnace(&function, &Asked { set, ..asked }).unwrap();
+    let named: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name}={role}")).collect();
+    let wanted = "s.TdotH=t.h s.baseColor=1 (white) s.specularF90=1 (white) s.metallic=0 NdotL=n.l n_dot_v=n.v dotNH=n.h \
+        _NoV=n.v LoH=l.h VdotH=v.h cosNL=n.l clampedNdotL=n.l perceptual_roughness=roughness lightDir=l wo=v normal=n \
+        h=h X=t mode=0 position=0";
+    assert_eq!(named.join(" "), wanted);
+    assert!(role("v.h").is_ok() && role("view").is_err());
+}

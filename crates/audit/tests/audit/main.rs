@@ -5,15 +5,13 @@ mod baked_support;
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
 
-mod channels;
+mod axes;
 mod declared;
+mod defects;
 mod functions;
 mod furnace;
-mod lobes;
-mod made;
 mod points;
-mod shipped;
-mod sidecars;
 mod solids;
+mod support;
 mod tables;
 mod zoo;

@@ -1,46 +1,21 @@
 //! Tables of three axes, and of sheen, with the defects that published ones have.
 
 use lobefit::data::Smith;
-use lobefit_audit::audit::{
-    Audit, AuditedTable, Channel, Column, Defect, Fit, Fixed, Form, Registration, Scale, Source, audit,
-};
-use lobefit_audit::foreign::Step;
+use lobefit_audit::audit::{AuditedTable, Column, Defect, Fit, Fixed, Form, Registration, Scale};
 use lobefit_truth::integrate::Path;
 use lobefit_truth::integrate::aniso::fast::{Place, many};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
-use lobefit_truth::quantity;
 use lobefit_truth::quantity::sheen;
 
-/// The verdict as it is printed.
-fn said(found: &Audit) -> String {
-    found.verdict(None).to_string()
+use crate::support::{axes, run, said, shipped};
+
+/// A table of one channel.
+fn solid(size: &[usize], values: Vec<f64>) -> AuditedTable {
+    shipped(size, vec![("0", values)])
 }
 
-fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> AuditedTable {
-    let channels = vec![Channel { name: "0".into(), values }];
-    AuditedTable {
-        what: what.into(),
-        size: size.to_vec(),
-        axes: AuditedTable::axes_of(size.len()),
-        source: Source::Table,
-        channels,
-        step: Step::None,
-        dead: Vec::new(),
-    }
-}
-
-fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
-    let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
-    eprintln!("{}\n{:#?}", said(&found), found.tried.iter().take(2).collect::<Vec<_>>());
-    found
-}
-
-fn axes(found: &Audit) -> Vec<(Scale, Registration, bool)> {
-    found.best().axes.iter().map(|a| (a.scale, a.registration, a.reversed)).collect()
-}
-
-const N: usize = 12;
+const N: usize = 10;
 
 /// Rough glass as Cycles lays it out: x roughness, y mu, z the fourth root of F0, end points; the
 /// side's E, changed by `f`.
@@ -79,11 +54,8 @@ const CYCLES: [(Scale, Registration, bool); 3] = [
 
 #[test]
 fn glass_from_outside_is_read_as_it_is() {
-    let found = run(
-        &shipped("glass_E", &[N; 3], glass(0, |e, _| (e * 1e6).round() / 1e6)),
-        "ggx-glass",
-        &Fixed::default(),
-    );
+    let found =
+        run(&solid(&[N; 3], glass(0, |e, _| (e * 1e6).round() / 1e6)), "ggx-glass", &Fixed::default());
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Outside));
     assert_eq!(found.best().lobe.form.smith, Some(Smith::Correlated));
@@ -91,7 +63,7 @@ fn glass_from_outside_is_read_as_it_is() {
     assert!(found.channels[0].errors.as_ref().unwrap().median < 1e-6);
     let errors = found.channels[0].errors.as_ref().unwrap();
     assert!(errors.judged < errors.all, "indices above 3 are not judged");
-    let told = "804 lie at mu below 2e-4, of which no truth is had, or at ior 1, where there is no interface, or at ior above 3, of which";
+    let told = "460 lie at mu below 2e-4, of which no truth is had, or at ior 1, where there is no interface, or at ior above 3, of which";
     assert!(said(&found).contains(told), "{}", said(&found));
 }
 
@@ -103,11 +75,11 @@ fn an_index_that_is_clamped_above_1_is_judged() {
     let registrations = Some(vec![Registration::Endpoint]);
     let fixed =
         Fixed { form, axes: Some(axes), registrations, side: Some(Side::Outside), ..Fixed::default() };
-    let found = run(&shipped("glass_E", &[N; 3], glass_from(1.0001, 0, |e, _| e)), "ggx-glass", &fixed);
+    let found = run(&solid(&[N; 3], glass_from(1.0001, 0, |e, _| e)), "ggx-glass", &fixed);
     assert_eq!((found.best().axes[2].floor, found.fit), (1.0001, Fit::Whole));
     let errors = found.channels[0].errors.as_ref().unwrap();
     // The view along the surface is not judged, nor what is above 3.
-    assert!(errors.max < 1e-4 && errors.judged == N * (N - 1) * 8, "{errors:?}");
+    assert!(errors.max < 1e-4 && errors.judged == N * (N - 1) * 7, "{errors:?}");
     assert!(!said(&found).contains("no interface"), "{}", said(&found));
 }
 
@@ -118,8 +90,9 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     let stale =
         |e: f64, [x, y, z]: [usize; 3]| if z >= 4 && x >= 5 && y <= 6 { (e + 0.25).min(1.0) } else { e };
     let form = Form::find("correlated");
-    let table = shipped("glass_inv_E", &[N; 3], glass(1, stale));
-    let found = run(&table, "ggx-glass", &Fixed { form, ..Fixed::default() });
+    let table = solid(&[N; 3], glass(1, stale));
+    let registrations = Some(vec![Registration::Endpoint]);
+    let found = run(&table, "ggx-glass", &Fixed { form, registrations, ..Fixed::default() });
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Inside));
     assert_eq!(found.fit, Fit::Part);
@@ -128,7 +101,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
         _ => None,
     });
     let (texels, mean, range) = part.expect("the part is named");
-    assert!(mean > 0.1 && texels[0] > 100, "{texels:?} {mean}");
+    assert!(mean > 0.1 && texels[0] > 80, "{texels:?} {mean}");
     assert_eq!(range[2][0], 4);
     assert!(
         said(&found).contains("too high") && said(&found).contains("leave open fits as a whole"),
@@ -161,21 +134,18 @@ const SOURCES: [(Scale, Registration, bool); 3] = [
 
 #[test]
 fn the_anisotropic_table_of_the_path_tracer_is_read_as_it_is() {
-    let found = run(
-        &shipped("reflect", &[16, 16, 8], of_the_path_tracer([16, 16, 8])),
-        "ggx-reflection-aniso",
-        &Fixed::default(),
-    );
+    let found =
+        run(&solid(&[12, 12, 6], of_the_path_tracer([12, 12, 6])), "ggx-reflection-aniso", &Fixed::default());
     assert_eq!(axes(&found), SOURCES);
     assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
     assert_eq!(found.fit, Fit::Whole);
     let plain = found.plain.as_ref().map(|p| p.texels);
-    assert_eq!(plain, Some([2048; 2]), "the plain reading is judged at every texel too");
+    assert_eq!(plain, Some([864; 2]), "the plain reading is judged at every texel too");
 }
 
 #[test]
 fn unequal_sizes_and_other_orders_of_axes_are_read() {
-    let size = [20, 12, 8];
+    let size = [16, 12, 8];
     let e = of_the_path_tracer(size);
     let form = Form::find("separable");
     for order in [[1, 2, 0], [2, 1, 0]] {
@@ -186,8 +156,10 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
             order.iter().zip(along).for_each(|(k, at)| own[*k] = at);
             e[(own[2] * size[1] + own[1]) * size[0] + own[0]]
         };
-        let table = shipped("reflect", &sides, (0..e.len()).map(value).collect());
-        let found = run(&table, "ggx-reflection-aniso", &Fixed { form, ..Fixed::default() });
+        let table = solid(&sides, (0..e.len()).map(value).collect());
+        let registrations = Some(vec![Registration::Left]);
+        let fixed = Fixed { form, registrations, ..Fixed::default() };
+        let found = run(&table, "ggx-reflection-aniso", &fixed);
         assert_eq!(axes(&found), order.map(|k| SOURCES[k]), "{order:?}");
         assert_eq!(
             (found.best().lobe.form.smith, found.fit),
@@ -216,7 +188,7 @@ fn an_axis_of_the_inverse_index_is_found() {
     }
     let (form, side) = (Form::find("correlated"), Some(Side::Outside));
     let fixed = Fixed { form, side, ..Fixed::default() };
-    let found = run(&shipped("R", &size, values), "ggx-glass", &fixed);
+    let found = run(&solid(&size, values), "ggx-glass", &fixed);
     let wanted =
         [Scale::IorInverseTwo, Scale::Roughness, Scale::Mu].map(|s| (s, Registration::Centre, false));
     assert_eq!(axes(&found), wanted);
@@ -224,35 +196,11 @@ fn an_axis_of_the_inverse_index_is_found() {
 }
 
 #[test]
-fn transmitted_radiance_is_not_taken_for_energy() {
-    let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
-    let (n, at) = (6, |i: usize| (i as f64 + 0.5) / 6.0);
-    let iors: Vec<f64> = (0..n).map(|z| 1.0 + at(z)).collect();
-    let mut values = vec![0.0; n * n * n];
-    for i in 0..n * n {
-        let (x, y) = (i % n, i / n);
-        let mut out = vec![Energies::default(); n];
-        kernel.energies(at(y) * at(y), at(x), &iors, &mut out).unwrap();
-        for (z, e) in out.iter().enumerate() {
-            // Radiance rises by the square of the index on the way out.
-            values[(z * n + y) * n + x] = e.r[1] + e.t[1] * iors[z] * iors[z];
-        }
-    }
-    let axes = Some([Scale::Mu, Scale::Roughness, Scale::IorUnit].map(|scale| (scale, false)).to_vec());
-    let (form, side) = (Form::find("correlated"), Some(Side::Inside));
-    let registrations = Some(vec![Registration::Centre]);
-    let fixed = Fixed { axes, registrations, form, side, ..Fixed::default() };
-    let found = run(&shipped("radiance", &[n; 3], values), "ggx-glass", &fixed);
-    assert_eq!((found.best().columns.clone(), found.fit), (vec![Some(Column::Radiance)], Fit::Whole));
-    assert!(found.worst() < 1e-5, "{}", found.worst());
-}
-
-#[test]
 fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     let at = |i: usize| (i as f64 + 0.5) / 16.0;
     let value = |i: usize| sheen::albedo(at(i / 16) * at(i / 16), at(i % 16));
     let clamped = (0..256).map(|i| (value(i).min(1.0) * 255.0).round() / 255.0).collect();
-    let found = run(&shipped("lut_sheen_E", &[16, 16], clamped), "sheen-charlie", &Fixed::default());
+    let found = run(&solid(&[16, 16], clamped), "sheen-charlie", &Fixed::default());
     assert_eq!(
         axes(&found),
         [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
@@ -266,7 +214,7 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     // Half vectors drawn by D but weighted as if drawn uniformly, with roughness for alpha: the
     // ratio to the truth runs from 0.4 to 1.4.
     let wrong = (0..256).map(|i| value(i) * (0.4 + at(i % 16)) * (1.6 - at(i / 16))).collect();
-    let found = run(&shipped("lut_charlie", &[16, 16], wrong), "sheen-charlie", &Fixed::default());
+    let found = run(&solid(&[16, 16], wrong), "sheen-charlie", &Fixed::default());
     assert_eq!(found.fit, Fit::None);
 }
 
@@ -286,7 +234,7 @@ fn an_end_that_is_wrong_does_not_condemn_the_rest() {
         form: Form::find("neubelt"),
         ..Fixed::default()
     };
-    let table = shipped("Sheen_E", &[16, 16], (0..256).map(value).collect());
+    let table = solid(&[16, 16], (0..256).map(value).collect());
     let found = run(&table, "sheen-charlie", &fixed);
     assert_eq!(found.fit, Fit::Part);
     assert!(said(&found).contains("y = 0; the others are not"), "{}", said(&found));
@@ -301,7 +249,7 @@ fn texels_that_are_not_sampled_are_told_and_pass_no_limit() {
     let registrations = Some(vec![Registration::Centre]);
     let fixed =
         Fixed { axes: Some(axes.to_vec()), registrations, form: Form::find("separable"), ..Fixed::default() };
-    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &fixed);
+    let mut found = run(&solid(&size, values), "ggx-reflection-aniso", &fixed);
     let errors = found.channels[0].errors.as_ref().unwrap();
     assert_eq!(errors.unsampled, 8200 * 64 - 64 * 64);
     assert!(

@@ -58,6 +58,11 @@ fn the_page_has_the_places_the_commands_and_the_issues_of_the_list() {
         for artefact in list(&project, "artefacts") {
             holds(&format!("| `{}` {} |", word(artefact, "id"), word(artefact, "what")));
             holds(&format!("--as {}", word(artefact, "quantity")));
+            assert!(
+                !artefact["ours"].is_null(),
+                "{}: nothing of ours beside it, nor why",
+                word(artefact, "id")
+            );
             holds(&format!("# {}, {}\n", word(artefact, "id"), word(artefact, "file")));
         }
     }

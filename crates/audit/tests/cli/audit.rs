@@ -274,39 +274,3 @@ fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
     let arguments = declared["arguments"].as_array().unwrap();
     assert!(arguments.iter().any(|own| own["long"] == "samples" && own["value"].is_string()), "{declared}");
 }
-
-#[test]
-fn a_slice_is_chosen_in_every_container_and_a_stated_size_says_its_channels() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = |i: usize| (i as f64 + 0.5) / 16.0;
-    let value = |i: usize| {
-        let (x, y, z) = (at(i % 16), at(i / 16 % 16), i / 256);
-        if z == 2 { split(Smith::Correlated, y * y, x, &Effort::ladder()[1]).0 } else { 0.1 * (x + y) }
-    };
-    let values: Vec<f64> = (0..1024).map(value).collect();
-    let rows: Vec<String> = values.iter().map(|v| format!("{v:.6}")).collect();
-    std::fs::write(folder.path().join("t.h"), format!("float t[4][16][16] = {{{}}};", rows.join(",")))
-        .unwrap();
-    let raw: Vec<u8> = values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect();
-    std::fs::write(folder.path().join("t.bin"), raw).unwrap();
-    let with = |file: &str, more: &[&str]| {
-        let all = [&["audit", file, "--as", "ggx-reflection:E", "--limit", "1e-5"], more].concat();
-        lobefit(folder.path(), &all, b"")
-    };
-    // What is said of all slices is what the option takes.
-    for (file, more) in [("t.h", &[][..]), ("t.bin", &["--size", "16x16x4"])] {
-        let all = with(file, more);
-        assert!(stderr(&all).contains("--layer takes one of its slices, 0 to 3"), "{}", stderr(&all));
-    }
-    let text = with("t.h", &["--layer", "2"]);
-    assert_eq!(text.status.code(), Some(0), "{}", stderr(&text));
-    let raw = with("t.bin", &["--layer", "2", "--size", "16x16x4"]);
-    assert_eq!(raw.status.code(), Some(0), "{}", stderr(&raw));
-    let beyond = with("t.h", &["--layer", "4"]);
-    assert_eq!(beyond.status.code(), Some(2), "{}", stderr(&beyond));
-    assert!(stderr(&beyond).contains("they are 0 to 3"), "{}", stderr(&beyond));
-    let named = with("t.h", &["--layer", "albedo"]);
-    assert!(stderr(&named).contains("number of a slice"), "{}", stderr(&named));
-    let grouped = with("t.bin", &["--size", "16x16"]);
-    assert!(stderr(&grouped).contains("256 texels of 4 channels"), "{}", stderr(&grouped));
-}

@@ -5,6 +5,7 @@ mod foreign_support;
 
 mod images;
 mod mutations;
+mod published;
 mod shaders;
 mod shaders_hlsl;
 mod shaders_shipped;

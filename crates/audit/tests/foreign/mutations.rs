@@ -1,8 +1,9 @@
-//! Damaged files of every format: an error or a table, never a panic, and no more memory than
+//! Damaged files of every format: an error, a table or functions, never a panic, and no more memory than
 //! promised.
 
 use crate::foreign_support;
 
+use crate::shaders::{functions, read_functions};
 use foreign_support::{dds, dds_extended, exr_of_parts, hdr, ktx2, png};
 use lobefit_audit::foreign::{Hints, RawFormat, read_table};
 use rand::{Rng, SeedableRng};
@@ -37,6 +38,13 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("t.hdr", hdr([16, 8], &[[7, 90, 200]; 128], true)),
         ("t.npy", npy),
         ("t.raw", data),
+        (
+            "t.csv",
+            (0..256)
+                .map(|i| format!("{}{}", f64::from(i) / 256.0, [",", "\n"][usize::from(i % 16 == 15)]))
+                .collect::<String>()
+                .into_bytes(),
+        ),
         ("t.h", text.clone().into_bytes()),
         ("t.rs", text.into_bytes()),
     ]
@@ -125,4 +133,79 @@ fn every_prefix_of_a_file_is_read_without_a_panic() {
             }
         }
     }
+}
+
+/// Characters that sources are damaged with.
+const ODD: &[u8] = b"(){}[];,.+-*/<>=&|!0123456789#\0\xff";
+
+/// Sources of every language, with what a reader stumbles over.
+const SOURCES: [(&str, &str); 3] = [
+    (
+        "f.wgsl",
+        "const C = vec4(1.0, 0.5, -2.0, 3.0);\nfn g(v: vec3<f32>) -> f32 { return dot(v, C.xyz); }\nfn f(x: f32, y: f32) -> vec2<f32> {\n  var s = array<f32, 3>(x, y, 1.0);\n  for (var i = 0; i < 3; i++) { if s[i] > 0.5 { s[i] *= C[i]; } }\n  return vec2(g(vec3(s[0], s[1], s[2])), mix(x, y, 0.25));\n}\n",
+    ),
+    (
+        "f.glsl",
+        "#define N 3\nconst mat2 M = mat2(1.0, 2.0, 3.0, 4.0);\nvoid g(in float x, inout vec2 v) { v *= x; }\nvec3 f(vec2 a, float b) {\n  vec2 v = M * a;\n  for (int i = 0; i < N; i++) { g(b, v); }\n  return b > 0.0 ? vec3(v, pow(b, 2.5)) : vec3(clamp(a, 0.0, 1.0), 1);\n}\n",
+    ),
+    (
+        "f.hlsl",
+        "#define SQ(x) ((x)*(x))\n#if 2 > 1 && !defined(N)\n#define N 3\n#endif\nstatic const float2 C[2] = { { 1, 2 }, { 3, 4.h } };\nvoid g(in half x, inout float2 v) { v *= SQ(x); }\nfloat3 f(float2 a, float b) {\n  float2 v = mul(float2x2(1, 2, 3, 4), a);\n  [unroll] for (int i = 0; i < N; i++) { g(b, v); }\n  return b > 0 ? float3(v, pow(b, 2.5)) : (float3)lerp(C[0].y, a.x, 1);\n}\n",
+    ),
+];
+
+/// One to three bytes of a source copied to another place, put in or taken out, or its end cut off.
+fn damaged_source(source: &str, random: &mut Pcg64) -> Vec<u8> {
+    let mut bytes = source.as_bytes().to_vec();
+    for _ in 0..=random.next_u32() % 3 {
+        let [from, to] = [0; 2].map(|_| random.next_u64() as usize % bytes.len());
+        match random.next_u32() % 4 {
+            0 => bytes[to] = bytes[from],
+            1 => bytes.truncate(to.max(20)),
+            2 => bytes.insert(to, ODD[random.next_u64() as usize % ODD.len()]),
+            _ => drop(bytes.remove(to)),
+        }
+    }
+    bytes
+}
+
+/// So many damages of each source.
+fn damage_sources(trials: u64) {
+    for (k, (file, source)) in SOURCES.into_iter().enumerate() {
+        assert!(functions(source, file, Some("f"))[0].results.len() > 1);
+        let (mut read, mut refused) = (0, 0);
+        for trial in 0..trials {
+            let bytes = damaged_source(source, &mut Pcg64::seed_from_u64(k as u64 * TRIALS + trial));
+            match read_functions(&bytes, file, None) {
+                Ok(found) => {
+                    read += 1;
+                    for function in found {
+                        // Whatever the damaged formula is worth, it is run without a panic.
+                        let inputs = vec![0.5; function.inputs.len()];
+                        match function.at(&inputs) {
+                            Ok(values) => assert_eq!(values.len(), function.results.len()),
+                            Err(error) => assert!(error.to_string().starts_with(file), "{error}"),
+                        }
+                    }
+                }
+                Err(error) => {
+                    refused += 1;
+                    assert!(error.to_string().starts_with(file), "{error}");
+                }
+            }
+        }
+        assert!(read > 0 && refused > 0, "{file}: {read} read, {refused} refused");
+    }
+    within_memory();
+}
+
+#[test]
+fn damaged_sources_are_errors_or_functions() {
+    damage_sources(600);
+}
+
+#[test]
+#[ignore = "a minute: .ci/nightly"]
+fn nightly_damaged_sources_are_errors_or_functions() {
+    damage_sources(TRIALS);
 }

@@ -311,3 +311,30 @@ fn split_sum(rough: f32, c: f32, @if(MORE) extra: f32) -> f32 {
     assert_eq!(of("split_sum", &["MORE"]).inputs, ["rough", "c", "extra"]);
     assert_eq!([at(&of("only", &[]), &[0.5]), at(&of("only", &["LUT"]), &[0.5])], [1.0, 0.5]);
 }
+
+#[test]
+fn conditions_are_integer_arithmetic() {
+    let macros = "#define A 3\n#define TWICE(x) (2 * (x))\n";
+    let value = |text: &str| {
+        let source = format!(
+            "{macros}#if {text}\nfloat f(float x) {{ return 1.0; }}\n#else\nfloat f(float x) {{ return 2.0; }}\n#endif\n"
+        );
+        let read = read_functions(source.as_bytes(), "c.glsl", Some("f"), &Surroundings::default());
+        read.map(|found| at(&found[0], &[0.5]) == 1.0).map_err(|e| e.to_string())
+    };
+    for text in [
+        "A == 3 && !defined(B)",
+        "1 << 2 == 4",
+        "(A & 2) != 0 && (A | 4) == 7",
+        "TWICE(A) > 5 && NOWHERE == 0",
+        "-1 < 0x10u && ~0 == -1",
+        "1 + 2 * 3 == 7",
+        "true && !false",
+    ] {
+        assert_eq!(value(text), Ok(true), "{text}");
+    }
+    assert_eq!(value("A < 3"), Ok(false));
+    for text in ["A +", "(A", "1.5 > 1", "has(A)", "1 2", "9223372036854775807 + 1", "1 / 0 > 2"] {
+        assert!(value(text).is_err_and(|e| e.starts_with("c.glsl: 3:")), "{text}: {:?}", value(text));
+    }
+}

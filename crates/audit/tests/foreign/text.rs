@@ -219,3 +219,48 @@ fn declared_sizes_that_are_not_those_of_the_rows_are_refused() {
     assert!(message.contains("declared as 16 x 16 and holds 192"), "{message}");
     assert_grid(&one(&format!("float E[16][12] = {{ {} }};", nested(12)), "t.c"), 12, 16, 1);
 }
+
+#[test]
+fn numbers_of_every_language_and_no_others() {
+    let text = "#define N \\\n 32\nconst T = [0.5f, 1., .25F, /* 1 */ 1e-3, 2.5e2h, 0.125_f32, // 3\n4lf, 1.5f16, 1_0.0];\n'6'; #include <7>";
+    let expected = [0.5, 1.0, 0.25, 0.001, 250.0, 0.125, 4.0, 1.5, 10.0];
+    let hints = Hints { size: Some(vec![9]), ..Hints::default() };
+    let found = tables(text, "t.c", &hints);
+    assert_eq!(found[0].channels[0].values, expected);
+}
+
+#[test]
+fn names_of_declarations_of_every_language() {
+    for (text, name) in [
+        ("static const float table_E[9] = ", "table_E"),
+        ("constexpr float t[9]", "t"),
+        ("const half rows[N] = ", "rows"),
+        ("std::array<std::array<float, 9>, 1> t = ", "t"),
+        ("export const DATA: number[] = ", "DATA"),
+        ("const DATA = new Float32Array(", "DATA"),
+        ("pub static LUT: [f32; 9] = ", "LUT"),
+        ("const lut: array<f32, 9> = array<f32, 9>", "lut"),
+        ("const float[9] lut = float[9]", "lut"),
+        ("E: ", "E"),
+        ("lut = np.array(", "lut"),
+        ("module.exports.dfg = ", "dfg"),
+        ("__device__ __constant__ float e[9]", "e"),
+        ("alignas(16) static const float q[9] = ", "q"),
+        ("", ""),
+    ] {
+        let open = if text.ends_with('(') { ")" } else { "" };
+        let text = format!("{text}[0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5]{open};");
+        let hints = Hints { size: Some(vec![9]), ..Hints::default() };
+        assert_eq!(tables(&text, "t.cpp", &hints)[0].name, name, "{text}");
+    }
+}
+
+#[test]
+fn steps_are_half_the_distance_of_neighbours() {
+    assert_eq!(Step::Half.rounding(1.0), 0.5 / 1024.0);
+    assert_eq!(Step::Half.rounding(-0.75), 0.5 / 2048.0);
+    assert_eq!(Step::Half.rounding(0.0), 0.5 / 16_777_216.0);
+    assert_eq!(Step::Half.rounding(65504.0), 16.0, "the largest half");
+    assert!((Step::Decimals(3).rounding(7.0) - 5e-4).abs() < 1e-18);
+    assert_eq!(Step::Unorm8.rounding(0.3), 0.5 / 255.0);
+}

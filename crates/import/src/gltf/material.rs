@@ -1,5 +1,6 @@
 //! One material of glTF as a surface: what each extension means for the lobes.
 
+use lobefit_math::srgb;
 use lobefit_strict::number::{In, Numbers};
 use lobefit_strict::value::Maybe;
 
@@ -9,7 +10,7 @@ use super::images::Images;
 use crate::note::Said;
 use crate::scene::Parts;
 use crate::surface::{Reflectance, Shape, Surface, f0_of};
-use crate::texture::{Extremes, linear};
+use crate::texture::Extremes;
 
 /// Index of refraction where a material states none.
 const IOR: f64 = 1.5;
@@ -215,7 +216,7 @@ impl Look<'_, '_, '_> {
         let quantile = images.quantile();
         match images.texture(texture.index)? {
             Ok(channels) => Ok([R, G, B].map(|k| {
-                let [kept, all] = [channels[k].kept, channels[k].all].map(|ends| ends.map(linear));
+                let [kept, all] = [channels[k].kept, channels[k].all].map(|ends| ends.map(srgb::decoded));
                 self.said.beyond(COLOUR[k], &Extremes { kept, all }, quantile);
                 factor[k] * kept[1]
             })),

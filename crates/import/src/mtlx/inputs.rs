@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use lobefit_math::srgb;
 use lobefit_strict::SceneError;
 use lobefit_strict::number::{Interval, inside};
 use roxmltree::Node;
@@ -10,7 +11,7 @@ use roxmltree::Node;
 use super::Document;
 use super::xml::wrong;
 use crate::note::Said;
-use crate::texture::{Outcome, Place, Textures, linear, relative};
+use crate::texture::{Outcome, Place, Textures, relative};
 
 /// Most inputs of a node: more than twice those of any model. Materials may share a shader, and each looks
 /// at all its inputs.
@@ -253,7 +254,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         let space = space(file);
         if space == Some("srgb_texture") {
             for range in &mut ranges[..3] {
-                *range = range.map(linear);
+                *range = range.map(srgb::decoded);
             }
         }
         for (factor, is_sum) in [("factor", false), ("scale", false), ("color", false), ("bias", true)] {
@@ -329,7 +330,7 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
     /// A colour of a space in linear values.
     fn linear(&mut self, space: Option<&str>, colour: [f64; 3]) -> [f64; 3] {
         match space {
-            Some("srgb_texture") => colour.map(linear),
+            Some("srgb_texture") => colour.map(srgb::decoded),
             None | Some("" | "none" | "raw" | "lin_rec709" | "linear") => colour,
             Some(other) => {
                 self.said

@@ -6,8 +6,6 @@ mod histogram;
 
 use std::collections::BTreeMap;
 
-use lobefit_math::ops::pow;
-
 use super::limits;
 use decode::Decoded;
 
@@ -110,11 +108,6 @@ impl<'a> Textures<'a> {
     pub(crate) fn quantile(&self) -> f64 {
         self.quantile
     }
-}
-
-/// The linear value of one in sRGB.
-pub(crate) fn linear(x: f64) -> f64 {
-    if x <= 0.04045 { x / 12.92 } else { pow((x + 0.055) / 1.055, 2.4) }
 }
 
 /// The path of a URI relative to a folder, its escapes resolved.

@@ -99,29 +99,3 @@ fn add(out: &mut [Base], line: &[Base], weight: f64) {
         out[i] += weight * line[i];
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cubics_are_followed_where_there_are_knots_for_them() {
-        let knots =
-            |count, cubic| Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count, cubic };
-        let knots = [knots(3, true), knots(4, false), knots(5, true)];
-        let f = |x: f64, y: f64, z: f64| [1.0 + x * y.sqrt() * y, z * z.sqrt() - x.sqrt(), x];
-        let mut values = Vec::new();
-        for z in knots[2].inputs() {
-            for y in knots[1].inputs() {
-                values.extend(knots[0].inputs().iter().map(|x| f(*x, y, z)));
-            }
-        }
-        let (x, y, z) = ([0.0, 0.3, 1.0], [0.2, 0.9], [0.7]);
-        let slow = along(&knots[2], &z, 12, &values);
-        let got = along(&knots[0], &x, 1, &along(&knots[1], &y, 3, &slow));
-        for (i, value) in got.iter().enumerate() {
-            let wanted = f(x[i % 3], y[i / 3], z[0]);
-            assert!((0..3).all(|k| (value[k] - wanted[k]).abs() < 1e-14), "{i}");
-        }
-    }
-}

@@ -132,29 +132,3 @@ fn step(axis: &str, registration: Registration, reversed: bool) -> Option<String
         Registration::EndLow => format!("along {axis}, compute {ends}: now {before}"),
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_falling_axis_is_shifted_the_other_way() {
-        for (registration, mirrored) in [
-            (Registration::Left, Registration::Right),
-            (Registration::OneHigh, Registration::OneLow),
-            (Registration::EndHigh, Registration::EndLow),
-        ] {
-            assert_eq!(step("x", registration, true), step("x", mirrored, false));
-            assert_eq!(step("x", mirrored, true), step("x", registration, false));
-        }
-        assert_ne!(step("x", Registration::Left, true), step("x", Registration::Left, false));
-    }
-
-    #[test]
-    fn a_function_is_stored_in_no_format() {
-        let clamped = Defect::Clamped { value: 1.0, texels: 3, truth: 1.2 };
-        let [of_table, of_function] = [Source::Table, Source::Function].map(|s| mending(&clamped, &[], s));
-        assert!(of_table.unwrap().contains("format"));
-        assert!(of_function.unwrap().contains("saturates"));
-    }
-}

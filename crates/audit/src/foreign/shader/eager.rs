@@ -57,23 +57,3 @@ fn compares(bytes: &[u8], at: usize) -> bool {
         _ => bytes.get(at + 1) == Some(&b'='),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_a_right_side_changes_is_found() {
-        let found = |text: &str| eager(text, [0, text.len()], &|name| name == "set").map(|f| f.0);
-        assert_eq!(found("b = a && set(x); c = set(y);"), Some(9));
-        assert_eq!(found("b = set(x) && a; set(y);"), None);
-        assert_eq!(found("b = (a || c) ? set(x) : d;"), None);
-        assert_eq!(found("f(a && c, set(x)); if (a || c) { x = 1.0; }"), None);
-        assert_eq!(found("b = a || (c && x++ > 1);"), Some(16));
-        assert_eq!(found("b = a && (x = 2.0) > c;"), Some(12));
-        assert_eq!(found("b = a && c <= d && c == e && c != e && c >= e;"), None);
-        assert_eq!(found("b = a && (k <<= 1) > 2;"), Some(14));
-        assert_eq!(found("b = a && (k >>= 1) > 2;"), Some(14));
-        assert_eq!(found("b = a && (k |= 1) > 2;"), Some(13));
-    }
-}

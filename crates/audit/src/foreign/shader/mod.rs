@@ -104,9 +104,6 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
     if let Some(entry) = entry {
         let (name, types) = entry.split_once('(').map_or((entry, None), |(name, types)| (name, Some(types)));
         let all = source.functions(Some(name.trim()));
-        if all.is_empty() {
-            return Err(source.no_such(name.trim()));
-        }
         let wanted = |types: &str| -> Vec<String> {
             let list = types.trim_end().trim_end_matches(')').split(',');
             list.map(|t| t.trim().to_string()).filter(|t| !t.is_empty()).collect()
@@ -114,8 +111,7 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
         let meant = |i: &usize| types.is_none_or(|types| source.item(*i).types() == wanted(types));
         let found: Vec<usize> = all.iter().copied().filter(meant).collect();
         if found.is_empty() {
-            let known: Vec<String> = all.iter().map(|i| source.item(*i).signature()).collect();
-            return Err(ForeignError::no_such(&source.file, "function", entry, &known));
+            return Err(source.no_such(entry.trim(), name.trim(), &all));
         }
         // Of several overloads those that can be read are meant.
         let read: Vec<_> = found.into_iter().map(|i| one(source, i)).collect();

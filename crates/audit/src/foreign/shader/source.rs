@@ -113,19 +113,28 @@ impl Source {
         &self.items[item]
     }
 
-    /// The error that a function is not there: what is, or the condition that leaves it out.
-    pub fn no_such(&self, name: &str) -> ForeignError {
-        if let Some(hint) = self.excluded(name) {
-            return ForeignError::new(&self.file, format!("function {name} is not there: {hint}"));
+    /// The error that a function is not there: what is, its overloads if it has any, and the condition that
+    /// leaves it out.
+    pub fn no_such(&self, entry: &str, name: &str, overloads: &[usize]) -> ForeignError {
+        let hint = self.excluded(name);
+        if let (Some(hint), []) = (&hint, overloads) {
+            return ForeignError::new(&self.file, format!("function {entry} is not there: {hint}"));
         }
         let own = self.functions(None);
         let all = (0..self.own).filter(|i| self.items[*i].body);
-        // A shader of includes alone has no function of its own.
-        let listed: Vec<usize> = if own.is_empty() { all.collect() } else { own };
-        let mut known: Vec<String> = listed.into_iter().map(|i| self.items[i].name().to_string()).collect();
+        let mut known: Vec<String> = match (overloads, own.is_empty()) {
+            // A shader of includes alone has no function of its own.
+            ([], true) => all.map(|i| self.items[i].name().to_string()).collect(),
+            ([], false) => own.into_iter().map(|i| self.items[i].name().to_string()).collect(),
+            _ => overloads.iter().map(|i| self.items[*i].signature()).collect(),
+        };
         known.dedup();
-        let error = ForeignError::no_such(&self.file, "function", name, &known);
-        self.with_missing(error)
+        let error = ForeignError::no_such(&self.file, "function", entry, &known);
+        let error = hint.iter().fold(error, |error, hint| ForeignError {
+            message: format!("{}; {hint}", error.message),
+            ..error
+        });
+        if overloads.is_empty() { self.with_missing(error) } else { error }
     }
 
     /// The error that a file has no function.

@@ -105,24 +105,3 @@ pub(super) fn place(files: &[File], origin: Origin) -> (&str, Spot) {
     let file = &files[origin.file.min(files.len() - 1)];
     (&file.name, Spot::of(&file.text, origin.at))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bytes_know_their_origin_through_two_texts() {
-        let of = |file, at| Origin { file, at };
-        let mut first = Text::default();
-        first.copy("float x = ", of(0, 10));
-        first.put("3.14159", of(1, 4));
-        first.copy("; return x", of(0, 22));
-        let mut second = Text::default();
-        second.put("{ ", of(2, 0));
-        second.take(&first, [6, 19]);
-        assert_eq!(second.as_str(), "{ x = 3.14159; ");
-        let origins: Vec<Origin> = [0, 2, 5, 6, 12, 13, 14].map(|at| second.origin(at)).to_vec();
-        assert_eq!(origins, [of(2, 0), of(0, 16), of(0, 19), of(1, 4), of(1, 4), of(0, 22), of(0, 23)]);
-        assert_eq!(Text::default().origin(7), of(0, 0));
-    }
-}

@@ -60,37 +60,3 @@ fn size(tokens: &[Token]) -> usize {
         _ => 0,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(text: &str) -> (String, Vec<usize>) {
-        let lead = lead(text, "t.cpp", 0, text.len());
-        (lead.name, lead.sizes)
-    }
-
-    #[test]
-    fn declarations_of_every_language() {
-        let cases: [(&str, &str, &[usize]); 15] = [
-            ("static const float table_E[1024] = ", "table_E", &[1024]),
-            ("constexpr float t[32][16]", "t", &[32, 16]),
-            ("const half3 rows[N] = ", "rows", &[0]),
-            ("std::array<std::array<float, 4>, 2> t = ", "t", &[]),
-            ("export const DATA: number[] = ", "DATA", &[]),
-            ("const DATA = new Uint16Array(", "DATA", &[]),
-            ("pub static LUT: [[f32; 32]; 32] = ", "LUT", &[]),
-            ("const lut: array<vec2<f32>, 256> = array<vec2<f32>, 256>", "lut", &[]),
-            ("const float[4] lut = float[4]", "lut", &[]),
-            ("E: ", "E", &[]),
-            ("lut = np.array(", "lut", &[]),
-            ("module.exports.dfg = ", "dfg", &[]),
-            ("__device__ __constant__ float e[4]{", "e", &[4]),
-            ("alignas(16) static const float q[2] = ", "q", &[2]),
-            ("", "", &[]),
-        ];
-        for (text, name, sizes) in cases {
-            assert_eq!(of(text), (name.to_string(), sizes.to_vec()), "{text}");
-        }
-    }
-}

@@ -31,24 +31,3 @@ pub(in crate::foreign) fn nesting(text: &str, file: &str) -> usize {
     }
     deepest
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_inside_counts_and_what_is_beside_does_not() {
-        let depth = |text: &str| nesting(text, "t.glsl");
-        assert_eq!(depth("a + b * c; d - e;"), 2);
-        assert_eq!(depth("f(a + b, c + d, e * g)"), 2);
-        assert_eq!(depth("-(-(-(x)))"), 6);
-        assert_eq!(depth(&format!("f({});", vec!["vec2(1, -2)"; 5000].join(", "))), 3);
-        assert_eq!(depth(&"(".repeat(2000)), 2000);
-        assert_eq!(depth(&"if (x) {} else ".repeat(300)), 300);
-        assert_eq!(depth(&"f(a, ".repeat(2000)), 2000);
-        assert_eq!(depth(&format!("a{};", ".x".repeat(2000))), 2000);
-        assert_eq!(depth(&format!("a{};", "[0]".repeat(2000))), 2001);
-        assert_eq!(depth(&"float f(float x) { return x; }\n".repeat(2000)), 1);
-        assert_eq!(depth("// ((((\n/* (((( */ )))) ,"), 0);
-    }
-}

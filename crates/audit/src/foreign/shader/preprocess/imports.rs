@@ -105,27 +105,3 @@ fn paths(words: &[&str]) -> Vec<Import> {
     end(&mut path, kept, &mut name, &mut found);
     found
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::lex::tokens;
-    use super::*;
-    use crate::foreign::shader::text::Origin;
-
-    #[test]
-    fn paths_of_imports() {
-        let read = |text: &str| {
-            let list = tokens(text, Origin { file: 0, at: 0 });
-            let words: Vec<&str> =
-                list.iter().filter(|t| t.kind != Kind::Blank).map(|t| t.text.as_str()).collect();
-            let found = paths(&words).into_iter();
-            let each = found.map(|i| i.path.join("/") + &i.name.map_or(String::new(), |n| format!("={n}")));
-            each.collect::<Vec<_>>().join(" ")
-        };
-        assert_eq!(read("a::b"), "a/b");
-        assert_eq!(read("a::b::{c, d::{e as f, g}, h},\n i::j;"), "a/b/c a/b/d/e=f a/b/d/g a/b/h i/j");
-        assert_eq!(read("a::b c, d"), "a/b/c a/b/d");
-        assert_eq!(read("a::b as v"), "a/b=v");
-        assert_eq!(inserted("x * #{N} + f32(#M) {}"), "x *   N  + f32( M) {}");
-    }
-}

@@ -88,19 +88,3 @@ pub(super) fn without_comments(text: &str) -> String {
     }
     out + rest
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_names_and_comments() {
-        let text = without_comments("a /* b\n c */ 1.5e-3f+x2 // d\n.5 0x1e+1 é");
-        assert_eq!(text.lines().count(), 3);
-        let found = tokens(&text, Origin { file: 0, at: 0 });
-        let found: Vec<&str> =
-            found.iter().filter(|t| t.kind != Kind::Blank).map(|t| t.text.as_str()).collect();
-        assert_eq!(found, ["a", "1.5e-3f", "+", "x2", ".5", "0x1e", "+", "1", "é"]);
-        assert_eq!(without_comments("x /* open"), "x        ");
-    }
-}

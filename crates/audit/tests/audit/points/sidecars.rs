@@ -39,7 +39,7 @@ fn audit(folder: &Path, file: &str, quantity: &str, more: &[&str]) -> (Option<i3
 }
 
 #[test]
-fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
+fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
     let (files, folder) = (baked(), tempfile::tempdir().unwrap());
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
     for (path, bytes) in files.iter().filter(|(path, _)| path.starts_with("tables/")) {
@@ -83,7 +83,7 @@ fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
 }
 
 #[test]
-fn a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
+fn point_09_a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
     let (files, folder) = (baked(), tempfile::tempdir().unwrap());
     let name = TABLES[0].0;
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();

@@ -5,6 +5,9 @@ use lobefit_audit::audit::{Audit, AuditedTable, Channel, Fit, Fixed, Input, Scal
 use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
 use lobefit_truth::quantity::{self, Quantity};
 
+use crate::common::{lobefit, stderr};
+use crate::support::says;
+
 fn of(name: &str) -> &'static dyn Quantity {
     quantity::find(name).unwrap()
 }
@@ -25,7 +28,7 @@ fn at(i: usize) -> f64 {
 }
 
 #[test]
-fn a_clamp_at_black_does_not_hide_the_bias() {
+fn point_12_a_clamp_at_black_does_not_hide_the_bias() {
     let text = "
         float3 pre(float3 specular, float alpha, float c) {
             float scale = 0.5 * c + 0.25 * alpha;
@@ -47,7 +50,7 @@ fn a_clamp_at_black_does_not_hide_the_bias() {
 }
 
 #[test]
-fn arguments_that_make_no_difference_need_no_value() {
+fn point_12_arguments_that_make_no_difference_need_no_value() {
     let text = "
         struct Material { vec3 diffuse; vec3 specular; float specularF90; float roughness; float coat; bool film; };
         vec3 albedo(const in Material material, const in float dotNV, const in int mode) {
@@ -82,7 +85,7 @@ fn as_sheen(value: impl Fn(f64, f64) -> f64) -> Audit {
 }
 
 #[test]
-fn all_readings_are_ranked_on_the_same_points() {
+fn point_12_all_readings_are_ranked_on_the_same_points() {
     // What is far from every reading is as far from each: no reading gains by the points at which
     // it has no truth.
     let found = as_sheen(|x, mu| 1e6 + x * mu);
@@ -94,7 +97,7 @@ fn all_readings_are_ranked_on_the_same_points() {
 }
 
 #[test]
-fn a_function_is_judged_in_its_domain() {
+fn point_12_a_function_is_judged_in_its_domain() {
     // Right but for narrow lobes, where it is no albedo at all.
     let text = "fn f(alpha: f32, mu: f32) -> f32 { return select(1.0 - 0.48 * alpha * alpha, -3.0, alpha < 0.125); }";
     let within = |domain: &[(Input, [f64; 2])]| {
@@ -113,26 +116,7 @@ fn a_function_is_judged_in_its_domain() {
 }
 
 #[test]
-fn a_published_fit_is_named_with_the_lobe_that_it_was_made_for() {
-    // The published formula with a floor, as engines ship it.
-    let text = "
-        fn approx(roughness: f32, mu: f32) -> vec2<f32> {
-            let r = roughness * vec4<f32>(-1.0, -0.0275, -0.572, 0.022) + vec4<f32>(1.0, 0.0425, 1.04, -0.04);
-            let t = min(r.x * r.x, exp2(-9.28 * mu)) * r.x + r.y;
-            return max(vec2<f32>(-1.04, 1.04) * t + r.zw, vec2<f32>(0.0001));
-        }";
-    let table = table(text, "f.wgsl", "approx", &[]);
-    let found = audit(&table, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
-    let known = found.published.as_ref().expect("it is published");
-    assert_eq!((known.name, known.made_for.map(|form| form.word)), ("ggx_blend_karis", Some("schlick")));
-    let said = found.verdict(None).to_string();
-    let line = said.lines().next().expect("a line");
-    assert!(line.starts_with("FAIL ") && line.contains("is `ggx_blend_karis` (B. Karis"), "{line}");
-    assert!(said.contains("against height-correlated Smith by 0.4"), "{said}");
-}
-
-#[test]
-fn a_function_of_f0_that_loses_nothing_has_an_albedo_of_one() {
+fn point_12_a_function_of_f0_that_loses_nothing_has_an_albedo_of_one() {
     let text = "vec3 term(vec3 f0, float n_dot_v, float roughness) {
             float f = 0.9 * pow(1.0 - n_dot_v, 5.0) * (1.0 - roughness);
             return f0 + (1.0 - f0) * f;
@@ -141,4 +125,101 @@ fn a_function_of_f0_that_loses_nothing_has_an_albedo_of_one() {
     let found = found.unwrap();
     let worst = found.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max);
     assert!(found.best().columns.len() == 2 && found.fit == Fit::None && worst > 0.6, "{worst}");
+}
+
+/// Karis' fit for mobile GPUs, with what stands around it.
+fn karis(head: &str, result: &str) -> String {
+    format!(
+        "{head}float roughness, float nov) {{
+            float4 r = roughness * float4(-1, -0.0275, -0.572, 0.022) + float4(1, 0.0425, 1.04, -0.04);
+            float a004 = min(r.x * r.x, exp2(-9.28 * nov)) * r.x + r.y;
+            float2 ab = float2(-1.04, 1.04) * a004 + r.zw;
+            return {result};
+        }}"
+    )
+}
+
+/// Karis' fit had "no approximation under any reading": it is named with the lobe that it was made for, also behind
+/// a floor or a clamp, as engines ship it.
+#[test]
+fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
+    for (head, result, far) in [
+        ("float2 karis(", "max(ab, 0.0001)", "0.478"),
+        ("float3 karis(float3 f0, ", "saturate((f0 * ab.x + ab.y) * 1.0)", "0.526"),
+    ] {
+        let table = table(&karis(head, result), "f.hlsl", "karis", &[]);
+        let found = audit(&table, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
+        let known = found.published.as_ref().expect("it is published");
+        assert_eq!((known.name, known.made_for.map(|form| form.word)), ("ggx_blend_karis", Some("schlick")));
+        let usual = format!("against height-correlated Smith by {far}");
+        says(&found.verdict(None), "FAIL", &["is `ggx_blend_karis` (B. Karis", &usual]);
+    }
+}
+
+/// A chunk of a library of scripts with what killed the whole file: a macro and a helper elsewhere, functions under
+/// conditions, overloads, an unknown type and a texture in functions that are not asked for.
+const CHUNK: &str = "export default /* glsl */ `
+#include <common>
+uniform sampler2D lut;
+void light( const in Nowhere light, inout Reflected out_ ) { out_.x = unknown( light.y ); }
+float fetched( vec2 uv ) { return texture2D( lut, uv ).x; }
+#if QUALITY > 1
+    float albedo( const in float roughness, const in float dotNV ) { return nowhere( dotNV ); }
+#elif defined( BASE )
+    float albedo( const in float roughness, const in float dotNV ) {
+        return saturate( BASE - pow2( roughness ) * ( 0.27 + 0.48 * dotNV ) );
+    }
+#endif
+vec3 albedo( const in vec3 f0, const in float roughness, const in float dotNV ) { return f0 * albedo( roughness, dotNV ); }
+`;
+";
+const COMMON: &str = "export default `
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+float pow2( const in float x ) { return x * x; }
+`;
+";
+
+/// One of 18 shader files could be read as it was shipped.
+#[test]
+fn point_11_a_function_is_read_and_not_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    std::fs::create_dir(folder.path().join("chunks")).unwrap();
+    write("chunks/common.glsl.js", COMMON);
+    write("chunk.glsl.js", CHUNK);
+    let run = |file: &str, more: &[&str]| {
+        let output =
+            lobefit(folder.path(), &[&["audit", file, "--as", "ggx-reflection"], more].concat(), b"");
+        (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
+    };
+    let whole = ["--function", "albedo(float, float)", "--define", "BASE=1.0", "--include", "chunks"];
+    let (code, out, err) = run("chunk.glsl.js", &whole);
+    assert_eq!(code, Some(0), "{out}{err}");
+    // Least squares over a lattice left 0.18 at most, 0.047 RMS.
+    let line = "ggx-reflection E: albedo (chunk.glsl.js) is off by at most 0.";
+    assert!(out.contains(line) && out.contains("of height-correlated Smith"), "{out}");
+    assert!(out.contains("roughness given roughness") && out.contains("dotNV given mu"), "{out}");
+    for (less, words) in [
+        (&whole[..4], "not included: `#include <common>` at chunk.glsl.js: 2:1"),
+        (&[&whole[..2], &whole[4..]].concat(), "`#if QUALITY > 1` at chunk.glsl.js: 6:1"),
+        (
+            &["--function", "albedo", "--define", "BASE=1.0", "--include", "chunks"],
+            "choose one by --function",
+        ),
+        (&[&whole[..], &["--define", "QUALITY=2"]].concat(), "nowhere"),
+    ] {
+        let (code, out, err) = run("chunk.glsl.js", less);
+        assert!(code == Some(2) && out.is_empty() && err.contains(words), "{words}: {err}");
+    }
+    // HLSL, which had "no array of at least 8 numbers", beside a buffer and a texture.
+    let hlsl = "cbuffer View { float4x4 world; };\nTexture2D lut; SamplerState linear_clamp;\n        float fetched(float2 uv) { return lut.Sample(linear_clamp, uv).x; }\n        float albedo(float roughness, float n_dot_v) {\n            return saturate(1 - roughness * roughness * mad(0.48, n_dot_v, 0.27));\n}\n";
+    write("brdf.hlsl", hlsl);
+    let (code, said, err) = run("brdf.hlsl", &["--function", "albedo"]);
+    assert_eq!(code, Some(0), "{said}{err}");
+    let figure =
+        |said: &str| said.split(" is off by ").nth(1).unwrap().split(" (").next().unwrap().to_string();
+    assert_eq!(figure(&said), figure(&out));
+    // Without a name, what can be read is listed.
+    let (code, _, err) = run("chunk.glsl.js", &whole[2..]);
+    assert!(code == Some(2) && err.contains("`albedo(float, float)`, `albedo(vec3, float, float)`"), "{err}");
 }

@@ -1,0 +1,170 @@
+//! Tables of glass: axes over both sides and from an index above 1, 1 - R, radiance, averages, a slice apart.
+
+use lobefit::data::Smith;
+use lobefit_audit::audit::{AuditedTable, Column, Fit, Fixed, Form, Input, Registration, Scale, Span};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::glass::table::{Energies, Kernel};
+
+use super::samples::parts;
+use crate::common::{lobefit, stderr};
+use crate::support::{axes, columns, rising, run, says, shipped};
+
+const N: usize = 8;
+
+/// Energies at the ends of axes of mu (x) and roughness (y) for some indices of refraction (z), in the
+/// table's order.
+fn energies(smith: Smith, iors: &[f64], value: impl Fn(&Energies, usize) -> f64) -> Vec<f64> {
+    let kernel = Kernel::new(smith, 1e-6).unwrap();
+    let at = |i: usize| i as f64 / (N - 1) as f64;
+    let mut values = vec![0.0; N * N * iors.len()];
+    for i in 0..N * N {
+        let mut out = vec![Energies::default(); iors.len()];
+        let (x, y) = (i % N, i / N);
+        if (x, y) == (0, 0) {
+            // A mirror at grazing view.
+            out.fill(Energies { r: [1.0; 2], t: [0.0; 2] });
+        } else {
+            kernel.energies((at(y) * at(y)).max(4e-4), at(x).max(1e-3), iors, &mut out).unwrap();
+        }
+        for (z, e) in out.iter().enumerate() {
+            values[z * N * N + i] = value(e, z);
+        }
+    }
+    values
+}
+
+/// Axes of such a table.
+fn ends(ior: Scale) -> Vec<(Scale, Registration, bool)> {
+    rising(&[Scale::Mu, Scale::Roughness, ior], Registration::Endpoint)
+}
+
+fn solid(values: Vec<f64>) -> AuditedTable {
+    shipped(&[N; 3], vec![("0", values)])
+}
+
+fn of(form: &str, side: Option<Side>) -> Fixed {
+    Fixed {
+        form: Form::find(form),
+        side,
+        registrations: Some(vec![Registration::Endpoint]),
+        ..Fixed::default()
+    }
+}
+
+#[test]
+fn point_05_an_axis_over_both_sides_is_read() {
+    // 1 - E: from inside with the index falling from 2.5 to 1, then from outside with the index rising.
+    let half = |k: usize| 1.0 + 1.5 * k as f64 / 3.0;
+    let iors: Vec<f64> = (0..8).map(|z| if z < 4 { half(3 - z) } else { half(z - 4) }).collect();
+    let values = energies(Smith::Separable, &iors, |e, z| 1.0 - e.e()[usize::from(z < 4)]);
+    let found = run(&solid(values), "ggx-glass", &of("separable", None));
+    assert_eq!(axes(&found), ends(Scale::IorBothSides));
+    assert!(found.best().lobe.both && found.fit == Fit::Whole);
+    assert_eq!(columns(&found), [Some(Column::LossRT)]);
+    // The corner of grazing light on a mirror is clamped in its own way.
+    let errors = found.channels[0].errors.as_ref().unwrap();
+    assert!(errors.rms < 0.01 && errors.median < 1e-5, "{errors:?}");
+    says(&found.verdict(None), "PASS", &["ggx-glass 1-E", "1/ior..ior"]);
+}
+
+#[test]
+fn point_05_an_index_from_1_05_on_and_1_less_r_are_read() {
+    for (scale, step) in [(Scale::IorFromTwo, 2.0), (Scale::IorFromToThree, 1.95)] {
+        let iors: Vec<f64> = (0..N).map(|z| (1.05 + step * z as f64 / (N - 1) as f64).min(3.0)).collect();
+        let values = energies(Smith::Correlated, &iors, |e, _| 1.0 - e.r[0]);
+        let fixed = Fixed { column: Some(Column::LossR), ..of("correlated", Some(Side::Outside)) };
+        let found = run(&solid(values), "ggx-glass", &fixed);
+        assert_eq!((axes(&found), found.fit), (ends(scale), Fit::Whole));
+        assert_eq!(columns(&found), [Some(Column::LossR)]);
+        says(&found.verdict(None), "PASS", &["ggx-glass 1-R", "from outside"]);
+    }
+}
+
+#[test]
+fn point_07_a_slice_that_is_apart_is_named_and_one_without_an_interface_is_nothing() {
+    let iors: Vec<f64> = (0..N).map(|z| 1.0 + z as f64 / (N - 1) as f64).collect();
+    let of_design = |e: &Energies, z: usize| if z == 0 { 1.0 } else { e.e()[0] };
+    let fixed = of("correlated", Some(Side::Outside));
+    let sound = run(&solid(energies(Smith::Correlated, &iors, of_design)), "ggx-glass", &fixed);
+    assert_eq!((axes(&sound), sound.fit), (ends(Scale::IorUnit), Fit::Whole));
+    assert_eq!((parts(&sound), columns(&sound)), (0, vec![Some(Column::RT)]));
+    says(&sound.verdict(None), "PASS", &["ggx-glass E"]);
+    let errors = sound.channels[0].errors.as_ref().unwrap();
+    assert!(errors.judged <= N * N * (N - 1) && errors.median < 1e-5, "{errors:?}");
+    let stale = |e: &Energies, z: usize| if z == 5 { 0.7 * e.e()[0] } else { of_design(e, z) };
+    let found = run(&solid(energies(Smith::Correlated, &iors, stale)), "ggx-glass", &fixed);
+    assert!(found.fit == Fit::Part && parts(&found) == 1);
+    let words = ["all at slice z = 5", "make the texels at slice z = 5 again"];
+    says(&found.verdict(None), "FAIL", &words);
+}
+
+#[test]
+fn point_05_averages_of_glass_are_some() {
+    // Over roughness (x) and index (y), from inside; the average by the midpoint rule over sqrt(mu).
+    let kernel = Kernel::new(Smith::Correlated, 1e-6).unwrap();
+    let at = |i: usize| (i as f64 + 0.5) / 10.0;
+    let iors: Vec<f64> = (0..10).map(|y| 1.0 + at(y)).collect();
+    let mut values = vec![0.0; 100];
+    for x in 0..10 {
+        for k in 0..400 {
+            let root = (f64::from(k) + 0.5) / 400.0;
+            let mut out = vec![Energies::default(); 10];
+            kernel.energies(at(x) * at(x), (root * root).max(2e-4), &iors, &mut out).unwrap();
+            for (y, e) in out.iter().enumerate() {
+                values[y * 10 + x] += 4.0 * root * root * root * e.e()[1] / 400.0;
+            }
+        }
+    }
+    let found = run(&shipped(&[10, 10], vec![("0", values)]), "ggx-glass", &Fixed::default());
+    assert_eq!(axes(&found), rising(&[Scale::Roughness, Scale::IorUnit], Registration::Centre));
+    assert_eq!((found.best().lobe.side, found.fit), (Some(Side::Inside), Fit::Whole));
+    assert_eq!(columns(&found), [Some(Column::AverageRT)]);
+    assert!(found.worst() < 5e-5, "{}", found.worst());
+    says(&found.verdict(None), "PASS", &["ggx-glass E_avg"]);
+}
+
+#[test]
+fn point_05_transmitted_radiance_is_not_taken_for_energy() {
+    let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
+    let (n, at) = (6, |i: usize| (i as f64 + 0.5) / 6.0);
+    let iors: Vec<f64> = (0..n).map(|z| 1.0 + at(z)).collect();
+    let mut values = vec![0.0; n * n * n];
+    for i in 0..n * n {
+        let (x, y) = (i % n, i / n);
+        let mut out = vec![Energies::default(); n];
+        kernel.energies(at(y) * at(y), at(x), &iors, &mut out).unwrap();
+        for (z, e) in out.iter().enumerate() {
+            // Radiance rises by the square of the index on the way out.
+            values[(z * n + y) * n + x] = e.r[1] + e.t[1] * iors[z] * iors[z];
+        }
+    }
+    let given = Some([Scale::Mu, Scale::Roughness, Scale::IorUnit].map(|scale| (scale, false)).to_vec());
+    let (form, side) = (Form::find("correlated"), Some(Side::Inside));
+    let registrations = Some(vec![Registration::Centre]);
+    let fixed = Fixed { axes: given, registrations, form, side, ..Fixed::default() };
+    let found = run(&shipped(&[n; 3], vec![("0", values)]), "ggx-glass", &fixed);
+    assert_eq!((columns(&found), found.fit), (vec![Some(Column::Radiance)], Fit::Whole));
+    assert!(found.worst() < 1e-5, "{}", found.worst());
+    says(&found.verdict(None), "PASS", &["ggx-glass R+T/eta^2"]);
+}
+
+/// An axis of an index had one of a few ranges: ends may be stated, and an index may have no bound.
+#[test]
+fn point_05_an_axis_of_any_range_is_read() {
+    let span = Span { input: Input::Ior, ends: [1.1, 2.2], name: "ior=1.1..2.2".into() };
+    let scale = Scale::Span(Box::leak(Box::new(span)));
+    assert_eq!([0.0, 0.5, 1.0].map(|x| scale.input_at(x)), [1.1, 1.6500000000000001, 2.2]);
+    let folder = tempfile::tempdir().unwrap();
+    let values: Vec<String> =
+        (0..256).map(|i| format!("{:.6}f", 1.0 - 0.3 * f64::from(i / 16) / 15.0)).collect();
+    std::fs::write(folder.path().join("t.h"), format!("float t[256] = {{ {} }};\n", values.join(", ")))
+        .unwrap();
+    for axes in ["ior=1.1..2.2,roughness", "1/ior,roughness"] {
+        let all = ["audit", "t.h", "--as", "ggx-glass", "--size", "16x16", "--axes", axes, "--json"];
+        let stated = ["--registration", "endpoint", "--smith", "correlated", "--side", "outside"];
+        let output = lobefit(folder.path(), &[&all[..], &stated].concat(), b"");
+        let found: serde_json::Value =
+            serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}", stderr(&output)));
+        assert_eq!(found["conventions"][0]["axes"][0]["coordinate"], axes.split(',').next().unwrap());
+    }
+}

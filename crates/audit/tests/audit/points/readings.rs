@@ -1,0 +1,160 @@
+//! Tables of GGX that were misread: their lookups, clamps, quantisers, the order of axes and channels, rounding.
+
+use lobefit::data::Smith;
+use lobefit_audit::audit::{AuditedTable, Column, Defect, Fit, Fixed, Input, Registration, Scale};
+use lobefit_math::ops;
+
+use super::{N, a, at, b, e, table};
+use crate::support::{
+    axes, both, columns, half, jitter, plane, reflection_of, refused, rising, run, said, says,
+};
+
+/// Mu along x and roughness along y, of a registration.
+fn plain(registration: Registration) -> Vec<(Scale, Registration, bool)> {
+    rising(&[Scale::Mu, Scale::Roughness], registration)
+}
+
+/// The largest errors of A, of B and of f0 A + B over lookups of a texture unit, on a finer lattice than the
+/// audit's, down to the edges.
+fn largest_of_lookups(shipped: &AuditedTable) -> [f64; 3] {
+    let fetch = |values: &[f64], u: f64, v: f64| {
+        let place = |t: f64| (t * N as f64 - 0.5).clamp(0.0, (N - 1) as f64);
+        let (p, q) = (place(u), place(v));
+        let (i, j) = ((p as usize).min(N - 2), (q as usize).min(N - 2));
+        let (s, t) = (p - i as f64, q - j as f64);
+        let row = |j: usize| values[j * N + i] * (1.0 - s) + values[j * N + i + 1] * s;
+        row(j) * (1.0 - t) + row(j + 1) * t
+    };
+    let mut worst = [0.0_f64; 3];
+    for place in 0..61 * 61 {
+        let [u, v] = [place / 61, place % 61].map(|k| ops::pow(k as f64 / 60.0, 2.0));
+        let (e, bias) = both(Smith::Correlated, v * v, u.max(1e-7));
+        let [ra, rb] = [0, 1].map(|c: usize| fetch(&shipped.channels[c].values, u, v));
+        let off = [ra - (e - bias), rb - bias, (ra + rb - e).abs().max((rb - bias).abs())];
+        worst = [0, 1, 2].map(|c: usize| worst[c].max(off[c].abs()));
+    }
+    worst
+}
+
+/// The headline was of the first channel alone, and "at most" of the worst of some samples.
+#[test]
+fn point_01_lookups_are_those_of_every_channel_and_of_the_blend_at_their_worst() {
+    let shipped = table(&[("R", &a), ("G", &b)]);
+    let found = reflection_of(&shipped);
+    assert_eq!(
+        (axes(&found), columns(&found)),
+        (plain(Registration::Centre), vec![Some(Column::A), Some(Column::B)])
+    );
+    let max = |c: usize| found.channels[c].lookup.as_ref().unwrap().max;
+    let own = [max(0), max(1), found.blend.as_ref().unwrap().max];
+    let sampled = largest_of_lookups(&shipped);
+    for (own, sampled) in own.into_iter().zip(sampled) {
+        assert!(own > 0.97 * sampled && own < 1.2 * sampled, "{own} {sampled}");
+    }
+    let line = format!("A and B: shipped is off by at most {:.3} of f0 A + B in lookups (beyond the", own[2]);
+    let each = format!("; A by {:.3}, B by {:.3}.", own[0], own[1]);
+    says(&found.verdict(None), "PASS", &[&line, &each]);
+}
+
+/// Clamps of 0.02 and 0.035 were guessed as 0.01, and an error of 0.05 called other code; of a table without
+/// a clamp one was invented.
+#[test]
+fn point_02_a_stated_clamp_is_taken_and_none_is_invented() {
+    let clamped =
+        |clamp: f64| table(&[("R", &|x, y| both(Smith::Correlated, (at(y) * at(y)).max(clamp), at(x)).0)]);
+    for clamp in [0.02, 0.035] {
+        let stated = Fixed { floors: vec![(Input::Alpha, clamp)], ..Fixed::default() };
+        let found = run(&clamped(clamp), "ggx-reflection", &stated);
+        assert!(found.worst() < 1e-6, "{clamp}: {}", found.worst());
+        assert_eq!(found.best().axes.iter().map(|axis| axis.floor).collect::<Vec<_>>(), [0.0, clamp]);
+        says(&found.verdict(Some(1e-6)), "PASS", &["ggx-reflection E", &format!("clamped to {clamp}")]);
+    }
+    let free = reflection_of(&clamped(0.035));
+    assert!(free.worst() > 1e-3, "{}", free.worst());
+    let sound = reflection_of(&table(&[("R", &e)]));
+    assert!(sound.best().axes.iter().all(|axis| axis.floor == 0.0) && sound.worst() < 1e-6);
+    let wrong = Fixed { floors: vec![(Input::Ior, 1.1)], ..Fixed::default() };
+    assert!(refused(&clamped(0.035), "ggx-reflection", &wrong).contains("--clamp"));
+}
+
+/// A value cut off to so many bits of mantissa.
+fn cut(x: f64, bits: f64) -> f64 {
+    let step = ops::pow(2.0, ops::log2(x).floor() + 1.0 - bits);
+    (x / step).floor() * step
+}
+
+/// Mantissas of 8 bits that are cut off, as RGBE's, leave values too low, like those of a rougher or more
+/// grazing place: the remedy "move the rows" would have harmed.
+#[test]
+fn point_06_a_biased_quantiser_is_no_shifted_registration() {
+    let end = |i: usize| (i as f64 / (N - 1) as f64).max(1e-3);
+    let of_ends = |x: usize, y: usize| both(Smith::Correlated, end(y) * end(y), end(x)).0;
+    for (shipped, registration, most) in [
+        (table(&[("R", &|x, y| cut(e(x, y), 8.0))]), Registration::Centre, 0.004),
+        (table(&[("R", &|x, y| (e(x, y) * 255.0).floor() / 255.0)]), Registration::Centre, 0.004),
+        (table(&[("R", &|x, y| cut(of_ends(x, y), 7.0))]), Registration::Endpoint, 0.008),
+    ] {
+        let found = reflection_of(&shipped);
+        assert_eq!((axes(&found), columns(&found)), (plain(registration), vec![Some(Column::E)]));
+        assert!(found.plain.is_none() && found.worst() < most, "{:?} {}", found.plain, found.worst());
+        assert!(!found.verdict(None).remedy.join(" ").contains("compute texel"), "{}", said(&found));
+        says(&found.verdict(Some(0.01)), "PASS", &["ggx-reflection E"]);
+    }
+}
+
+/// Where noise is as large as what half a texel makes, centres and end points are open: the plainer is
+/// stated, of all axes, and no remedy of a registration.
+#[test]
+fn point_06_no_remedy_is_stated_of_a_registration_that_is_open() {
+    const SIDE: usize = 64;
+    let end = |i: usize| (i as f64 / (SIDE - 1) as f64).max(1e-3);
+    let e = |x: usize, y: usize| both(Smith::Correlated, end(y) * end(y), end(x)).0 + 0.012 * jitter(x, y);
+    let found = reflection_of(&plane([SIDE; 2], &[("R", &e)]));
+    assert_eq!(axes(&found), plain(Registration::Centre));
+    let remedy = found.verdict(None).remedy.join(" ");
+    assert!(!remedy.contains("compute texel") && !remedy.contains("sample at"), "{remedy}");
+}
+
+/// Both passed a limit without a word, and a broken texture was shipped.
+#[test]
+fn point_08_transposed_and_swapped_tables_fail_a_limit_until_they_are_meant() {
+    let transposed = table(&[("R", &|x, y| a(y, x)), ("G", &|x, y| b(y, x))]);
+    let swapped = table(&[("R", &b), ("G", &a)]);
+    let turned = Some(vec![(Scale::Roughness, false), (Scale::Mu, false)]);
+    let meanings = Some(vec![Some(Column::B), Some(Column::A)]);
+    for (shipped, option, off, meant) in [
+        (transposed, "--axes roughness,mu", 0.2, Fixed { axes: turned, ..Fixed::default() }),
+        (swapped, "--meaning B,A", 0.5, Fixed { meanings, ..Fixed::default() }),
+    ] {
+        let found = reflection_of(&shipped);
+        let plain = found.plain.as_ref().expect("no reader assumes it");
+        assert!(plain.options == option && plain.max > off, "{plain:?}");
+        assert!(found.worst() < 1e-6);
+        says(
+            &found.verdict(Some(0.1)),
+            "FAIL",
+            &["ggx-reflection ", "read plainly (", "it is off by at most "],
+        );
+        let meant = run(&shipped, "ggx-reflection", &meant);
+        says(&meant.verdict(Some(1e-6)), "PASS", &["ggx-reflection"]);
+    }
+}
+
+/// "What rounding to half leaves" was said of errors of two to five steps.
+#[test]
+fn point_13_rounding_is_claimed_where_it_explains_every_texel() {
+    let steps = |shipped: &AuditedTable| {
+        let found = reflection_of(shipped);
+        assert_eq!((found.fit, axes(&found)), (Fit::Whole, plain(Registration::Centre)));
+        let named = found.channels[0].defects.iter().any(|d| matches!(d, Defect::Steps { .. }));
+        assert_eq!(said(&found).contains("what rounding to half leaves"), named, "{}", said(&found));
+        (named, found.worst())
+    };
+    let (named, worst) = steps(&table(&[("R", &|x, y| half(e(x, y)))]));
+    assert!(named && worst <= 0.25e-3, "half a step of a half below 1: {worst}");
+    let worse = |x: usize, y: usize| {
+        half(e(x, y) + if (x + y).is_multiple_of(9) { 1e-3 * jitter(x, y) } else { 0.0 })
+    };
+    let (named, worst) = steps(&table(&[("R", &worse)]));
+    assert!(!named && worst > 0.5e-3, "{worst}");
+}

@@ -1,0 +1,96 @@
+//! What samples, formats and designs leave, which is no part that other code made.
+
+use lobefit::data::Smith;
+use lobefit_audit::audit::{Audit, Column, Defect, Fit, Fixed, Registration, Scale};
+use lobefit_audit::foreign::Step;
+use lobefit_math::ops;
+use rand::{Rng, SeedableRng};
+use rand_pcg::Pcg64;
+
+use crate::support::{axes, both, columns, reflection_of, rising, run, says, shipped};
+
+/// Texels along each axis.
+const N: usize = 24;
+
+fn at(i: usize) -> f64 {
+    (i as f64 + 0.5) / N as f64
+}
+
+/// Parts that are said to be of other code.
+pub fn parts(found: &Audit) -> usize {
+    found.channels[0].defects.iter().filter(|d| matches!(d, Defect::Part { .. })).count()
+}
+
+/// E of GGX, height-correlated, by independent samples of D: the spread of the weights is largest at
+/// grazing view and nothing on smooth surfaces.
+fn sampled(alpha: f64, mu: f64, samples: u32, random: &mut Pcg64) -> f64 {
+    let uniform = |random: &mut Pcg64| random.next_u32() as f64 / 4294967296.0;
+    let lambda = |c: f64| 0.5 * ((1.0 + alpha * alpha * (1.0 - c * c) / (c * c)).sqrt() - 1.0);
+    let mut sum = 0.0;
+    for _ in 0..samples {
+        let (phi, v) = (2.0 * std::f64::consts::PI * uniform(random), uniform(random));
+        let cosine = ((1.0 - v) / (1.0 + (alpha * alpha - 1.0) * v)).sqrt();
+        let y = (1.0 - mu * mu).sqrt() * (1.0 - cosine * cosine).sqrt() * ops::cos(phi) + mu * cosine;
+        let light = 2.0 * y * cosine - mu;
+        if light > 0.0 && y > 0.0 {
+            sum += y / (cosine * mu) / (1.0 + lambda(mu) + lambda(light));
+        }
+    }
+    sum / f64::from(samples)
+}
+
+/// E of 8192 samples at each texel.
+fn of_samples() -> Vec<f64> {
+    let mut random = Pcg64::seed_from_u64(3);
+    (0..N * N).map(|i| sampled(at(i / N) * at(i / N), at(i % N), 8192, &mut random)).collect()
+}
+
+/// Texels that are further off than so many samples leave.
+fn over(values: &[f64], samples: u32) -> usize {
+    let fixed = Fixed { samples: Some(samples), ..Fixed::default() };
+    let found = run(&shipped(&[N; 2], vec![("0", values.to_vec())]), "ggx-reflection", &fixed);
+    let said = found.channels[0].defects.iter().find_map(|d| match d {
+        Defect::Sampled { texels, .. } => Some(texels[0]),
+        _ => None,
+    });
+    said.expect("samples are spoken of")
+}
+
+/// "Made by other code, make the table again" was said of a good table of 8192 samples.
+#[test]
+fn point_07_what_samples_leave_is_no_part_of_other_code() {
+    let e = of_samples();
+    let found = reflection_of(&shipped(&[N; 2], vec![("0", e.clone())]));
+    assert_eq!((found.fit, parts(&found), columns(&found)), (Fit::Whole, 0, vec![Some(Column::E)]));
+    assert_eq!(axes(&found), rising(&[Scale::Mu, Scale::Roughness], Registration::Centre));
+    // Weights of grazing views spread most.
+    let errors = found.channels[0].errors.as_ref().unwrap();
+    assert!(errors.rms < 0.02 && errors.at["mu"] < 0.05, "{errors:?}");
+    says(&found.verdict(None), "PASS", &["ggx-reflection E"]);
+    // Samples that are stated are held against what so many leave; a normalisation is off by the error of E
+    // over E^2, of the same samples.
+    assert!(over(&e, 64) == 0 && over(&e, 1 << 20) > 50);
+    let inverse: Vec<f64> = e.iter().map(|e| 1.0 / e).collect();
+    let (inverse, plain) = (over(&inverse, 1 << 18), over(&e, 1 << 18));
+    assert!(plain > 20 && inverse.abs_diff(plain) <= 2, "{plain} {inverse}");
+}
+
+/// Smooth surfaces are exact in any format; in ten bits the rest is off by up to a step.
+#[test]
+fn point_07_what_the_format_holds_is_no_part_of_other_code() {
+    let e: Vec<f64> =
+        (0..N * N).map(|i| both(Smith::Correlated, at(i / N) * at(i / N), at(i % N)).0).collect();
+    for (step, steps) in [(Step::Unorm8, 255.0), (Step::Unorm10, 1023.0), (Step::Unorm16, 65535.0)] {
+        let of = |round: fn(f64) -> f64| {
+            let values = e.iter().map(|e| round(e * steps) / steps).collect();
+            reflection_of(&shipped(&[N; 2], vec![("0", values)]))
+        };
+        let found = of(f64::floor);
+        assert_eq!((found.fit, parts(&found)), (Fit::Whole, 0), "{step:?}");
+        assert!(found.worst() < 1.0001 / steps, "{}", found.worst());
+        let found = of(f64::round);
+        let rounded = |d: &Defect| matches!(d, Defect::Steps { step: own, .. } if *own == step);
+        assert!(found.channels[0].defects.iter().any(rounded), "{step:?}");
+        says(&found.verdict(Some(0.51 / steps)), "PASS", &["ggx-reflection E"]);
+    }
+}
