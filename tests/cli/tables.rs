@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use lobefit::cli::columns::{Side, lines};
 use lobefit::cli::input::load;
-use lobefit::cli::options::{SceneOption, TexturesOption, quantity as from_name};
+use lobefit::cli::options::{SceneOption, TexturesOption, quantity_of as from_name};
 use lobefit::cli::points::{Points, shortest};
 
 #[test]

@@ -1,7 +1,7 @@
 //! Every reader of a file that others write, as one call on its bytes: `hostile.rs` gives them mutations, and
 //! `fuzz/reader.rs` what coverage finds.
 
-use lobefit::cli::options::quantity;
+use lobefit::cli::options::quantity_of;
 use lobefit::cli::points::Points;
 use lobefit::plan::plan;
 use lobefit::scene::{Scene, SceneError, kernel};
@@ -81,7 +81,7 @@ pub const READERS: [Reader; 7] = [
     Reader {
         name: "points",
         read: |bytes| {
-            let glass = quantity("ggx-glass").expect("a quantity");
+            let glass = quantity_of("ggx-glass").expect("a quantity");
             Points::parse(bytes.to_vec(), "points.csv", glass).is_ok()
         },
         seeds: &["tests/scene/points.csv"],

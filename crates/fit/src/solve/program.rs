@@ -19,6 +19,9 @@ const NEGLIGIBLE: f64 = 1e-10;
 /// Programs per step: each adds the rows that the last one violated.
 const ROUNDS: usize = 12;
 
+/// A box is small where its radius is below this part of the largest residual.
+const SMALL: f64 = 1e-3;
+
 /// Violations below this part of the bound are accepted.
 const SLACK: f64 = 1e-5;
 
@@ -178,7 +181,8 @@ impl<'a> Program<'a> {
 
     /// Lines +-(r + along z) <= least + level, of the residuals that the box lets reach it, and `least`: no z
     /// in the box takes the largest below |r_i| - |along_i|_1 of any i. In a small box few are left, and
-    /// what is left of the residuals without `least` is as small as the box.
+    /// what is left of the residuals without `least` is as small as the box; in another all stand as they
+    /// are, and `least` is 0.
     fn residual_lines(&self, radius: f64, level: usize, lines: &mut Lines) -> f64 {
         let line = |&i: &usize| {
             let along = self.along(&self.linear.jacobian, i);
@@ -186,11 +190,12 @@ impl<'a> Program<'a> {
             (along, reach, self.linear.residuals[i] / radius)
         };
         let all: Vec<(Vec<f64>, f64, f64)> = self.rows.iter().map(line).collect();
-        let least = all.iter().map(|(_, reach, r)| r.abs() - reach).fold(0.0, f64::max);
+        let floor = all.iter().map(|(_, reach, r)| r.abs() - reach).fold(0.0, f64::max);
+        let least = if floor * SMALL > 1.0 { floor } else { 0.0 };
         for (along, reach, residual) in &all {
             for sign in [1.0, -1.0] {
                 let over = sign * residual - least;
-                if over + reach >= 0.0 {
+                if least == 0.0 || over + reach >= 0.0 {
                     lines.add(along, sign, Some(level), -over);
                 }
             }
