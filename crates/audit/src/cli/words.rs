@@ -127,25 +127,33 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
     })
 }
 
+/// The one of some that has a name; else an error that lists their names.
+fn known<T>(
+    what: &str,
+    all: impl IntoIterator<Item = T>,
+    name: impl Fn(&T) -> &'static str,
+    text: &str,
+) -> Result<T, String> {
+    let mut names = Vec::new();
+    for one in all {
+        if name(&one) == text {
+            return Ok(one);
+        }
+        names.push(name(&one));
+    }
+    Err(format!("no such {what}; they are {}", names.join(", ")))
+}
+
 pub(super) fn registration(text: &str) -> Result<Registration, String> {
-    REGISTRATIONS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = REGISTRATIONS.iter().map(|s| s.name()).collect();
-        format!("no such registration; they are {}", names.join(", "))
-    })
+    known("registration", REGISTRATIONS, |s| s.name(), text)
 }
 
 pub(super) fn form(text: &str) -> Result<&'static Form, String> {
-    Form::find(text).ok_or_else(|| {
-        let words: Vec<&str> = FORMS.iter().map(|form| form.word).collect();
-        format!("no such shadowing form; they are {}", words.join(", "))
-    })
+    known("shadowing form", &FORMS, |form| form.word, text)
 }
 
 pub(super) fn encoding(text: &str) -> Result<&'static Encoding, String> {
-    ENCODINGS.iter().find(|encoding| encoding.word == text).ok_or_else(|| {
-        let words: Vec<&str> = ENCODINGS.iter().map(|encoding| encoding.word).collect();
-        format!("no such encoding; they are {}", words.join(", "))
-    })
+    known("encoding", &ENCODINGS, |encoding| encoding.word, text)
 }
 
 pub(super) fn side(text: &str) -> Result<Side, String> {
@@ -164,8 +172,5 @@ pub(super) fn size(text: &str) -> Result<Size, String> {
 }
 
 pub(super) fn raw_format(text: &str) -> Result<RawFormat, String> {
-    RawFormat::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = RawFormat::ALL.iter().map(|f| f.name()).collect();
-        format!("no such format; they are {}", names.join(", "))
-    })
+    known("format", RawFormat::ALL, |f| f.name(), text)
 }
