@@ -11,8 +11,10 @@ use clap::{Arg, Command, Error};
 #[derive(Clone)]
 pub struct Words<T> {
     words: Vec<&'static str>,
-    read: Arc<dyn Fn(&str) -> Result<T, String> + Send + Sync>,
+    read: Reader<T>,
 }
+
+type Reader<T> = Arc<dyn Fn(&str) -> Result<T, String> + Send + Sync>;
 
 impl<T: Clone + Send + Sync + 'static> Words<T> {
     /// One of a list of things, each by its word. `what` it is stands in the error: "no such effect".

@@ -14,9 +14,11 @@ use super::truth::Beyond;
 use super::two_lobes::TwoLobes;
 use super::verdict::Verdict;
 use lobefit::data::Place;
+use serde::Serialize;
 
-/// How a table fits its best convention, the better first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+/// How a table fits its best convention, the better first; in JSON `whole`, `part` or `none`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Fit {
     /// Its errors are small beside the spread of the truth.
     Whole,

@@ -3,7 +3,7 @@
 use super::axis::{AxisReading, Input, Registration};
 use super::table::{Source, flat, place};
 use super::verdict::{number, sentence};
-use super::{Audit, ChannelAudit, Convention, Defect, Fit, Tried};
+use super::{Audit, ChannelAudit, Convention, Defect, Tried};
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
     AuditHeld, AuditPlain,
@@ -25,7 +25,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         quantity: audit.quantity.into(),
         verdict: audit.verdict(limit),
         otherwise: None,
-        fits: word(audit.fit).into(),
+        fits: audit.fit,
         max_error: audit.furnace_error().unwrap_or_else(|| audit.worst()),
         plain: audit.plain.as_ref().map(|p| AuditPlain {
             untold: p.untold.clone(),
@@ -47,14 +47,6 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
             at: f.at.clone(),
         }),
         cost: None,
-    }
-}
-
-fn word(fit: Fit) -> &'static str {
-    match fit {
-        Fit::Whole => "whole",
-        Fit::Part => "part",
-        Fit::None => "none",
     }
 }
 
@@ -98,7 +90,7 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
     Some(AuditChannel {
         name: c.name.clone(),
         holds: column.words(),
-        fits: word(c.fit).into(),
+        fits: c.fit,
         texels: e.clone(),
         points: c.points.clone(),
         defects: c

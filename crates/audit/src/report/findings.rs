@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::AuditCost;
-use crate::audit::{Drawn, LookupErrors, TexelErrors, Verdict};
+use crate::audit::{Drawn, Fit, LookupErrors, TexelErrors, Verdict};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
 
@@ -23,8 +23,8 @@ pub struct AuditFindings {
     /// The verdict without the options, or without the file's own statement, where they fit nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub otherwise: Option<AuditOtherwise>,
-    /// `whole`, `part` or `none`.
-    pub fits: String,
+    /// How well.
+    pub fits: Fit,
     /// Largest error at a texel or point of any channel that is judged.
     pub max_error: f64,
     /// Largest error by the plain reading, where the plain reading is not the best
@@ -140,8 +140,8 @@ pub struct AuditChannel {
     pub name: String,
     /// What it holds.
     pub holds: String,
-    /// `whole`, `part` or `none`.
-    pub fits: String,
+    /// How well.
+    pub fits: Fit,
     /// Errors at the texels.
     pub texels: TexelErrors,
     /// Texels with what they hold and what is true, where `--points` asks for them.

@@ -1,6 +1,7 @@
 //! The same for the report.
 
 use super::{Declared, Held};
+use crate::audit::Fit;
 use crate::audit::table::place;
 use crate::audit::verdict::number;
 use crate::report::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings, AuditHeld};
@@ -38,7 +39,7 @@ pub fn findings(
         quantity: found.quantity.into(),
         verdict: found.verdict(limit),
         otherwise: None,
-        fits: if found.holds() { "whole" } else { "none" }.into(),
+        fits: if found.holds() { Fit::Whole } else { Fit::None },
         max_error: found.worst(),
         plain: None,
         encoding: None,
@@ -64,7 +65,7 @@ fn channel(found: &Declared, held: &Held) -> AuditChannel {
     AuditChannel {
         name: held.column.name().into(),
         holds: held.column.words(),
-        fits: if found.holds() { "whole" } else { "none" }.into(),
+        fits: if found.holds() { Fit::Whole } else { Fit::None },
         texels: held.figures.clone(),
         points: Vec::new(),
         defects: Vec::new(),
