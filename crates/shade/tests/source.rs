@@ -99,3 +99,15 @@ fn what_no_language_can_write_is_refused_with_its_place() {
         assert!(error.contains(wanted) && error.starts_with("f.wgsl:1:"), "{error}");
     }
 }
+
+#[test]
+fn long_statements_are_broken_before_the_signs_of_outer_sums() {
+    let term = |n: u32| format!("sqrt(first * ({n}.0 + second))");
+    let terms: Vec<String> = (1..7).map(term).collect();
+    let text = format!("fn f(first: f32, second: f32) -> f32 {{ return {}; }}", terms.join(" + "));
+    let printed = Source::parse("f.wgsl", &text).expect("it parses").print(Language::Wgsl, "f", &[]);
+    let printed = printed.expect("printed");
+    // Two terms fit into a line.
+    let later: Vec<&str> = printed.lines().filter(|line| line.starts_with("        ")).collect();
+    assert!(later.len() > 1 && later.iter().all(|line| line.starts_with("        + sqrt(")), "{printed}");
+}

@@ -148,6 +148,7 @@ fn what_is_not_wgsl_is_refused_with_its_place() {
         let error = Hypothesis::parse("user.wgsl", source).expect_err(source);
         let text = error.to_string();
         assert!(text.contains(message), "{source}\n{text}");
+        assert!(!text.contains("(see msg)") && !text.contains(" ()"), "{source}\n{text}");
         let (ShadeError::Dialect { place, .. } | ShadeError::Syntax { place, .. }) = error else {
             panic!("{source}: {error:?}")
         };
@@ -174,7 +175,9 @@ fn sizes_are_limited() {
     assert_eq!(kind(&overrides(Limits::PARAMETERS + 1)), "free parameters (override)");
     assert_eq!(parse(&overrides(Limits::PARAMETERS)).parameters().len(), Limits::PARAMETERS);
     let long = format!("fn f(x: f32) -> f32 {{ return x{}; }}", " + x".repeat(Limits::STATEMENT + 1));
-    assert_eq!(kind(&long), "operators and brackets in one statement");
+    for before in ["", "/* a */", "/* /* a */ b */"] {
+        assert_eq!(kind(&format!("{before}{long}")), "operators and brackets in one statement");
+    }
     // Nearly as long as allowed: the parser's recursion has the stack for it.
     parse(&format!("fn f(x: f32) -> f32 {{ return x{}; }}", " + x * x".repeat(Limits::STATEMENT / 2 - 16)));
     // 2^40 calls, all different: refused for what it would be, not tried.
