@@ -54,7 +54,7 @@ const CASES: [Case; 32] = [
     ("e.dds", || dds(114u32.to_le_bytes(), [SIDE / 2, 2047, 1], &floats()[4096..]), E, "texel [2047, 2046]: NaN"),
     ("f.dds", || dds_extended(41, [SIDE / 4, 1023, 4], 1, &floats()[8192 + 4096..]), E, "texel [1023, 1022, 3]: NaN"),
     ("a.ktx2", || ktx2(9, [SIDE, SIDE, 0], 0, &vec![0; SIDE as usize * SIDE as usize], true), SQUARE, "bytes cannot hold 16777216"),
-    ("b.ktx2", || ktx2(9, [SIDE, SIDE, 0], 0, &(0..SIDE * SIDE).map(|i| (i ^ i / SIDE) as u8).collect::<Vec<_>>(), true), SQUARE, "4096 x 4096 texels, not 16 x 16"),
+    ("b.ktx2", || ktx2(9, [SIDE, SIDE, 0], 0, &(0..SIDE * SIDE).map(|i| (i ^ (i / SIDE)) as u8).collect::<Vec<_>>(), true), SQUARE, "4096 x 4096 texels, not 16 x 16"),
     ("c.ktx2", || ktx2(100, [SIDE / 2, 2047, 0], 0, &floats()[4096..], false), E, "texel [2047, 2046]: NaN"),
     ("a.png", || png(SIDE, SIDE, 1, false, &vec![0; SIDE as usize * SIDE as usize], false), SQUARE, "4096 x 4096 texels, not 16 x 16"),
     ("b.png", || png(2 * SIDE, 2 * SIDE, 1, false, &vec![0; 4 * SIDE as usize * SIDE as usize], false), E, "67108864, the limit is 16777216"),
