@@ -4,9 +4,8 @@ mod from;
 mod limited;
 mod page;
 mod record;
-mod weights;
 
-pub use from::{bake_in, times_in};
+pub use from::{bake_in, counts_in, times_in};
 pub use page::Beside;
 pub(super) use page::PAGE;
 pub use record::{RECORD_BYTES, RecordPlace};
@@ -64,7 +63,7 @@ Examples:
                                         the cheapest within an error, and tables within 4096 bytes
 
 Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
-other code than the bake's, and compiles a function again whose code is not that of the record in reports/isa/. --gpu and --isa are in
+other code than the bake's, and compiles a function again whose code is not that of the record in reports/isa/. --gpu, --isa and --weights are in
 the package lobefit-gpu: cargo build --release -p lobefit-gpu. --isa needs Mesa's driver for AMD GPUs (Debian: mesa-vulkan-drivers
 libvulkan1), and no GPU.";
 
@@ -183,10 +182,7 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
             record::page(options, record)
         };
     }
-    if let (true, Some(from)) = (options.weights, &options.from) {
-        return weights::verb(options, from);
-    }
-    if options.gpu || options.isa {
+    if options.gpu || options.isa || options.weights {
         return external::run("lobefit-gpu", words);
     }
     if options.budget.is_some() || options.max_error.is_some() || options.max_bytes.is_some() {

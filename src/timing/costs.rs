@@ -1,7 +1,7 @@
 //! What every formula of a bake costs: operations, and compiled code on the GPUs of each vendor.
 
 use super::isa::{IsaRecord, Precision};
-use super::weights::priced;
+use super::priced::priced;
 use crate::approximate::Fit;
 use crate::bake::{BakeError, Baked};
 use crate::data::{Norm, Source, Vendor};

@@ -4,9 +4,9 @@
 pub mod correlation;
 pub mod costs;
 pub mod isa;
+pub mod priced;
 pub mod record;
 mod tables;
-pub mod weights;
 
 use lobefit_shade::ShadeError;
 use serde::Deserialize;

@@ -1,4 +1,4 @@
-//! `lobefit cost --gpu` and `--isa`: times of the emitted WGSL on a graphics processor.
+//! `lobefit cost --gpu`, `--isa` and `--weights`: what the emitted WGSL costs on graphics processors.
 
 use std::ffi::OsString;
 use std::fmt::Write;
@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde_json::json;
 
-use crate::{Work, isa, measure};
+use crate::{Work, isa, measure, weights};
 use lobefit::bake::Selection;
 use lobefit::cli::CliError;
 use lobefit::cli::cost::{self, NOTHING, RecordPlace};
@@ -27,7 +27,7 @@ struct Options {
     all: cost::Options,
 }
 
-/// Runs the verb on its arguments (the first is the program's name), `--gpu` or `--isa` among them.
+/// Runs the verb on its arguments (the first is the program's name), `--gpu`, `--isa` or `--weights` among them.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     if let [_, word, driver, answer] = arguments.as_slice()
@@ -35,13 +35,16 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     {
         return isa::worker(&driver.to_string_lossy(), Path::new(answer));
     }
-    match Options::try_parse_from(arguments) {
+    match &Options::try_parse_from(arguments) {
         Ok(options) if options.all.isa => output::finish(isa::verb(&options.all)),
         Ok(options) if options.all.gpu => output::finish(verb(&options.all)),
+        Ok(Options { all: all @ cost::Options { weights: true, from: Some(from), .. } }) => {
+            output::finish(weights::verb(all, from))
+        }
         Ok(_) => output::finish(Err(CliError::Usage(
-            "--gpu or --isa is called for; `lobefit cost` does the rest".into(),
+            "--gpu, --isa or --weights is called for; `lobefit cost` does the rest".into(),
         ))),
-        Err(usage) => output::usage(&usage),
+        Err(usage) => output::usage(usage),
     }
 }
 

@@ -9,7 +9,7 @@
 //! are read, checked and shown without a driver, by [`lobefit::timing::record`].
 //!
 //! `lobefit cost --isa` compiles the same functions by drivers that need no GPU, and counts the
-//! instructions.
+//! instructions. `--weights` fits to recorded counts what kinds of work cost.
 
 mod cli;
 mod device;
@@ -20,11 +20,13 @@ mod measure;
 mod shader;
 mod texture;
 mod variable;
+mod weights;
 
 pub use cli::run;
 pub use error::GpuError;
 pub use isa::counted;
 use measure::Measured;
+pub use weights::least_squares;
 
 use device::Gpu;
 use jobs::Jobs;

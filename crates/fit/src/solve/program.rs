@@ -19,9 +19,6 @@ const NEGLIGIBLE: f64 = 1e-10;
 /// Programs per step: each adds the rows that the last one violated.
 const ROUNDS: usize = 12;
 
-/// A box is small where its radius is below this part of the largest residual.
-const SMALL: f64 = 1e-3;
-
 /// Violations below this part of the bound are accepted.
 const SLACK: f64 = 1e-5;
 
@@ -147,7 +144,13 @@ impl<'a> Program<'a> {
         let mut rows = Lines { columns: vec![Vec::new(); k], right: Vec::new() };
         let level = (matches!(self.aim, Aim::Largest) && self.weight > 0.0).then(|| rows.variable());
         let excess = self.bounds.map(|_| rows.variable());
-        let least = level.map_or(0.0, |level| self.residual_lines(radius, level, &mut rows));
+        for &i in if level.is_some() { self.rows.as_slice() } else { &[] } {
+            let along = self.along(&self.linear.jacobian, i);
+            let residual = self.linear.residuals[i] / radius;
+            for sign in [1.0, -1.0] {
+                rows.add(&along, sign, level, -sign * residual);
+            }
+        }
         if let Some(bounds) = self.bounds {
             for &i in &self.kept {
                 let (along, value) = (self.along(&bounds.jacobian, i), bounds.values[i] / radius);
@@ -170,37 +173,13 @@ impl<'a> Program<'a> {
         let z: Vec<f64> = x[..k].iter().map(|z| z * radius).collect();
         let violation = excess.map_or(0.0, |at| x[at].max(0.0) * radius);
         let norm = match (level, &self.aim) {
-            (Some(at), _) => (x[at] + least).max(0.0) * radius,
+            (Some(at), _) => x[at].max(0.0) * radius,
             (None, Aim::Power(norm, model)) => {
                 norm.predicted(model, (&self.basis * DVector::from_column_slice(&z)).as_slice())
             }
             (None, Aim::Largest) => 0.0,
         };
         Some((z, norm, violation))
-    }
-
-    /// Lines +-(r + along z) <= least + level, of the residuals that the box lets reach it, and `least`: no z
-    /// in the box takes the largest below |r_i| - |along_i|_1 of any i. In a small box few are left, and
-    /// what is left of the residuals without `least` is as small as the box; in another all stand as they
-    /// are, and `least` is 0.
-    fn residual_lines(&self, radius: f64, level: usize, lines: &mut Lines) -> f64 {
-        let line = |&i: &usize| {
-            let along = self.along(&self.linear.jacobian, i);
-            let reach: f64 = along.iter().map(|a| a.abs()).sum();
-            (along, reach, self.linear.residuals[i] / radius)
-        };
-        let all: Vec<(Vec<f64>, f64, f64)> = self.rows.iter().map(line).collect();
-        let floor = all.iter().map(|(_, reach, r)| r.abs() - reach).fold(0.0, f64::max);
-        let least = if floor * SMALL > 1.0 { floor } else { 0.0 };
-        for (along, reach, residual) in &all {
-            for sign in [1.0, -1.0] {
-                let over = sign * residual - least;
-                if least == 0.0 || over + reach >= 0.0 {
-                    lines.add(along, sign, Some(level), -over);
-                }
-            }
-        }
-        least
     }
 
     /// The quadratic model of a p-norm in units of the radius; its linear part is added to the

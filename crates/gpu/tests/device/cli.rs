@@ -40,7 +40,7 @@ fn the_verb_writes_a_record_and_its_page_and_names_a_device_that_is_not_there() 
 fn wrong_usage_is_exit_2() {
     let folder = tempfile::tempdir().expect("a folder");
     for (arguments, said) in [
-        (&["cost", "-"][..], "--gpu or --isa is called for"),
+        (&["cost", "-"][..], "--gpu, --isa or --weights is called for"),
         (&["cost", "-", "--gpu", "--record", "a.txt"], "a name that ends with .json is called for"),
         (&["cost", "-", "--gpu", "--out", "x"], "cannot be used with"),
     ] {

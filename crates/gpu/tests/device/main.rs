@@ -19,4 +19,5 @@ mod machine;
 mod shaders;
 mod sliced;
 mod subvoxels;
+mod weights;
 mod wgsl;

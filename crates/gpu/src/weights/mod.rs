@@ -1,15 +1,18 @@
 //! Prices of kinds of work on the GPUs of each vendor: least squares over what its compiler makes of
 //! every formula.
 
+mod cli;
+
 use std::collections::{BTreeMap, BTreeSet};
 
+pub(crate) use cli::verb;
+use lobefit::data::{Agreement, Model, Vendor, Weights};
+use lobefit::emit::include::Include;
+use lobefit::report::{GpuKind, GpuRecord};
+use lobefit::timing::correlation::Correlation;
+use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
+use lobefit::timing::priced::{Priced, TIMED, priced, timed};
 use lobefit_shade::{Features, ShadeError, Source, Tape};
-
-use super::correlation::Correlation;
-use super::isa::{Counts, IsaRecord, IsaRow, Precision};
-use crate::data::{Agreement, Model, Vendor, Weights};
-use crate::emit::include::Include;
-use crate::report::{GpuKind, GpuRecord};
 
 /// The command that makes the committed prices.
 const COMMAND: &str = "lobefit cost --weights --from DIR --records . --record src/data/weights.json";
@@ -20,88 +23,29 @@ const SWEEPS: usize = 100_000;
 /// Decimals of a price and of a correlation.
 const DECIMALS: f64 = 1e3;
 
-/// Kinds of instructions of NVIDIA GPUs that are priced by time.
-const TIMED: usize = 3;
-
-/// What a vendor's compiled code costs.
-pub struct Priced {
-    /// The driver of its records.
-    pub driver: &'static str,
-    /// The family that stands for the vendor.
-    pub family: &'static str,
-    /// The unit.
-    pub unit: &'static str,
-    /// The cost of what was counted; none where the driver does not state it.
-    pub cost: fn(&Counts) -> Option<f64>,
-}
-
-/// How a vendor's compiled code is priced: by what its driver states that comes nearest to time.
-pub fn priced(vendor: Vendor) -> Priced {
-    match vendor {
-        Vendor::Amd => Priced {
-            driver: "radv",
-            family: "navi21",
-            unit: "vector instructions, a transcendental one being four",
-            cost: |counts| Some(counts.issued() as f64),
-        },
-        Vendor::Intel => Priced {
-            driver: "intel",
-            family: "skl",
-            unit: "cycles of a wave",
-            cost: |counts| counts.latency.map(|cycles| cycles as f64),
-        },
-        Vendor::Adreno => Priced {
-            driver: "adreno",
-            family: "a660",
-            unit: "issue slots, empty ones among them",
-            cost: |counts| counts.slots.map(|slots| slots as f64),
-        },
-        Vendor::Mali => Priced {
-            driver: "mali",
-            family: "g52",
-            unit: "tuples of two instructions",
-            cost: |counts| counts.slots.map(|slots| slots as f64),
-        },
-        // As long as they take on an H200, by least squares over recorded times: `Fitted::times`.
-        Vendor::Nvidia => Priced {
-            driver: "nvidia-nvrtc",
-            family: "sm_90",
-            unit: "instructions, a move of a literal being 1.8 and a transcendental one 3.4",
-            cost: |counts| {
-                let [vector, moves, transcendental] = timed(counts);
-                Some(vector + 1.8 * moves + 3.4 * transcendental)
-            },
-        },
-    }
-}
-
-fn timed(counts: &Counts) -> [f64; TIMED] {
-    [counts.vector, counts.moves, counts.transcendental].map(|count| count as f64)
-}
-
 /// A vendor's model, and what it was compared with.
-pub struct Fitted {
+struct Fitted {
     /// The vendor.
-    pub vendor: Vendor,
+    vendor: Vendor,
     /// The model.
-    pub model: Model,
+    model: Model,
     /// By device of the vendor: recorded times.
-    pub times: Vec<Times>,
+    times: Vec<Times>,
 }
 
 /// Recorded times on a device against costs.
-pub struct Times {
+struct Times {
     /// The device.
-    pub device: String,
+    device: String,
     /// Of the neutral operations.
-    pub operations: Option<Correlation>,
+    operations: Option<Correlation>,
     /// Of the model.
-    pub model: Option<Correlation>,
+    model: Option<Correlation>,
     /// Of the compiled code.
-    pub compiled: Option<Correlation>,
+    compiled: Option<Correlation>,
     /// Picoseconds of a vector instruction, a move of a literal and a transcendental instruction,
     /// by least squares.
-    pub picoseconds: [f64; TIMED],
+    picoseconds: [f64; TIMED],
 }
 
 /// A function of numbers that a vendor's record has.
@@ -116,7 +60,7 @@ struct Formula {
 ///
 /// # Errors
 /// Emitted code outside the dialect.
-pub fn fitted(
+fn fitted(
     include: &Include,
     scene: &str,
     records: &[IsaRecord],
@@ -140,7 +84,7 @@ pub fn fitted(
 }
 
 /// The file of the models.
-pub fn weights(fitted: &[Fitted]) -> Weights {
+fn weights(fitted: &[Fitted]) -> Weights {
     let vendors = fitted.iter().map(|of| (of.vendor, of.model.clone())).collect();
     Weights { command: COMMAND.into(), vendors }
 }

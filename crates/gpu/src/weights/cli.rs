@@ -3,17 +3,16 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::super::CliError;
-use super::super::output::{Outcome, print};
-use super::Options;
-use super::from::{bake_in, counts_in, times_in};
-use crate::data::Agreement;
-use crate::emit::include::Include;
-use crate::store::{Files, Folder};
-use crate::timing::weights::{Fitted, Times, fitted, weights};
+use super::{Fitted, Times, fitted, weights};
+use lobefit::cli::CliError;
+use lobefit::cli::cost::{Options, bake_in, counts_in, times_in};
+use lobefit::cli::output::{Outcome, print};
+use lobefit::data::Agreement;
+use lobefit::emit::include::Include;
+use lobefit::store::{Files, Folder};
 
 /// Fits, prints, and writes what is to be recorded.
-pub(super) fn verb(options: &Options, from: &Path) -> Result<Outcome, CliError> {
+pub(crate) fn verb(options: &Options, from: &Path) -> Result<Outcome, CliError> {
     let (files, scene) = bake_in(from)?;
     let records = counts_in(&options.records)?;
     let times = times_in(&options.records)?;
