@@ -7,7 +7,7 @@
 // Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between
 // normal and view. Errors are measured over the domains that the functions state. Pass max(n_dot_v, 1e-4): a negative
 // cosine may meet a pole, and with roughness 0 a cosine of 0 makes 0/0, a NaN.
-// A function with a NaN among its arguments returns a NaN, or a finite number where its min and max drop the NaN.
+// A function of numbers with a NaN among them returns a NaN, or where its min and max drop the NaN a finite number.
 // f0 is the reflectance at normal incidence.
 // The energy compensation N has E N = 1: multiply the specular lobe by it. Of a metal take `_rgb`, which is
 // 1 + f0 (N - 1) per colour channel.
@@ -19,7 +19,7 @@
 // `parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its comment names and no other; rho is the
 // distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.
 // `parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and
-// `parallax_fetch_*`, one fetch along a ray, are its parts. A NaN in a ray may become an infinity.
+// `parallax_fetch_*`, one fetch along a ray, are its parts. Of these alone a NaN, in a ray, may make an infinity.
 // Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;
 // sin, cos, log2 4; log 5. alpha and roughness count as given.
 // GLSL 3.30, GLSL ES 3.00 or later. GLSL ES needs, before this file: `precision highp float; precision highp sampler2D;`, and

@@ -24,7 +24,7 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     } else if parts.iter().any(|part| !part.finding.ranges.is_empty()) {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
     }
-    out.push("A function with a NaN among its arguments returns a NaN, or a finite number where its min and max drop the NaN.".into());
+    out.push("A function of numbers with a NaN among them returns a NaN, or where its min and max drop the NaN a finite number.".into());
     let mut known: Vec<Note> = Vec::new();
     for note in parts.iter().flat_map(|part| part.by.notes()) {
         if !known.contains(note) {

@@ -88,7 +88,7 @@ pub(super) struct Options {
     /// a .json file with its table
     #[arg(long, value_name = "WORD|FILE")]
     pub kernel: Option<String>,
-    /// Shadowing form: correlated or separable
+    /// Shadowing form
     #[arg(long, value_name = "S", value_parser = smith(), default_value = "correlated")]
     pub smith: Smith,
     /// Largest error to accept of a value; without it, the quantity's own promise (1e-4 where the

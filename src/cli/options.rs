@@ -96,7 +96,7 @@ fn quantities() -> Vec<&'static str> {
 /// # Errors
 /// The names that there are.
 pub fn quantity_of(name: &str) -> Result<&'static dyn Quantity, String> {
-    quantity::find(name)
+    quantity::find(&name.to_ascii_lowercase())
         .ok_or_else(|| format!("no such quantity in this version; there are {}", quantities().join(", ")))
 }
 

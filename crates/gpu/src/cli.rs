@@ -19,7 +19,7 @@ use lobefit::plan;
 use lobefit::report::{GpuClock, GpuKind, GpuRecord, GpuRow};
 use lobefit::timing::record;
 
-/// Time the emitted WGSL on a graphics processor, or count its machine instructions
+/// Time the emitted WGSL on a graphics processor, count its machine instructions, or price kinds of work
 #[derive(Parser)]
 #[command(name = "lobefit cost", bin_name = "lobefit cost", version, after_help = cost::EXAMPLES)]
 struct Options {
@@ -27,7 +27,8 @@ struct Options {
     all: cost::Options,
 }
 
-/// Runs the verb on its arguments (the first is the program's name), `--gpu`, `--isa` or `--weights` among them.
+/// Runs the verb on its arguments (the first is the program's name), `--gpu`, `--isa` or `--weights`
+/// among them.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     if let [_, word, driver, answer] = arguments.as_slice()

@@ -300,8 +300,10 @@ const BEYOND: &str = "
 
 Emitted functions of numbers as GPUs may run them, in f32 with subnormal numbers flushed, sums of products fused or not, quotients and roots
 2.5 ulp off either way: each value moves by less than 3e-6 of 1 and its size; the normal of a probe's proxy, in an edge of width `bend`, by less than
-3e-7 over that width. A NaN among the arguments gives a NaN, or a finite number where min and max drop it (in a ray, an infinity too). With mu down to 1e-4, roughness 0 to 1, ior 1 to 3 and rho 1e-3 to 1000 they are finite, and not below 0 (`tests/emitted/hardware.rs`), but for directions, texture coordinates and
+3e-7 over that width. A NaN among the arguments gives a NaN, or a finite number where min and max drop it; one in a ray may make an infinity.
+With mu down to 1e-4, roughness 0 to 1, ior 1 to 3 and rho 1e-3 to 1000 they are finite (`tests/emitted/hardware.rs`). These alone may be below 0:
 
+- directions and texture coordinates
 ";
 
 const FUNCTIONS: &str = "

@@ -87,7 +87,7 @@ impl Effect for Parallax {
                 &["parallax_lookup_"],
                 &[
                     "`parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and",
-                    "`parallax_fetch_*`, one fetch along a ray, are its parts. A NaN in a ray may become an infinity.",
+                    "`parallax_fetch_*`, one fetch along a ray, are its parts. Of these alone a NaN, in a ray, may make an infinity.",
                 ],
             ),
         ]

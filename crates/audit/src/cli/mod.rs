@@ -83,10 +83,10 @@ struct Options {
     /// Where texels lie, of all axes or of each
     #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration())]
     pub registration: Vec<Registration>,
-    /// Shadowing form: `correlated`, `separable`, `schlick`, ...; of sheen `neubelt`, `estevez-kulla`
+    /// Shadowing form; of sheen `neubelt`, `estevez-kulla`
     #[arg(long, value_name = "S", value_parser = form())]
     pub smith: Option<&'static Form>,
-    /// Where the ray comes from, of glass: `outside` or `inside`
+    /// Where the ray comes from, of glass
     #[arg(long, value_name = "SIDE", value_parser = side())]
     pub side: Option<Side>,
     /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...; `-` leaves one out
@@ -95,7 +95,7 @@ struct Options {
     /// Least values that inputs were clamped to, in place of a guess: `alpha=0.02,mu=0.001`
     #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
     pub clamp: Vec<(Input, f64)>,
-    /// What its values are decoded from before they are read: `srgb`, `rgbe`, `rgbd-2.2`, `rgbd`
+    /// What its values are decoded from before they are read
     #[arg(long, value_name = "E", value_parser = encoding())]
     pub encoding: Option<&'static Encoding>,
     /// Samples that each texel is the mean of: what so many leave is no defect
@@ -110,7 +110,7 @@ struct Options {
     /// Values of a texel
     #[arg(long, value_name = "N")]
     pub channels: Option<usize>,
-    /// How numbers lie in a file that does not say: f16, f32, f64, unorm8, unorm16
+    /// How numbers lie in a file that does not say
     #[arg(long, value_name = "F", value_parser = raw_format())]
     pub raw_format: Option<RawFormat>,
     /// Name of the array in a text

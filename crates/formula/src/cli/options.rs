@@ -91,13 +91,13 @@ pub(super) struct Options {
     /// option
     #[arg(long)]
     pub positive_denominator: bool,
-    /// Arithmetic of a certificate: f32, f32-fma, f16, f16-fma; the first is the main one
+    /// Arithmetic of a certificate; the first is the main one
     #[arg(long, value_name = "P", value_parser = precision(), default_value = "f32")]
     pub precision: Vec<Precision>,
-    /// Shadowing form: correlated or separable
+    /// Shadowing form
     #[arg(long, value_name = "S", value_parser = smith(), default_value = "correlated")]
     pub smith: Smith,
-    /// How roughness becomes alpha: roughness, roughness^2 or roughness^4
+    /// How roughness becomes alpha
     #[arg(long, value_name = "MAP", value_parser = alpha_map(), default_value = "roughness^2")]
     pub alpha_map: AlphaMap,
     /// Starting points of the search, 1 to 1024
@@ -110,7 +110,7 @@ pub(super) struct Options {
     /// Largest error of the main certificate; above it the exit code is 1
     #[arg(long, value_name = "E", value_parser = positive)]
     pub limit: Option<f64>,
-    /// Languages to write: rust, wgsl, hlsl, glsl, msl, c; without it, all of them
+    /// Languages to write; without it, all of them
     #[arg(long, value_name = "L", value_delimiter = ',', value_parser = language())]
     pub language: Vec<Language>,
     /// Folder for the page, the figures and the code, created if missing
