@@ -330,7 +330,7 @@ fn every_texel_is_judged() {
     assert_eq!(found.channels[0].map.len(), 4096 * 4);
 }
 
-/// Truths by interpolation keep the error that they state, at places that are no knots of theirs and at the ends.
+/// Truths by interpolation keep the error that they state, at the ends and where no knot is.
 #[test]
 fn a_truth_keeps_the_error_that_it_states() {
     use Registration::{Centre, Endpoint};
