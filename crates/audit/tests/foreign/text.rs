@@ -243,7 +243,7 @@ fn numbers_of_every_language_and_no_others() {
         ("15360", Some(F16), 1.0, Step::Half),
         ("0x3f80_0000u32", Some(F32), 1.0, Step::None),
     ] {
-        let text = format!("const T = [{}];", vec![number; 9].join(", "));
+        let text = format!("const T = [{}];", [number; 9].join(", "));
         let table = &tables(&text, "t.c", &Hints { size: Some(vec![9]), format, ..Hints::default() })[0];
         assert_eq!((table.channels[0].values.as_slice(), table.step), (&[value; 9][..], step), "{number}");
     }
