@@ -1,8 +1,8 @@
 //! Coordinates of tables: scales, registrations, and axes of both.
 
-use lobefit_audit::audit::{AxisReading, Fixed, Input, REGISTRATIONS, Registration, SCALES, Scale};
+use lobefit_audit::audit::{AxisReading, Fixed, Form, Input, REGISTRATIONS, Registration, SCALES, Scale};
 
-use crate::support::{both, plane, run};
+use crate::support::{both, plane, run, said};
 use lobefit::data::Smith;
 
 #[test]
@@ -40,27 +40,29 @@ fn scales_lead_to_their_inputs() {
     assert_eq!(Scale::Theta.input_at(1.0), 0.0);
 }
 
-/// A falling axis at left edges is a rising one at right edges, whose remedy is the other way round.
+/// A reader counts along the texels: a falling axis at left edges is a rising one at right edges.
 #[test]
 fn a_falling_axis_is_shifted_the_other_way() {
-    let remedy = |registration: Registration, reversed: bool| {
-        let rows = AxisReading::new(Scale::Roughness, registration, reversed);
-        let e = |x: usize, y: usize| {
-            let roughness: f64 = rows.coordinate(y, 16);
-            both(Smith::Correlated, roughness * roughness, (x as f64 + 0.5) / 16.0).0
-        };
-        let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, reversed)]);
-        let registrations = Some(vec![Registration::Centre, registration]);
-        let found = run(
-            &plane([16; 2], &[("R", &e)]),
-            "ggx-reflection",
-            &Fixed { axes, registrations, ..Fixed::default() },
-        );
-        let said = found.verdict(None).remedy.join("; ");
-        said.split("; ").find(|r| r.contains("along y")).expect("a remedy").to_string()
-    };
-    let [left, right] = [Registration::Left, Registration::Right];
-    assert_eq!(remedy(left, true), remedy(right, false));
-    assert_eq!(remedy(right, true), remedy(left, false));
-    assert_ne!(remedy(left, true), remedy(left, false));
+    for (registration, word) in [
+        (Registration::Left, "along y, compute texel i at (i + 1/2)/n, or sample at u + 1/(2n)"),
+        (Registration::Right, "along y, compute texel i at (i + 1/2)/n, or sample at u - 1/(2n)"),
+        (Registration::OneHigh, "that of texel i + 1"),
+        (Registration::OneLow, "that of texel i - 1"),
+        (Registration::EndHigh, "that of texel i + 1"),
+        (Registration::EndLow, "that of texel i - 1"),
+    ] {
+        for falling in [false, true] {
+            let along = |y: usize| registration.coordinate(y, 24);
+            let roughness = |y: usize| if falling { 1.0 - along(y) } else { along(y) };
+            let mu = |x: usize| registration.plain().coordinate(x, 24).max(1e-4);
+            let value = |x: usize, y: usize| both(Smith::Correlated, roughness(y) * roughness(y), mu(x)).0;
+            let fixed = Fixed {
+                axes: Some(vec![(Scale::Mu, false), (Scale::Roughness, falling)]),
+                form: Form::find("correlated"),
+                ..Fixed::default()
+            };
+            let found = run(&plane([24; 2], &[("0", &value)]), "ggx-reflection", &fixed);
+            assert!(said(&found).contains(word), "{registration:?} {falling}: {}", said(&found));
+        }
+    }
 }

@@ -121,6 +121,17 @@ fn a_normalisation_and_an_albedo_of_alpha_are_told() {
 }
 
 #[test]
+fn a_function_saturates_where_a_table_lacks_a_format() {
+    let text = include_str!("../../../../fits/lobefit.wgsl").to_string()
+        + "\nfn saturated(a: f32, m: f32) -> f32 { return min(ggx_energy_compensation(a, m), 1.5); }";
+    let function = read_functions(text.as_bytes(), "s.wgsl", Some("saturated")).unwrap().remove(0);
+    let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
+    let found = audit(&shipped, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
+    assert!(said(&found).contains("the function saturates there"), "{}", said(&found));
+    assert!(!said(&found).contains("in a format"), "{}", said(&found));
+}
+
+#[test]
 fn an_index_of_refraction_runs_from_1_to_2() {
     let text = "fn glass(ior: f32, alpha: f32, cos_theta: f32) -> f32 {
       let r = (ior - 1.0) / (ior + 1.0);

@@ -179,5 +179,17 @@ fn names_of_arguments_tell_what_they_are() {
         _NoV=n.v LoH=l.h VdotH=v.h cosNL=n.l clampedNdotL=n.l perceptual_roughness=roughness lightDir=l wo=v normal=n \
         h=h X=t mode=0 position=0";
     assert_eq!(named.join(" "), wanted);
-    assert!(role("v.h").is_ok() && role("view").is_err());
+    for word in ["v.h", "n.l", "t", "roughness"] {
+        assert_eq!(role(word).map(|role| role.words()), Ok(word.to_string()));
+    }
+    assert!(role("view").is_err() && role("v.").is_err());
+    // An alpha is the square of a roughness beside it, and the roughness where it is alone.
+    for (other, told) in [("NdotL", "roughness"), ("rough", "roughness^2")] {
+        let text = format!(
+            "float f(float {other}, float alpha, vec3 l, vec3 v) {{ return {other} * alpha * l.z * v.z; }}"
+        );
+        let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
+        let found = furnace(&read(&text, "f.glsl", "f"), &asked).unwrap();
+        assert_eq!(found.arguments[1], ("alpha".to_string(), told.to_string()));
+    }
 }

@@ -91,8 +91,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
         |e: f64, [x, y, z]: [usize; 3]| if z >= 4 && x >= 5 && y <= 6 { (e + 0.25).min(1.0) } else { e };
     let form = Form::find("correlated");
     let table = solid(&[N; 3], glass(1, stale));
-    let registrations = Some(vec![Registration::Endpoint]);
-    let found = run(&table, "ggx-glass", &Fixed { form, registrations, ..Fixed::default() });
+    let found = run(&table, "ggx-glass", &Fixed { form, ..Fixed::default() });
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Inside));
     assert_eq!(found.fit, Fit::Part);
@@ -157,9 +156,7 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
             e[(own[2] * size[1] + own[1]) * size[0] + own[0]]
         };
         let table = solid(&sides, (0..e.len()).map(value).collect());
-        let registrations = Some(vec![Registration::Left]);
-        let fixed = Fixed { form, registrations, ..Fixed::default() };
-        let found = run(&table, "ggx-reflection-aniso", &fixed);
+        let found = run(&table, "ggx-reflection-aniso", &Fixed { form, ..Fixed::default() });
         assert_eq!(axes(&found), order.map(|k| SOURCES[k]), "{order:?}");
         assert_eq!(
             (found.best().lobe.form.smith, found.fit),

@@ -3,12 +3,13 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Form, Registration, Scale, audit,
+    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Form, Input, Registration, Scale, Span, audit,
 };
 use lobefit_audit::foreign::Step;
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{self, Effort, albedo, split_of};
 use lobefit_truth::optics::beckmann::Beckmann;
-use lobefit_truth::quantity::{self, Variant};
+use lobefit_truth::quantity::{self, Choice, Variant};
 use rayon::prelude::*;
 
 use crate::support::{axes, both, columns, half, jitter, plane, reflection_of, run, said, shipped};
@@ -329,35 +330,63 @@ fn every_texel_is_judged() {
     assert_eq!(found.channels[0].map.len(), 4096 * 4);
 }
 
-/// Truths by interpolation keep the error that they state, at places that are no knots of theirs.
+/// Truths by interpolation keep the error that they state, at the ends and where no knot is.
 #[test]
 fn a_truth_keeps_the_error_that_it_states() {
-    let at = |i: usize| (i as f64 + 0.5) / 29.0;
-    let [mu, roughness] = [Scale::Mu, Scale::Roughness].map(|scale| (scale, false));
-    for (name, form) in [
-        ("ggx-reflection", "correlated"),
-        ("ggx-reflection", "separable"),
-        ("beckmann-reflection", "separable"),
-        ("ggx-average", "correlated"),
-        ("sheen-charlie", "neubelt"),
+    use Registration::{Centre, Endpoint};
+    use Scale::{IorTwo, Mu, RootMu, Roughness, RoughnessFourth};
+    let below = |input: Input, to: f64| {
+        let name = format!("{}=0..{to}", input.name());
+        Scale::Span(Box::leak(Box::new(Span { input, ends: [0.0, to], name })))
+    };
+    let ends = [below(Input::Mu, 2.1e-6), below(Input::Alpha, 7e-6)];
+    for (name, form, column, output, registration, n, scales) in [
+        ("ggx-reflection", "correlated", Column::E, "E", Centre, 29_usize, &[Mu, Roughness][..]),
+        ("ggx-reflection", "separable", Column::B, "B", Endpoint, 29, &[RootMu, RoughnessFourth]),
+        ("ggx-reflection", "separable", Column::E, "E", Endpoint, 29, &[RootMu, RoughnessFourth]),
+        ("ggx-reflection", "correlated", Column::E, "E", Endpoint, 8, &ends),
+        ("ggx-reflection", "correlated", Column::B, "B", Endpoint, 8, &[Mu, below(Input::Alpha, 7e-9)]),
+        ("beckmann-reflection", "separable", Column::E, "E", Centre, 29, &[Mu, Roughness]),
+        ("beckmann-reflection", "separable", Column::B, "B", Endpoint, 29, &[RootMu, RoughnessFourth]),
+        ("ggx-average", "correlated", Column::Average, "E_avg", Centre, 29, &[Roughness]),
+        ("ggx-average", "correlated", Column::Average, "E_avg", Endpoint, 29, &[RoughnessFourth]),
+        ("ggx-average", "correlated", Column::Normal, "E", Endpoint, 29, &[RoughnessFourth]),
+        ("sheen-charlie", "neubelt", Column::E, "E", Centre, 29, &[Mu, Roughness]),
+        ("sheen-charlie", "neubelt", Column::E, "E", Endpoint, 13, &[Mu, Roughness]),
+        ("ggx-glass", "correlated", Column::R, "R", Endpoint, 4, &[IorTwo, Roughness, Mu]),
+        ("ggx-glass", "correlated", Column::T, "T", Endpoint, 4, &[IorTwo, below(Input::Alpha, 2e-3), Mu]),
     ] {
-        let (own, form) = (quantity::find(name).unwrap(), Form::find(form).unwrap());
-        let variant = form.smith.map_or_else(Variant::default, Variant::from);
-        let one = name == "ggx-average";
-        let (size, axes) =
-            if one { (vec![29], vec![roughness]) } else { (vec![29, 29], vec![mu, roughness]) };
+        // E at normal incidence is no output of the average.
+        let of = if column == Column::Normal { "ggx-reflection" } else { name };
+        let (own, form) = (quantity::find(of).unwrap(), Form::find(form).unwrap());
+        let side = own.has(Choice::Side).then_some(Side::Outside);
+        let variant = Variant { smith: form.smith, side, ..Variant::default() };
+        let place = own.outputs().iter().position(|o| *o == output).unwrap();
         let value = |i: usize| {
-            let x = if one { vec![at(i) * at(i)] } else { vec![at(i / 29) * at(i / 29), at(i % 29)] };
-            own.at(&variant, &x, 1e-8).unwrap()[0]
+            let at = |k: usize| scales[k].input_at(registration.coordinate(i / n.pow(k as u32) % n, n));
+            let axis = |name: &str| scales.iter().position(|s| s.input().name() == name);
+            // A narrower lobe than the least counts as a mirror.
+            let moved =
+                |name: &str, x: f64| if name == "alpha" && x < own.smallest_alpha() { 0.0 } else { x };
+            let of = |name: &str| moved(name, axis(name).map_or(1.0, at));
+            let x: Vec<f64> = own.inputs().iter().map(|input| of(input.name)).collect();
+            // Texels at which there is no value are not judged.
+            own.at(&variant, &x, 1e-8).map_or(0.5, |values| values[place])
         };
+        let size = vec![n; scales.len()];
         let values: Vec<f64> = (0..size.iter().product()).into_par_iter().map(value).collect();
         let fixed = Fixed {
-            axes: Some(axes),
-            registrations: Some(vec![Registration::Centre]),
+            axes: Some(scales.iter().map(|scale| (*scale, false)).collect()),
+            registrations: Some(vec![registration]),
             form: Some(form),
+            column: Some(column),
+            side,
             ..Fixed::default()
         };
         let found = run(&shipped(&size, vec![("0", values)]), name, &fixed);
-        assert!(found.worst() <= found.truth_error, "{name}: {} of {}", found.worst(), found.truth_error);
+        let errors = found.channels[0].errors.as_ref().unwrap();
+        let worst = found.worst();
+        assert!(worst <= found.truth_error, "{name} {output}: {worst:e} of {:e}", found.truth_error);
+        assert!(4 * errors.judged >= 3 * errors.all && errors.all > 20, "{name} {output}: {errors:?}");
     }
 }

@@ -255,14 +255,26 @@ fn what_glsl_would_not_evaluate_is_refused() {
 #[test]
 fn depth_is_bounded_and_length_is_not() {
     let read = |body: &str| {
-        let source = format!("float f(float x) {{ return {body}; }}");
+        let source = format!("float f(float x) {{ {body}; }}");
         read_functions(source.as_bytes(), "d.glsl", Some("f")).map(drop).map_err(|e| e.to_string())
     };
-    assert_eq!(read(&vec!["vec2(x, -2.0).y"; 100].join(" + ")), Ok(()));
+    let chain = |n: usize| "if (x > 0.5) { return 1.0; } else ".repeat(n) + "return x";
+    for long in [
+        format!("return {}", vec!["vec2(x, -2.0).y"; 100].join(" + ")),
+        format!("float a[5000] = float[5000]({}); return a[1]", vec!["-x"; 5000].join(", ")),
+        "x = -x; ".repeat(2000) + "return x",
+        format!("/* {} */ return x; // {}\n", "(-".repeat(2000), "(-".repeat(2000)),
+        chain(200),
+    ] {
+        assert_eq!(read(&long), Ok(()), "{long:.40}");
+    }
     for deep in [
-        "(".repeat(2000) + "x" + &")".repeat(2000),
-        "-".repeat(2000) + "x",
-        "x".to_string() + &".x".repeat(2000),
+        format!("return {}x{}", "(".repeat(2000), ")".repeat(2000)),
+        format!("return {}x", "-".repeat(2000)),
+        format!("return x{}", ".x".repeat(2000)),
+        format!("return x{}", "[0]".repeat(2000)),
+        format!("return {}x{}", "max(x, ".repeat(2000), ")".repeat(2000)),
+        chain(2000),
     ] {
         assert!(read(&deep).unwrap_err().contains("operators and brackets around a term"), "{deep:.20}");
     }

@@ -175,6 +175,7 @@ fn macros_and_conditions_that_are_wrong_are_named() {
         ("#define S(a) a\nfloat f(float x) { return S(x; }", "2:27", "not closed"),
         ("#if A\nfloat f(float x) { return x; }", "1:1", "has no #endif"),
         ("float f(float x) { return x; }\n#endif", "2:1", "has no #if"),
+        ("/* #if\n */ float f(float x) { return x; } // #if\n#endif /* open", "3:1", "has no #if"),
         ("#if HAS(3)\n#endif\nfloat f(float x) { return x; }", "1:1", "no arithmetic"),
     ] {
         let message = refused(text);
@@ -287,6 +288,23 @@ fn sampled(x: f32) -> f32 { return textureLoad(lut, vec2<i32>(0, 0), 0).x * x; }
 }
 
 #[test]
+fn paths_of_imports() {
+    let math = "#define_import_path a::b\nconst PI: f32 = 4.0;\nfn square(x: f32) -> f32 { return x * x; }";
+    for (import, body) in [
+        ("a::b", "a::b::PI * b::square(x)"),
+        ("a::b as v", "v::PI * v::square(x)"),
+        ("a::b PI, square", "PI * square(x)"),
+        ("a::b::PI\n#import a::b::square", "PI * square(x)"),
+        ("a::{b::{PI as p, square}}", "p * square(x)"),
+        ("a::b::PI", "PI * x * f32(#HALVES) / f32(#{HALVES} * 2)"),
+    ] {
+        let main = format!("#import {import}\nfn f(x: f32) -> f32 {{ return {body}; }}");
+        let tree = Tree::new(&[("src/main.wgsl", main.as_str()), ("src/b.wgsl", math)]);
+        assert_eq!(at(&tree.one("src/main.wgsl", "f", &["/src", "HALVES=3"]), &[0.5]), 1.0, "{import}");
+    }
+}
+
+#[test]
 fn imports_and_conditions_of_wesl_are_followed() {
     let main = "import package::render::maths::{PI, square};\nimport other::nothing;\n
 fn split_sum(rough: f32, c: f32, @if(MORE) extra: f32) -> f32 {
@@ -324,6 +342,8 @@ fn conditions_are_integer_arithmetic() {
     };
     for text in [
         "A == 3 && !defined(B)",
+        "defined A && !defined B",
+        "0x1e+1 == 31",
         "1 << 2 == 4",
         "(A & 2) != 0 && (A | 4) == 7",
         "TWICE(A) > 5 && NOWHERE == 0",
@@ -334,7 +354,9 @@ fn conditions_are_integer_arithmetic() {
         assert_eq!(value(text), Ok(true), "{text}");
     }
     assert_eq!(value("A < 3"), Ok(false));
-    for text in ["A +", "(A", "1.5 > 1", "has(A)", "1 2", "9223372036854775807 + 1", "1 / 0 > 2"] {
+    for text in
+        ["", "A +", "(A", "1.5 > 1", "has(A)", "1 2", "9223372036854775807 + 1", "defined A || 1 / 0 > 2 - 2"]
+    {
         assert!(value(text).is_err_and(|e| e.starts_with("c.glsl: 3:")), "{text}: {:?}", value(text));
     }
 }

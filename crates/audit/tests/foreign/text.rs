@@ -222,36 +222,105 @@ fn declared_sizes_that_are_not_those_of_the_rows_are_refused() {
 
 #[test]
 fn numbers_of_every_language_and_no_others() {
-    let text = "#define N \\\n 32\nconst T = [0.5f, 1., .25F, /* 1 */ 1e-3, 2.5e2h, 0.125_f32, // 3\n4lf, 1.5f16, 1_0.0];\n'6'; #include <7>";
-    let expected = [0.5, 1.0, 0.25, 0.001, 250.0, 0.125, 4.0, 1.5, 10.0];
+    use RawFormat::{F16, F32, Unorm16};
+    let of = |n: f64| n / 65535.0;
+    for (number, format, value, step) in [
+        ("0.5f", None, 0.5, Step::Decimals(1)),
+        ("1.", None, 1.0, Step::Decimals(0)),
+        (".25F", None, 0.25, Step::Decimals(2)),
+        ("1e-3", None, 0.001, Step::Decimals(3)),
+        ("2.5e2h", None, 250.0, Step::Decimals(0)),
+        ("0.125_f32", None, 0.125, Step::Decimals(3)),
+        ("4lf", None, 4.0, Step::Decimals(0)),
+        ("1.5f16", None, 1.5, Step::Decimals(1)),
+        ("1_0.0", None, 10.0, Step::Decimals(1)),
+        ("3", Some(Unorm16), of(3.0), Step::Unorm16),
+        ("1_000", Some(Unorm16), of(1000.0), Step::Unorm16),
+        ("7u", Some(Unorm16), of(7.0), Step::Unorm16),
+        ("9n", Some(Unorm16), of(9.0), Step::Unorm16),
+        ("0x3c00", Some(Unorm16), of(15360.0), Step::Unorm16),
+        ("0x3c00", None, 1.0, Step::Half),
+        ("15360", Some(F16), 1.0, Step::Half),
+        ("0x3f80_0000u32", Some(F32), 1.0, Step::None),
+    ] {
+        let text = format!("const T = [{}];", [number; 9].join(", "));
+        let table = &tables(&text, "t.c", &Hints { size: Some(vec![9]), format, ..Hints::default() })[0];
+        assert_eq!((table.channels[0].values.as_slice(), table.step), (&[value; 9][..], step), "{number}");
+    }
+    let list = "const T = [0.5, 1, 2, /* 1 */ 3, 4, 5, // 3\n6, 7, 8];";
+    let expected = [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+    let text = format!("#define N \\\n 32\n{list}\n'6'; \"4 \\\" 5\"; #include <7>");
     let hints = Hints { size: Some(vec![9]), ..Hints::default() };
-    let found = tables(text, "t.c", &hints);
-    assert_eq!(found[0].channels[0].values, expected);
+    assert_eq!(tables(&text, "t.c", &hints)[0].channels[0].values, expected);
+    for none in ["1abc", "0xzz", "1\u{e9}"] {
+        assert!(refused(&list.replace("0.5", none), &hints).contains("no array"), "{none}");
+    }
+    // Whatever a text breaks off in, it ends there: after a list, and within one.
+    for cut in ["\"", "'", "/*", "//", "#", "0x", "1e", "1e+", ".", "`", "\\", "#[", "\u{e9}", "1\u{e9}"] {
+        for file in ["t.rs", "t.c"] {
+            assert_eq!(
+                tables(&format!("{list} {cut}"), file, &hints)[0].channels[0].values,
+                expected,
+                "{cut}"
+            );
+            for open in [cut.to_string(), list.replace("];", cut)] {
+                let error = read_table(open.as_bytes(), file, &hints).expect_err(&open).to_string();
+                assert!(error.starts_with(file), "{open}: {error}");
+            }
+        }
+    }
 }
 
 #[test]
-fn names_of_declarations_of_every_language() {
-    for (text, name) in [
-        ("static const float table_E[9] = ", "table_E"),
-        ("constexpr float t[9]", "t"),
-        ("const half rows[N] = ", "rows"),
-        ("std::array<std::array<float, 9>, 1> t = ", "t"),
-        ("export const DATA: number[] = ", "DATA"),
-        ("const DATA = new Float32Array(", "DATA"),
-        ("pub static LUT: [f32; 9] = ", "LUT"),
-        ("const lut: array<f32, 9> = array<f32, 9>", "lut"),
-        ("const float[9] lut = float[9]", "lut"),
-        ("E: ", "E"),
-        ("lut = np.array(", "lut"),
-        ("module.exports.dfg = ", "dfg"),
-        ("__device__ __constant__ float e[9]", "e"),
-        ("alignas(16) static const float q[9] = ", "q"),
-        ("", ""),
+fn names_and_sizes_of_declarations_of_every_language() {
+    for (text, name, declared) in [
+        ("static const float table_E[9] = ", "table_E", "9"),
+        ("constexpr float t[3][3]", "t", "3 x 3"),
+        ("const half rows[N] = ", "rows", ""),
+        ("std::array<std::array<float, 9>, 1> t = ", "t", ""),
+        ("export const DATA: number[] = ", "DATA", ""),
+        ("const DATA = new Float32Array(", "DATA", ""),
+        ("pub static LUT: [f32; 9] = ", "LUT", ""),
+        ("const lut: array<f32, 9> = array<f32, 9>", "lut", ""),
+        ("const float[9] lut = float[9]", "lut", ""),
+        ("E: ", "E", ""),
+        ("lut = np.array(", "lut", ""),
+        ("module.exports.dfg = ", "dfg", ""),
+        ("__device__ __constant__ float e[9]", "e", "9"),
+        ("alignas(16) static const float q[9] = ", "q", "9"),
+        ("", "", ""),
     ] {
         let open = if text.ends_with('(') { ")" } else { "" };
-        let text = format!("{text}[0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5]{open};");
-        let hints = Hints { size: Some(vec![9]), ..Hints::default() };
-        assert_eq!(tables(&text, "t.cpp", &hints)[0].name, name, "{text}");
+        let of = |more: &str| format!("{text}[0.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5{more}]{open};");
+        let hints = |n| Hints { size: Some(vec![n]), ..Hints::default() };
+        assert_eq!(tables(&of(""), "t.cpp", &hints(9))[0].name, name, "{text}");
+        // A number more than the declaration has; where it states no size that is read, any number will do.
+        match read_table(of(", 9.5").as_bytes(), "t.cpp", &hints(10)) {
+            Ok(found) => assert!(declared.is_empty() && found[0].size == [10], "{text}"),
+            Err(e) => assert!(
+                e.to_string().contains(&format!("{name} is declared as {declared} and holds 10 numbers")),
+                "{text}: {e}"
+            ),
+        }
+    }
+}
+
+#[test]
+fn raw_numbers_are_little_endian() {
+    for (format, bytes, value) in [
+        (RawFormat::F16, &[0x00, 0x38][..], 0.5),
+        (RawFormat::F32, &[0, 0, 0x80, 0x3f], 1.0),
+        (RawFormat::F64, &[0, 0, 0, 0, 0, 0, 0xf4, 0x3f], 1.25),
+        (RawFormat::Unorm8, &[51], 0.2),
+        (RawFormat::Unorm16, &[0xff, 0], 255.0 / 65535.0),
+    ] {
+        let hints = Hints { size: Some(vec![9]), format: Some(format), ..Hints::default() };
+        let read = |bytes: &[u8]| read_table(bytes, "lut.bin", &hints);
+        assert_eq!(read(&bytes.repeat(9)).unwrap()[0].channels[0].values, [value; 9], "{format:?}");
+        // A byte after the last number.
+        let more = read(&[bytes.repeat(9), vec![9]].concat()).unwrap_err().to_string();
+        assert!(more.starts_with("lut.bin"), "{more}");
+        assert!(bytes.len() == 1 || more.contains(&format!("byte {}", 9 * bytes.len())), "{more}");
     }
 }
 
