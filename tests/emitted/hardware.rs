@@ -341,7 +341,7 @@ fn a_nan_gives_what_the_include_files_say() {
             let mut x = point(&mut random, &tape, false).expect("known inputs");
             let lost = trial % x.len().max(1);
             x[lost] = f32::NAN;
-            DROPS.set(trial / x.len().max(1) % 2 == 0);
+            DROPS.set((trial / x.len().max(1)).is_multiple_of(2));
             let values = loosely(&tape, &fused, &x);
             DROPS.set(false);
             dropped += values.iter().filter(|value| value.is_finite()).count();
