@@ -1,5 +1,5 @@
-//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, the curve of sRGB, vectors in
-//! space and masks of sub-voxels.
+//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, the curve of sRGB,
+//! vectors in space and masks of sub-voxels.
 
 pub mod chebyshev;
 pub mod gauss;

@@ -3,7 +3,8 @@
 use super::Asked;
 use lobefit::report::Origin;
 
-/// What made the report, of the file's bytes and the words of a command, which name every option that bears on it.
+/// What made the report, of the file's bytes and the words of a command, which name every option that
+/// bears on it.
 pub(super) fn origin(bytes: &[u8], words: &[String]) -> Origin {
     Origin {
         scene: String::new(),

@@ -170,8 +170,9 @@ fn a_column_that_was_never_filled_is_named_and_the_rest_is_read() {
     assert!(!found.passes(Some(1.0)));
 }
 
-/// A slice of HIPRT's table of thin glass (`40GGX_Thin_Glass_Ess_Correlated_32x32x96.hdr`) is no quantity here: what
-/// goes through both walls leaves by a lobe of another width. It is of nothing, under either name.
+/// A slice of HIPRT's table of thin glass (`40GGX_Thin_Glass_Ess_Correlated_32x32x96.hdr`) is no quantity
+/// here: what goes through both walls leaves by a lobe of another width. It is of nothing, under either
+/// name.
 #[test]
 fn a_slice_of_thin_glass_is_of_nothing_known() {
     let at = |i: usize| (i as f64 + 0.5) / 24.0;

@@ -444,9 +444,9 @@ fn residuals_scaled_by_a_million_give_the_same_coefficients() {
 }
 
 /// A parameter that the value does not depend on stays where it is declared, whatever is minimised,
-/// and is told.
+/// and the result names it.
 #[test]
-fn a_parameter_that_does_not_matter_stays_and_is_told() {
+fn a_parameter_that_does_not_matter_stays_and_is_reported() {
     for idle in ["0.0 * k", "k * max(x - 2.0, 0.0)"] {
         let formula = format!(
             "override a: f32 = 1.0; override k: f32 = 0.5; fn f(x: f32) -> f32 {{ return a * x + {idle}; }}"

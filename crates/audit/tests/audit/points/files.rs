@@ -22,8 +22,8 @@ fn array(name: &str, times: usize) -> String {
     format!("static const float {name}[{}] = {{ {} }};\n", 256 * times, rows.join(", "))
 }
 
-/// Shapes were guessed: 1024 numbers at `--size 16x16` as four channels, 4096 as one of two shapes; another array
-/// of the file failed `--size` without a word of `--symbol`.
+/// Shapes were guessed: 1024 numbers at `--size 16x16` as four channels, 4096 as one of two shapes;
+/// another array of the file failed `--size` without a word of `--symbol`.
 #[test]
 fn point_10_no_shape_is_guessed_without_a_word() {
     let folder = tempfile::tempdir().unwrap();
@@ -69,8 +69,8 @@ fn is_formed(found: &Audit) {
     assert!(long <= 700, "{long}: {text}");
 }
 
-/// A verdict was a paragraph of 900 to 1400 characters. One of a sound table, of a table with a channel of nothing
-/// known, and of one that follows nothing.
+/// A verdict was a paragraph of 900 to 1400 characters. One of a sound table, of a table with a channel
+/// of nothing known, and of one that follows nothing.
 #[test]
 fn point_15_a_verdict_is_a_line_and_five_points() {
     let wrong = |x: usize, y: usize| 0.5 + 0.4 * ops::sin(20.0 * at(x) * at(y));
@@ -95,8 +95,8 @@ fn point_15_a_verdict_is_a_line_and_five_points() {
     );
 }
 
-/// A table of more than is held at once took minutes. It is ranked on a lattice, and all of it is looked through
-/// for the largest error (`tests/budget.rs` counts the work on files that follow nothing).
+/// A table of more than is held at once took minutes. It is ranked on a lattice, and all of it is looked
+/// through for the largest error (`tests/budget.rs` counts the work on files that follow nothing).
 #[test]
 fn point_16_all_of_a_table_that_is_too_large_to_be_held_is_looked_through() {
     let size = [1024, 544];

@@ -1,4 +1,5 @@
-//! Tables of GGX that were misread: their lookups, clamps, quantisers, the order of axes and channels, rounding.
+//! Tables of GGX that were misread: their lookups, clamps, quantisers, the order of axes and channels,
+//! rounding.
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{AuditedTable, Column, Defect, Fit, Fixed, Input, Registration, Scale};

@@ -139,8 +139,8 @@ fn karis(head: &str, result: &str) -> String {
     )
 }
 
-/// Karis' fit had "no approximation under any reading": it is named with the lobe that it was made for, also behind
-/// a floor or a clamp, as engines ship it.
+/// Karis' fit had "no approximation under any reading": it is named with the lobe that it was made for,
+/// also behind a floor or a clamp, as engines ship it.
 #[test]
 fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
     for (head, result, far) in [
@@ -156,8 +156,9 @@ fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
     }
 }
 
-/// A chunk of a library of scripts with what killed the whole file: a macro and a helper elsewhere, functions under
-/// conditions, overloads, an unknown type and a texture in functions that are not asked for.
+/// A chunk of a library of scripts with what killed the whole file: a macro and a helper elsewhere,
+/// functions under conditions, overloads, an unknown type and a texture in functions that are not asked
+/// for.
 const CHUNK: &str = "export default /* glsl */ `
 #include <common>
 uniform sampler2D lut;
