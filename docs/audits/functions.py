@@ -68,7 +68,8 @@ def closing(source, at):
 
 
 def chosen(body, defines):
-    """Lines that conditions leave, `#if A == B` and WESL's `@if(A)`, whose names are 0 but for the defined."""
+    """Lines that conditions `#if A == B` leave, whose names are 0 but for the defined. What follows WESL's
+    `@if(A)` is left out and its `@else` kept: no function of the page is asked for with such a name."""
     value = lambda word: defines.get(word, int(word) if word.isdigit() else 0)
     lines, taken = [], []
     for line in body.split("\n"):
