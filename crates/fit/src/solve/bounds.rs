@@ -2,7 +2,7 @@
 
 use super::constraint::{Condition, Constraint};
 use super::fitted::Held;
-use super::objective::{Objective, Refused};
+use super::objective::{Objective, Refused, columns};
 use super::round_to_f32;
 use super::samples::{Samples, digits};
 use crate::FitError;
@@ -217,6 +217,13 @@ impl Row {
 }
 
 impl LinearBounds {
+    /// In some of the parameters, the others fixed.
+    pub fn only(&self, parameters: &[usize]) -> LinearBounds {
+        let width = self.jacobian.len() / self.values.len().max(1);
+        let jacobian = columns(&self.jacobian, width, parameters);
+        LinearBounds { values: self.values.clone(), jacobian, equal: self.equal.clone() }
+    }
+
     /// g + A d
     pub fn moved(&self, step: &[f64]) -> Vec<f64> {
         let rows = self.jacobian.chunks(step.len());

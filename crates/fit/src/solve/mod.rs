@@ -1,5 +1,6 @@
 //! Coefficients for a formula: least squares from many starts, then the norm asked for.
 
+mod affine;
 mod bounds;
 mod constrained;
 mod constraint;

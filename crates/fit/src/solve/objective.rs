@@ -37,6 +37,20 @@ pub(super) struct Linear {
     pub triangle: Triangle,
 }
 
+impl Linear {
+    /// In some of the parameters, the others fixed.
+    pub fn only(&self, parameters: &[usize]) -> Linear {
+        let jacobian = columns(&self.jacobian, self.triangle.r.ncols(), parameters);
+        let triangle = reduce(&jacobian, &self.residuals, parameters.len());
+        Linear { residuals: self.residuals.clone(), jacobian, triangle }
+    }
+}
+
+/// Some columns of a matrix that is stored row by row.
+pub(super) fn columns(matrix: &[f64], width: usize, chosen: &[usize]) -> Vec<f64> {
+    matrix.chunks_exact(width).flat_map(|row| chosen.iter().map(|&i| row[i])).collect()
+}
+
 impl<'a> Objective<'a> {
     pub fn new(tape: &'a Tape, samples: &'a Samples) -> Result<Objective<'a>, FitError> {
         samples.check(tape)?;

@@ -114,6 +114,6 @@ pub(super) fn inside(tape: &Tape, chosen: impl Fn(&Op, usize) -> bool) -> Vec<bo
     found
 }
 
-fn join(all: &mut [bool], more: &[bool]) {
+pub(super) fn join(all: &mut [bool], more: &[bool]) {
     all.iter_mut().zip(more).for_each(|(all, more)| *all |= more);
 }

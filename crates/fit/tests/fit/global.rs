@@ -65,7 +65,9 @@ fn denominators_of_either_sign_are_searched() {
     // 1 / (x - 1.5) has a negative denominator throughout; the start has a positive one.
     let samples = curve(101, |x| 1.0 / (x - 1.5) + 0.1 * x);
     let fitted = fit("a / (x + b) + 0.0 * c", &samples, &[]);
-    assert!(!is_proven(&fitted) && fitted.undetermined == ["`c` does not matter"], "{fitted:?}");
+    // On the start's side the best is a constant, with a and b large: there they coincide as well.
+    let idle = fitted.undetermined.iter().any(|sentence| sentence == "`c` does not matter");
+    assert!(!is_proven(&fitted) && idle, "{fitted:?}");
     let source = "override a: f32 = 1.0; override b: f32 = 0.3; fn f(x: f32) -> f32 { return a / (x + b); }";
     let fitted = optimise(&parse(source), &samples, &[], &Options::new(Norm::Max)).unwrap();
     assert!(is_proven(&fitted) && fitted.coefficients[1] < -1.0, "{fitted:?}");

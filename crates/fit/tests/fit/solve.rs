@@ -486,3 +486,34 @@ fn a_gradient_without_a_finite_length_is_refused() {
         assert!((found - truth).abs() < 1e-9, "{fitted:?}");
     }
 }
+
+/// At one roughness a formula for all of them lies in a long curved valley, along which steps in k
+/// drag the other coefficients by thousands.
+#[test]
+fn a_narrow_domain_ends_at_a_minimum_in_few_steps() {
+    let formula = parse(
+        "override c0: f32 = -0.42; override c1: f32 = 6.2; override c2: f32 = 0.27; override c3: f32 = -12.0;
+         override c4: f32 = 12.2; override c5: f32 = -8.0; override c6: f32 = 15.0; override c7: f32 = 2.2;
+         override k: f32 = 2.2;
+         fn f(alpha: f32, mu: f32) -> f32 {
+             let inverse = 1.0 / (mu + k * alpha);
+             let ratio = alpha * inverse;
+             return 1.0 + ratio * (c0 + ratio * (c1 + alpha * (c2 + mu * (c4 + mu * (c5 + alpha * (c6
+                 + mu * c7)))) + ratio * c3));
+         }",
+    );
+    let (mut alphas, mut mus) = (Vec::new(), Vec::new());
+    for alpha in [0.156, 0.16, 0.164] {
+        for mu in grid(200) {
+            alphas.push(alpha);
+            mus.push(0.01 + 0.99 * mu);
+        }
+    }
+    let value = |(a, mu): (&f64, &f64)| 1.0 + 0.5 * a * (-2.0 * mu).exp() / (a + mu * mu + 0.3 * mu);
+    let target = alphas.iter().zip(&mus).map(value).collect::<Vec<f64>>();
+    let samples = Samples { scale: vec![1.0; target.len()], target, inputs: vec![alphas, mus] };
+    let options = Options { starts: 1, ..Options::new(Norm::Max) };
+    let fitted = optimise(&formula, &samples, &[], &options).unwrap();
+    assert_eq!(fitted.termination, Termination::Minimax, "{fitted:?}");
+    assert!(fitted.evaluations < 150, "{fitted:?}");
+}
