@@ -9,6 +9,7 @@
 mod error;
 pub mod rational;
 pub mod search;
+mod simplex;
 mod solve;
 pub mod texels;
 

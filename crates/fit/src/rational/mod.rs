@@ -11,7 +11,6 @@
 mod columns;
 mod descent;
 mod level;
-mod simplex;
 
 use super::{FitError, Termination};
 pub(super) use columns::Columns;
