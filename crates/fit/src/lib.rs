@@ -9,7 +9,6 @@
 mod error;
 pub mod rational;
 pub mod search;
-mod simplex;
 mod solve;
 pub mod texels;
 

@@ -2,7 +2,7 @@
 //! them. Their files are compiled here once more, and the library is not.
 #![allow(dead_code, reason = "what of these files no test calls")]
 
-#[path = "../src/simplex.rs"]
+#[path = "../src/rational/simplex.rs"]
 mod simplex;
 #[path = "../src/texels.rs"]
 mod texels;

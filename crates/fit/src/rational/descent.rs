@@ -2,9 +2,9 @@
 
 use super::columns::{Columns, NOISE};
 use super::level::{Id, Level};
+use super::simplex::Failure;
 use super::{Optimum, Row};
 use crate::error::in_the_way;
-use crate::simplex::Failure;
 use crate::{FitError, Termination};
 
 /// Programs of one descent.

@@ -7,7 +7,7 @@
 
 use super::Row;
 use super::columns::{Columns, NOISE};
-use crate::simplex::{Failure, Rows, Vertex, minimise_last};
+use super::simplex::{Failure, Rows, Vertex, minimise_last};
 
 /// Homogeneous coefficients lie within this. Columns have a largest entry of 1 beside denominators
 /// of mean 1.

@@ -11,6 +11,7 @@
 mod columns;
 mod descent;
 mod level;
+mod simplex;
 
 use super::{FitError, Termination};
 pub(super) use columns::Columns;

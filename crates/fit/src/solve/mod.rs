@@ -22,7 +22,6 @@ mod route;
 mod samples;
 mod starts;
 mod ties;
-mod vertex;
 
 pub use constraint::{Condition, Constraint};
 pub use fitted::{Fitted, Gap, Held, Method, SecondOrder, Stage, Termination};

@@ -1,9 +1,9 @@
 //! The convex program of a step: the linearised residuals' norm, smallest within a box, constraints
 //! kept.
 //!
-//! The largest |r + J d| makes it a linear program ([`super::vertex`]), a p-norm's quadratic model a
-//! quadratic one. Violations of linearised constraints are one more variable s, so that every program
-//! has a solution: minimise weight * norm + s.
+//! The largest |r + J d| makes it a linear program, a p-norm's quadratic model a quadratic one.
+//! Violations of linearised constraints are one more variable s, so that every program has a
+//! solution: minimise weight * norm + s.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,7 +12,6 @@ use super::convex::Convex;
 use super::objective::{Linear, largest};
 use super::power::{Model, PNorm};
 use super::reduce::{Triangle, reduce};
-use super::vertex::{Lowest, Minimax};
 
 /// Directions whose part of the Jacobian is below this are left alone.
 const NEGLIGIBLE: f64 = 1e-10;
@@ -41,11 +40,9 @@ pub(super) struct Program<'a> {
     weight: f64,
     /// d = basis z; columns of unit rms effect on the residuals (and on the constraints).
     basis: DMatrix<f64>,
-    /// The Jacobians of the residuals, where the largest counts, and of the constraints along the
-    /// basis, row by row.
-    along: Vec<f64>,
-    kept_along: Vec<f64>,
-    /// Rows of constraints in a p-norm's program.
+    /// Rows of residuals in the program.
+    rows: Vec<usize>,
+    /// Rows of constraints in the program.
     kept: Vec<usize>,
 }
 
@@ -72,67 +69,61 @@ impl<'a> Program<'a> {
         let count = linear.residuals.len() as f64;
         let triangle = bounds.map(|bounds| joined(linear, bounds));
         let basis = basis(triangle.as_ref().unwrap_or(&linear.triangle)) * count.sqrt();
-        let along = match aim {
-            Aim::Largest => along(&linear.jacobian, &basis),
+        let rows = match aim {
+            Aim::Largest => peaks(&linear.residuals, 16 * basis.ncols().max(4)),
             Aim::Power(..) => Vec::new(),
         };
-        let kept_along = bounds.map_or(Vec::new(), |bounds| self::along(&bounds.jacobian, &basis));
-        let kept = Vec::new();
-        let mut program = Program { aim, linear, bounds, weight, basis, along, kept_along, kept };
-        if matches!(program.aim, Aim::Power(..)) {
-            program.keep(&bounds.map_or(Vec::new(), |b| b.values.clone()));
-        }
+        let mut program = Program { aim, linear, bounds, weight, basis, rows, kept: Vec::new() };
+        let values = bounds.map_or(Vec::new(), |b| b.values.clone());
+        program.keep(&values);
         program
     }
 
-    /// The best step within |z| <= radius. None if the program fails.
+    /// The best step within |z| <= radius. None if the programs fail.
     pub fn step(&mut self, radius: f64) -> Option<Step> {
-        match self.aim {
-            Aim::Largest => {
-                let bounds = self.bounds.map(|bounds| (bounds, self.kept_along.as_slice()));
-                let (residuals, along) = (self.linear.residuals.as_slice(), self.along.as_slice());
-                let (weight, count) = (self.weight, self.basis.ncols());
-                let Lowest { z, bound } =
-                    Minimax { residuals, along, bounds, weight, radius, count }.lowest()?;
-                let norm = largest(&moved(self.linear, &self.along_basis(&z)));
-                Some(self.taken(&z, norm, bound, radius).0)
-            }
-            Aim::Power(norm, model) => self.rounds(norm, model, radius),
-        }
-    }
-
-    fn along_basis(&self, z: &[f64]) -> Vec<f64> {
-        (&self.basis * DVector::from_column_slice(z)).as_slice().to_vec()
-    }
-
-    /// A step by its coordinates, what the model says of it, the constraints after it and their worst.
-    fn taken(&self, z: &[f64], norm: f64, bound: f64, radius: f64) -> (Step, Vec<f64>, f64) {
-        let step = self.along_basis(z);
-        let kept = self.bounds.map_or(Vec::new(), |b| b.moved(&step));
-        let worst = self.bounds.map_or(0.0, |b| b.worst(&kept));
-        let held = z.iter().any(|z| z.abs() > 0.99 * radius);
-        let predicted = self.weight * norm + worst;
-        let bounded = self.bounds.is_some_and(|b| b.touches(&kept, worst + SLACK * radius));
-        (Step { step, predicted, bound: bound.min(predicted), held, bounded }, kept, worst)
-    }
-
-    /// The step of a p-norm: constraints that a program violates are in the next.
-    fn rounds(&mut self, norm: PNorm, model: &Model, radius: f64) -> Option<Step> {
         let mut last = None;
         for _ in 0..ROUNDS {
-            let (z, violation) = self.solve(norm, model, radius)?;
-            let value = norm.predicted(model, &self.along_basis(&z));
-            let (step, kept, worst) = self.taken(&z, value, self.weight * value + violation, radius);
-            last = Some(step);
-            let before = self.kept.len();
+            let (z, bound, violation) = self.solve(radius)?;
+            let step = &self.basis * DVector::from_column_slice(&z);
+            let step = step.as_slice().to_vec();
+            let kept = self.bounds.map_or(Vec::new(), |b| b.moved(&step));
+            let worst = self.bounds.map_or(0.0, |b| b.worst(&kept));
+            let (norm, over) = self.look(&step, bound);
+            let held = z.iter().any(|z| z.abs() > 0.99 * radius);
+            let predicted = self.weight * norm + worst;
+            let bound = (self.weight * bound + violation).min(predicted);
+            let bounded = self.bounds.is_some_and(|b| b.touches(&kept, worst + SLACK * radius));
+            last = Some(Step { step, predicted, bound, held, bounded });
+            let before = self.rows.len() + self.kept.len();
+            self.add(&over);
             if worst > violation + SLACK * (violation + radius * SLACK) {
                 self.keep(&kept);
             }
-            if self.kept.len() == before {
+            if self.rows.len() + self.kept.len() == before {
                 break;
             }
         }
         last
+    }
+
+    /// The norm after a step by the model, and the residuals above the bound (others 0).
+    fn look(&self, step: &[f64], bound: f64) -> (f64, Vec<f64>) {
+        match self.aim {
+            Aim::Largest => {
+                let moved = moved(self.linear, step);
+                let above = |m: &f64| if m.abs() > bound * (1.0 + SLACK) { *m } else { 0.0 };
+                (largest(&moved), moved.iter().map(above).collect())
+            }
+            Aim::Power(norm, model) => (norm.predicted(model, step), Vec::new()),
+        }
+    }
+
+    /// Adds the peaks of residuals above the bound.
+    fn add(&mut self, over: &[f64]) {
+        let found = peaks(over, 8 * self.basis.ncols().max(4));
+        self.rows.extend(found.into_iter().filter(|&i| over[i] != 0.0));
+        self.rows.sort_unstable();
+        self.rows.dedup();
     }
 
     /// Adds the equations, and the constraints that are closest to being violated, or most so.
@@ -146,37 +137,55 @@ impl<'a> Program<'a> {
         self.kept.sort_unstable();
     }
 
-    /// Solves for the constraints that are kept: z and the violation. All in units of the radius
-    /// within the program.
-    fn solve(&self, norm: PNorm, model: &Model, radius: f64) -> Option<(Vec<f64>, f64)> {
+    /// Solves for the rows: z, the norm and the violation. All in units of the radius within the
+    /// program.
+    fn solve(&self, radius: f64) -> Option<(Vec<f64>, f64, f64)> {
         let k = self.basis.ncols();
         let mut rows = Lines { columns: vec![Vec::new(); k], right: Vec::new() };
+        let level = (matches!(self.aim, Aim::Largest) && self.weight > 0.0).then(|| rows.variable());
         let excess = self.bounds.map(|_| rows.variable());
+        for &i in if level.is_some() { self.rows.as_slice() } else { &[] } {
+            let along = self.along(&self.linear.jacobian, i);
+            let residual = self.linear.residuals[i] / radius;
+            for sign in [1.0, -1.0] {
+                rows.add(&along, sign, level, -sign * residual);
+            }
+        }
         if let Some(bounds) = self.bounds {
             for &i in &self.kept {
-                let (along, value) = (&self.kept_along[i * k..(i + 1) * k], bounds.values[i] / radius);
-                rows.add(along, -1.0, excess, value);
+                let (along, value) = (self.along(&bounds.jacobian, i), bounds.values[i] / radius);
+                rows.add(&along, -1.0, excess, value);
                 if bounds.equal[i] {
-                    rows.add(along, 1.0, excess, -value);
+                    rows.add(&along, 1.0, excess, -value);
                 }
             }
             rows.floor(excess);
         }
         rows.fence(k);
         let mut cost = vec![0.0; rows.columns.len()];
+        level.into_iter().for_each(|at| cost[at] = 1.0);
         // The norm keeps its size however small its weight, or it would drown in the solver's
         // tolerance.
         excess.into_iter().for_each(|at| cost[at] = if self.weight > 0.0 { 1.0 / self.weight } else { 1.0 });
-        let quadratic = self.quadratic(norm, model, radius, &mut cost);
+        let quadratic = self.quadratic(radius, &mut cost);
         let Lines { columns, right } = rows;
         let x = Convex { quadratic, cost, columns, right }.solve()?;
         let z: Vec<f64> = x[..k].iter().map(|z| z * radius).collect();
-        Some((z, excess.map_or(0.0, |at| x[at].max(0.0) * radius)))
+        let violation = excess.map_or(0.0, |at| x[at].max(0.0) * radius);
+        let norm = match (level, &self.aim) {
+            (Some(at), _) => x[at].max(0.0) * radius,
+            (None, Aim::Power(norm, model)) => {
+                norm.predicted(model, (&self.basis * DVector::from_column_slice(&z)).as_slice())
+            }
+            (None, Aim::Largest) => 0.0,
+        };
+        Some((z, norm, violation))
     }
 
     /// The quadratic model of a p-norm in units of the radius; its linear part is added to the
     /// cost.
-    fn quadratic(&self, norm: PNorm, model: &Model, radius: f64, cost: &mut [f64]) -> Option<DMatrix<f64>> {
+    fn quadratic(&self, radius: f64, cost: &mut [f64]) -> Option<DMatrix<f64>> {
+        let Aim::Power(norm, model) = &self.aim else { return None };
         if self.weight == 0.0 {
             return None;
         }
@@ -187,16 +196,15 @@ impl<'a> Program<'a> {
         cost.iter_mut().zip(linear.iter()).for_each(|(c, l)| *c += l);
         Some(q.transpose() * q * (factor * radius))
     }
-}
 
-/// The rows of a matrix along the columns of a basis.
-fn along(matrix: &[f64], basis: &DMatrix<f64>) -> Vec<f64> {
-    let row = |row: &[f64]| {
+    /// A row of a matrix along the basis.
+    fn along(&self, matrix: &[f64], i: usize) -> Vec<f64> {
+        let n = self.basis.nrows();
+        let row = &matrix[i * n..(i + 1) * n];
         let dot =
             |column: nalgebra::DVectorView<f64>| row.iter().zip(column.iter()).map(|(a, b)| a * b).sum();
-        basis.column_iter().map(dot).collect::<Vec<f64>>()
-    };
-    matrix.chunks_exact(basis.nrows()).flat_map(row).collect()
+        self.basis.column_iter().map(dot).collect()
+    }
 }
 
 /// Rows A x <= right, by columns.

@@ -300,13 +300,11 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
     let Some((index, best)) = best else { return Err(refused(objective, &searches[0].coefficients)) };
     let (best, spent, saddle) = off_saddles(objective, best, options);
     evaluations += spent;
-    // Of residuals that are rounding no program can say how much is left.
-    let optimal = best.optimal || is_zero(objective, best.rms);
     let termination = match end(&searches[index]) {
-        Termination::RankDeficient { rank } if optimal && !saddle => Termination::RankDeficient { rank },
+        Termination::RankDeficient { rank } if best.optimal && !saddle => Termination::RankDeficient { rank },
         Termination::ZeroResidual => Termination::ZeroResidual,
         _ if saddle => Termination::Saddle,
-        _ if optimal => Termination::Minimax,
+        _ if best.optimal => Termination::Minimax,
         _ if best.capped => Termination::IterationCap,
         _ => Termination::Stalled,
     };

@@ -6,7 +6,7 @@
 //! violated row enters, the active row whose y reaches 0 first leaves.
 
 /// Rows of a program.
-pub(crate) trait Rows {
+pub(super) trait Rows {
     /// Name of a row.
     type Id: Copy + PartialEq;
     /// The row that `x` violates most, by a measure that is comparable between rows; none if all
@@ -20,7 +20,7 @@ pub(crate) trait Rows {
 
 /// Why a program has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Failure {
+pub(super) enum Failure {
     /// The rows contradict one another, by multipliers that prove it for the rows as they are in
     /// floating point: what combining them may have rounded is counted, what computing their
     /// entries has rounded is not.
@@ -32,7 +32,7 @@ pub(crate) enum Failure {
 }
 
 /// A vertex that keeps all rows.
-pub(crate) struct Vertex<I> {
+pub(super) struct Vertex<I> {
     pub x: Vec<f64>,
     /// Active rows with their multipliers.
     pub active: Vec<(I, f64)>,
@@ -52,7 +52,7 @@ const PIVOT: f64 = 1e-9;
 
 /// Solves: minimise the last variable. `start` are k rows with non-negative multipliers; where
 /// their multipliers are not, `fallback` is used.
-pub(crate) fn minimise_last<R: Rows>(
+pub(super) fn minimise_last<R: Rows>(
     rows: &mut R,
     start: &[R::Id],
     fallback: &[R::Id],
