@@ -1,12 +1,16 @@
 //! The parameters in which a formula is affine while the others stay.
 
-use super::rank::join;
+use super::rank::{inside, join};
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
 
-/// Those parameters, in order. Of the two sides of a product that with more of them keeps them.
+/// Those parameters, in order: of the two sides of a product that with more of them keeps them. None
+/// where the formula has a kink in a parameter, as on the kink derivatives are those of one side.
 pub(super) fn affine(tape: &Tape) -> Vec<usize> {
     use BinaryOp::{Add, Divide, Multiply, Subtract};
+    if kinked(tape) {
+        return Vec::new();
+    }
     let mut bent = vec![false; tape.parameters()];
     loop {
         let before = bent.clone();
@@ -34,4 +38,16 @@ pub(super) fn affine(tape: &Tape) -> Vec<usize> {
             return (0..bent.len()).filter(|&i| !bent[i]).collect();
         }
     }
+}
+
+/// Whether a derivative by a parameter jumps where it is taken: in an operation with a kink, or a choice
+/// by a value of the parameters.
+fn kinked(tape: &Tape) -> bool {
+    use BinaryOp::{Equal, Less, LessEqual, Max, Min};
+    use UnaryOp::{Abs, Floor, Saturate, Sign};
+    let kink = |op: &Op, _| {
+        matches!(op, Op::Unary(Abs | Saturate | Floor | Sign, _))
+            || matches!(op, Op::Binary(Less | LessEqual | Equal | Min | Max, ..))
+    };
+    inside(tape, kink).contains(&true)
 }
