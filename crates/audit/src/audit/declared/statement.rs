@@ -84,6 +84,7 @@ impl Statement {
         let smith = [Smith::Correlated, Smith::Separable].into_iter().find(|s| lobe.starts_with(s.name()));
         let alpha = text.lines().flat_map(|line| line.split(';'));
         let alpha = alpha.into_iter().find_map(|part| part.trim().strip_prefix("alpha = "));
+        let alpha = alpha.ok_or("it does not say what alpha is (`alpha = ...`)")?;
         let axes: Vec<Axis> = ["columns (x)", "rows (y, first row at the top)", "slices (z)"]
             .iter()
             .filter_map(|what| line(&format!("{what}: ")).ok())
@@ -96,7 +97,7 @@ impl Statement {
             quantity: quantity.to_string(),
             smith,
             side,
-            alpha: Formula::parse(alpha.unwrap_or("roughness"))?,
+            alpha: Formula::parse(alpha)?,
             axes: if axes.is_empty() { return Err("it names no axes".into()) } else { axes },
             decode: definitions(decode)?,
             exceptions,

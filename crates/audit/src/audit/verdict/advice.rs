@@ -2,8 +2,9 @@
 
 use super::defect::{LINES, extent};
 use super::points::{LIKELY, SAME};
-use super::words::listed;
-use crate::audit::axis::{Input, Registration};
+use super::words::{listed, readings_differ};
+use crate::audit::axis::{AxisReading, Input, Registration};
+use crate::audit::plain::Plain;
 use crate::audit::table::Source;
 use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 
@@ -37,8 +38,22 @@ pub(super) fn advice(audit: &Audit) -> Vec<String> {
     if audit.channels.iter().any(|c| matches!(c.column, Some(Column::Normal | Column::NormalLoss))) {
         steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
     }
+    steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain)));
     steps.dedup();
     steps
+}
+
+/// What to do about a reading that no reader assumes; none where only the registration is such, which
+/// has steps of its own.
+fn unassumed(audit: &Audit, plain: &Plain) -> Option<String> {
+    let own = audit.best();
+    let same = |(a, b): (&AxisReading, &AxisReading)| a.scale == b.scale && a.reversed == b.reversed;
+    let axes = own.axes.iter().zip(&plain.convention.axes).all(same);
+    if axes && own.columns == plain.convention.columns {
+        return None;
+    }
+    let plainly = readings_differ(audit, own, &plain.convention);
+    Some(format!("if it is meant so, say so (`{}`); if not, make it again with {plainly}", plain.options))
 }
 
 /// What to do about a table of two lobes.
