@@ -56,8 +56,7 @@ fn coupling_factors_are_searched_for_every_specular() {
     });
     assert_eq!(one, three);
     let options = ["--to", "diffuse-coupling", "--width", "2"];
-    for (specular, ops, bar) in
-        [("single", "8", 0.23), ("normalised", "8", 0.09), ("compensated", "8", 0.28)]
+    for (specular, ops, bar) in [("single", "8", 0.23), ("normalised", "8", 0.09), ("compensated", "8", 0.28)]
     {
         let fix = format!("specular={specular}");
         let more = ["--fix", &fix, "--max-ops", ops];
