@@ -1,0 +1,4 @@
+/// Published: no rule, in renderers that normalise the mean of normals and keep the roughness.
+fn averaged_width_none(roughness: f32) -> f32 {
+    return roughness;
+}

@@ -1,0 +1,4 @@
+/// Published: B. Karis, Real Shading in Unreal Engine 4, 2013. alpha' = alpha + radius/(3 distance), at most 1.
+fn lit_width_karis(roughness: f32, light_radius: f32) -> f32 {
+    return sqrt(min(roughness * roughness + light_radius / 3.0, 1.0));
+}
