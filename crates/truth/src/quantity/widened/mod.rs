@@ -83,7 +83,7 @@ const TOLERANCE: f64 = 1e-2;
 /// Shifted sequences of a mean, the first and the last number of lights of each.
 const SHIFTS: usize = 8;
 const FIRST: usize = 1 << 8;
-const LAST: usize = 1 << 14;
+const LAST: usize = 1 << 16;
 
 /// Nodes of the interpolant of bare lobes, and lights there.
 const BARE: [usize; 2] = [20, 12];
