@@ -11,7 +11,7 @@ use lobefit_shade::code::Float;
 const USUAL_ERROR: f64 = 0.02;
 
 /// Inputs after the width of the lobe, in the order of emitted functions.
-const INPUTS: [&str; 4] = ["mu", "rho", "f0", "ior"];
+const INPUTS: [&str; 7] = ["mu", "rho", "f0", "mean_length", "light_radius", "coat_roughness", "ior"];
 
 /// What a material's call of a formula takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -92,6 +92,14 @@ impl Made {
         })
     }
 
+    /// Notes an error that was measured and what error that is; of several the largest counts.
+    pub fn measured(&mut self, error: Option<f64>, metric: &str) {
+        let finding = &mut self.part.finding;
+        finding.measured_error = finding.measured_error.into_iter().chain(error).reduce(f64::max);
+        let more = if finding.metric.is_empty() { metric.into() } else { format!("; {metric}") };
+        finding.metric += &more;
+    }
+
     /// A part, and nothing beside it.
     pub fn of(part: Part) -> Made {
         Made {

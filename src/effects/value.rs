@@ -74,6 +74,34 @@ pub struct Functions {
     pub said: fn(&Fit) -> Result<String, BakeError>,
 }
 
+/// Fits of the values whose names the jobs have, on one page.
+///
+/// # Errors
+/// As [`ValueFits::bake`]; a job of no such name.
+pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Made, BakeError> {
+    let mut made = Made::new(called, None, "");
+    let mut page: Option<Findings> = None;
+    for job in &called.work {
+        let unknown = || BakeError::Internal(format!("{}: no fits of {}", called.effect, job.name));
+        let own = all.iter().find(|own| own.of == job.name).ok_or_else(unknown)?;
+        let more = own.add(&mut made, job, context)?;
+        if !made.broken.is_empty() {
+            return Ok(made);
+        }
+        page = match (page, more) {
+            (Some(mut page), Some(more)) => {
+                page.join(more);
+                Some(page)
+            }
+            (page, more) => page.or(more),
+        };
+    }
+    if let Some(page) = page {
+        made.findings(&Findings { effects: vec![made.part.finding.clone()], ..page })?;
+    }
+    Ok(made)
+}
+
 impl ValueFits<'_> {
     /// The demand of the material at place `of` in the scene for fits over its roughness.
     pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
@@ -103,7 +131,8 @@ impl ValueFits<'_> {
         self.quantity.inputs().iter().any(|input| input.name == "mu")
     }
 
-    fn used_as(&self) -> Use {
+    /// What its formulas are used as.
+    pub fn used_as(&self) -> Use {
         self.quantity.uses(self.column)[0]
     }
 
@@ -128,13 +157,16 @@ impl ValueFits<'_> {
     /// # Errors
     /// A formula or a domain that is refused; a truth that cannot be integrated.
     pub fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        let job = called.only_job()?;
+        bake(std::slice::from_ref(self), called, context)
+    }
+
+    /// Adds those of a job and gives their part of the page; nothing where promises are broken.
+    fn add(&self, made: &mut Made, job: &Job, context: &Context) -> Result<Option<Findings>, BakeError> {
         let table = self.table.as_ref().map(|table| table.bake(job, context)).transpose()?;
         let (tables, broken) = table.unwrap_or_default();
-        if !broken.is_empty() {
-            let mut made = Made::new(called, None, "");
-            made.broken = broken;
-            return Ok(made);
+        made.broken.extend(broken);
+        if !made.broken.is_empty() {
+            return Ok(None);
         }
         context.progress.stage(&format!("fits of {}", self.of));
         let region = self.region(job, context.scene)?;
@@ -143,10 +175,10 @@ impl ValueFits<'_> {
         let shown = self.shown(job)?;
         let relative = if self.used_as().residual == Residual::Quotient { "relative " } else { "" };
         let metric = format!("{relative}error of {} of the best fit", self.column);
-        let mut made = Made::new(called, page::smallest_error(&fits), &metric);
+        made.measured(page::smallest_error(&fits), &metric);
         made.promised(job, (&fits, &nearest), self.of, self.used_as());
         if !made.broken.is_empty() {
-            return Ok(made);
+            return Ok(None);
         }
         let around = self.around.zip(page::best(&fits));
         made.code(context, |language| {
@@ -157,11 +189,10 @@ impl ValueFits<'_> {
             made.cautions.push((fit.hypothesis.name().into(), (of.said)(fit)?));
         }
         made.tables(context, tables)?;
-        if context.reports(called.effect) {
-            let findings = self.findings(&made, context, (&region, &shown), (&fits, &dropped))?;
-            made.findings(&findings)?;
-        }
-        self.explored(&mut made, (&fits, &region, &shown), context)?;
+        let is_shown = context.reports(made.part.by.name());
+        let findings = || self.findings(made, context, (&region, &shown), (&fits, &dropped));
+        let findings = is_shown.then(findings).transpose()?;
+        self.explored(made, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
         if let Some((of, fit)) = around {
             let others =
@@ -173,7 +204,7 @@ impl ValueFits<'_> {
             made.called_within(fit.hypothesis.name(), of.calling.iter().map(ToString::to_string));
         }
         made.fits(context, (fits, dropped), |_, _, entry| entry)?;
-        Ok(made)
+        Ok(findings)
     }
 
     /// The published formulas stand beside ours where the map of roughness is theirs.
@@ -240,7 +271,6 @@ impl ValueFits<'_> {
             if shown.is_empty() { String::new() } else { format!("Curves and maps are{}.", at_text(shown)) };
         let chosen = selected(fits, self.column, self.used_as(), context);
         let found = Findings {
-            effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),
             caption: format!("{} {drawn}", self.caption).trim().into(),
             approximations: tables.chain(all).map(ApproximationFinding::from).collect(),

@@ -19,7 +19,6 @@ mod gpu;
 mod html;
 mod image;
 mod json;
-pub mod numbers;
 mod page;
 pub(crate) mod plot;
 pub(crate) mod sections;
@@ -43,6 +42,7 @@ pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, Gp
 pub use html::html;
 pub use image::{Image, displayed, luminance};
 pub use json::document;
+pub use lobefit_math::numbers;
 pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Pixels, Scale,

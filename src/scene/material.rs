@@ -135,6 +135,7 @@ impl Material {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
         let values = self.wants.exact_fresnel.iter_mut().chain(&mut self.wants.refracted_width);
         let fit = fit.chain(values.map(|value| &mut value.goals));
+        let fit = fit.chain(self.wants.widened.iter_mut().map(|widened| &mut widened.goals));
         let fit = fit.chain(self.coat.iter_mut().map(|coat| &mut coat.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
@@ -201,7 +202,10 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             },
         },
     ],
-    "allOf" = [{
+    "allOf" = [{ "anyOf": [
+        { "required": ["coat"] },
+        { "properties": { "wants": { "properties": { "widened": { "properties": { "coat": { "const": false } } } } } } },
+    ] }, {
         "anyOf": [
             { "required": ["anisotropy"], "properties": { "wants": { "properties": { "exact_fresnel": false, "tables": { "items": {
                 "anyOf": [
@@ -288,6 +292,9 @@ impl TryFrom<MaterialFile> for Material {
             let message =
                 format!("it is of dielectrics with an `ior` of at most {EXACT_IOR} and without anisotropy");
             return Err(about("wants.exact_fresnel", message));
+        }
+        if wants.widened.as_ref().is_some_and(|widened| widened.coat) && file.coat.0.is_none() {
+            return Err(about("wants.widened.coat", "the material has no `coat`"));
         }
         let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
         let (coat, base) = (file.coat.0, file.base.0);

@@ -12,6 +12,10 @@ intervals! {
     ErrorLimit = 0.0, 1.0, true, "(0, 1]";
     /// Cosine of the view angle.
     Cosine = super::limits::MU_MIN, 1.0, false, "[0.0001, 1]";
+    /// Length of the mean of a texel's normals.
+    MeanLength = 0.5, 1.0, false, "[0.5, 1]";
+    /// Angular radius of a light.
+    LightRadius = 0.0, 0.5, false, "[0, 0.5], in radians";
     /// Texels of an axis.
     AxisSize = super::limits::AXIS_MIN as f64, super::limits::AXIS_MAX as f64, false, "[2, 1024] ([4, 256] with a third axis)";
     /// Operations of a fit.

@@ -7,7 +7,7 @@ use super::goals::{Goals, Norms};
 use super::limits;
 use super::material::Lobe;
 use super::name::HypothesisPath;
-use super::number::{ErrorLimit, In, Ops, Whole};
+use super::number::{ErrorLimit, In, LightRadius, MeanLength, Ops, Span, Whole};
 use super::table::{OpenTable, TableWant, different};
 use super::value::{List, Maybe, Text, about, from_file};
 pub use crate::data::Norm;
@@ -39,6 +39,20 @@ pub struct ValueWant {
     pub goals: Goals,
 }
 
+/// Wanted fits of the roughness that stands for a widened lobe: at least one widening.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WidenedWant {
+    /// What they must keep; the limit is of the error of the roughness.
+    #[serde(flatten)]
+    pub goals: Goals,
+    /// Lengths of the mean of the normals that a texel averages.
+    pub mean_length: Option<[f64; 2]>,
+    /// Angular radii of lights, radians.
+    pub light_radius: Option<[f64; 2]>,
+    /// Whether the material's coat widens it.
+    pub coat: bool,
+}
+
 /// At least one of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wants {
@@ -54,6 +68,9 @@ pub struct Wants {
     // Absent where not wanted, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refracted_width: Option<ValueWant>,
+    /// Fits of the roughness that stands for what is widened.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub widened: Option<WidenedWant>,
 }
 
 /// Wants as the file has them; what the lobe decides is open.
@@ -62,6 +79,7 @@ pub(super) struct OpenWants {
     fit: Option<FitWant>,
     exact_fresnel: Option<ValueWant>,
     refracted_width: Option<ValueWant>,
+    widened: Option<WidenedWant>,
 }
 
 /// What the material wants of its specular lobe: at least one of the fields. Without `wants`: a table
@@ -70,7 +88,7 @@ pub(super) struct OpenWants {
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
 #[serde(
     deny_unknown_fields,
-    expecting = "an object with `tables`, `fit`, `exact_fresnel` or `refracted_width`"
+    expecting = "an object with `tables`, `fit`, `exact_fresnel`, `refracted_width` or `widened`"
 )]
 struct WantsFile {
     /// Tables of the albedo for the shader to look up.
@@ -88,6 +106,10 @@ struct WantsFile {
     /// what glass refracts, seen from outside: of glass, with alpha = roughness^2.
     #[serde(default)]
     refracted_width: Maybe<ValueWant>,
+    /// Formulas of the roughness that stands for the specular lobe where something widens it, with alpha =
+    /// roughness^2.
+    #[serde(default)]
+    widened: Maybe<WidenedWant>,
     /// Refused: a table is an entry of the list `tables`.
     #[serde(default)]
     #[schemars(skip)]
@@ -127,6 +149,52 @@ impl TryFrom<ValueFile> for ValueWant {
 
     fn try_from(file: ValueFile) -> Result<Self, String> {
         Ok(ValueWant { goals: Goals::read(file.max_ops, file.max_error, file.norms)? })
+    }
+}
+
+/// Fits of the roughness of the widened lobe, of each widening that is given: at least one.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Widened", extend("anyOf" = [
+    { "required": ["mean_length"] }, { "required": ["light_radius"] },
+    { "required": ["coat"], "properties": { "coat": { "const": true } } },
+]))]
+#[serde(deny_unknown_fields, expecting = "an object that describes what widens a lobe")]
+struct WidenedFile {
+    /// Range [lo, hi] of the length of the mean of the normals that a texel of a normal map averages.
+    #[serde(default)]
+    mean_length: Maybe<Span<MeanLength, true>>,
+    /// Range [lo, hi] of the angular radius of disk and sphere lights, in radians.
+    #[serde(default)]
+    light_radius: Maybe<Span<LightRadius, true>>,
+    /// Whether the lobe is seen through the material's coat; default false.
+    #[serde(default)]
+    coat: Maybe<bool>,
+    /// Most operations that an emitted fit may take; default: any number.
+    #[serde(default)]
+    max_ops: Maybe<Whole<Ops>>,
+    /// Error of the roughness that at least one emitted fit of each within `max_ops` must meet, else the
+    /// bake fails; default: no limit.
+    #[serde(default)]
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Norms,
+}
+
+impl TryFrom<WidenedFile> for WidenedWant {
+    type Error = String;
+
+    fn try_from(file: WidenedFile) -> Result<Self, String> {
+        let goals = Goals::read(file.max_ops, file.max_error, file.norms)?;
+        let (mean_length, light_radius) = (file.mean_length.0.map(|s| s.0), file.light_radius.0.map(|s| s.0));
+        let coat = file.coat.0.unwrap_or(false);
+        if mean_length.is_none() && light_radius.is_none() && !coat {
+            return Err(
+                "nothing widens the lobe; give `mean_length`, `light_radius` or `\"coat\": true`".into()
+            );
+        }
+        Ok(WidenedWant { goals, mean_length, light_radius, coat })
     }
 }
 
@@ -177,17 +245,18 @@ impl TryFrom<WantsFile> for OpenWants {
         let Maybe::<Renamed>(_) = file.table;
         let (tables, fit) = (file.tables.0.map(|l| l.0), file.fit.0);
         let (exact_fresnel, refracted_width) = (file.exact_fresnel.0, file.refracted_width.0);
-        if fit.is_none() && tables.is_none() && exact_fresnel.is_none() && refracted_width.is_none() {
+        let (widened, is_value) = (file.widened.0, exact_fresnel.is_some() || refracted_width.is_some());
+        if fit.is_none() && tables.is_none() && !is_value && widened.is_none() {
             return Err(
-                "wants neither `tables` nor `fit` nor `exact_fresnel` nor `refracted_width`; give one of them, or leave \
-                 `wants` out for the default"
+                "wants neither `tables` nor `fit` nor `exact_fresnel` nor `refracted_width` nor `widened`; give one of them, or \
+                 leave `wants` out for the default"
                     .into(),
             );
         }
         if tables.as_ref().is_some_and(Vec::is_empty) {
             return Err(about("tables", "the list is empty; leave the field out"));
         }
-        Ok(OpenWants { tables: tables.unwrap_or_default(), fit, exact_fresnel, refracted_width })
+        Ok(OpenWants { tables: tables.unwrap_or_default(), fit, exact_fresnel, refracted_width, widened })
     }
 }
 
@@ -196,7 +265,8 @@ impl OpenWants {
     /// isotropic fits.
     pub(super) fn default(lobe: Lobe) -> Result<Self, String> {
         let fit = if lobe == Lobe::Isotropic { Some(FitWant::try_from(FitFile::default())?) } else { None };
-        Ok(OpenWants { tables: vec![OpenTable::default()?], fit, exact_fresnel: None, refracted_width: None })
+        let (tables, widened) = (vec![OpenTable::default()?], None);
+        Ok(OpenWants { tables, fit, exact_fresnel: None, refracted_width: None, widened })
     }
 
     /// The wants of a material with this lobe.
@@ -205,14 +275,16 @@ impl OpenWants {
             let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
             return Err(about("wants.fit", message));
         }
-        let OpenWants { tables, fit, exact_fresnel, refracted_width } = self;
+        let OpenWants { tables, fit, exact_fresnel, refracted_width, widened } = self;
         if refracted_width.is_some() && lobe != Lobe::Glass {
             return Err(about("wants.refracted_width", "it is of glass, which refracts"));
         }
-        Ok(Wants { tables: different(tables, lobe, "wants.tables")?, fit, exact_fresnel, refracted_width })
+        let tables = different(tables, lobe, "wants.tables")?;
+        Ok(Wants { tables, fit, exact_fresnel, refracted_width, widened })
     }
 }
 
 from_file!(FitWant, FitFile);
 from_file!(ValueWant, ValueFile);
+from_file!(WidenedWant, WidenedFile);
 from_file!(OpenWants, WantsFile);

@@ -165,7 +165,7 @@ fn functions() -> Vec<Channel> {
 const AXES: [&str; 4] = ["x", "y", "z", "w"];
 
 /// Where an input lies: in the domains that functions state, and where a renderer may put it.
-const RANGES: [(&str, [f32; 2], [f32; 2]); 20] = [
+const RANGES: [(&str, [f32; 2], [f32; 2]); 23] = [
     ("roughness", [0.02, 1.0], [0.0, 1.0]),
     ("mu", [0.01, 1.0], [1e-4, 1.0]),
     ("n_dot_v", [0.01, 1.0], [1e-4, 1.0]),
@@ -173,6 +173,9 @@ const RANGES: [(&str, [f32; 2], [f32; 2]); 20] = [
     ("mip", [0.0, 6.0], [0.0, 6.0]),
     ("f0", [0.0, 1.0], [0.0, 1.0]),
     ("ior", [1.1, 2.0], [1.0, 3.0]),
+    ("mean_length", [0.7, 1.0], [0.5, 1.0]),
+    ("light_radius", [0.0, 0.3], [0.0, 0.5]),
+    ("coat_roughness", [0.01, 1.0], [0.0, 1.0]),
     ("rho", [1.0 / 16.0, 8.0], [1e-3, 1e3]),
     ("e", [0.3, 1.0], [0.1, 1.0]),
     ("e_v", [0.0, 1.0], [0.0, 1.0]),

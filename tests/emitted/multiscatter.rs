@@ -14,6 +14,7 @@ use lobefit_math::gauss::Gauss;
 use lobefit_shade::Source;
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::reflection::{self, Effort};
+use lobefit_truth::optics::fresnel;
 
 /// The bake of steel that wants this.
 fn steel(wants: &str) -> Baked {
@@ -118,6 +119,30 @@ fn means_of_fresnel_factors_are_their_integrals() {
             assert!((tinted([f0, f82]) - exact).abs() < 1e-6, "{f0} {f82}");
         }
     }
+}
+
+/// The figures of docs/scene.md: of Schlick's term with the same f0 too.
+#[test]
+fn the_mean_of_a_conductor_is_that_of_the_exact_term() {
+    let (exact, by_schlick) =
+        (emitted("fresnel_conductor", ["eta", "k", "cosine"]), emitted("fresnel_average_schlick", ["f0"]));
+    let mean = emitted("fresnel_average_conductor", ["eta", "k"]);
+    let (mut worst, mut schlick) = (0.0_f64, 0.0_f64);
+    for eta in [0.05, 0.18, 0.5, 1.0, 1.6, 2.5, 4.0, 6.0] {
+        for k in [1.0, 1.5, 2.0, 3.5, 6.0, 10.0] {
+            let at = |mu: f64| fresnel::conductor(eta, k, mu);
+            for mu in [0.01, 0.2, 0.7, 1.0] {
+                assert!((exact([eta, k, mu]) - at(mu)).abs() < 2e-4, "{eta} {k} {mu}");
+            }
+            // The root of mu takes the bend towards grazing out.
+            let found = Gauss::new(64).integrate(0.0, 1.0, |x| 4.0 * x * x * x * at(x * x));
+            worst = worst.max((mean([eta, k]) - found).abs());
+            schlick = schlick.max((by_schlick([at(1.0)]) - found).abs());
+        }
+    }
+    println!("mean of conductors within {worst:.4}, by Schlick's term within {schlick:.3}");
+    assert!(worst < 0.0018 && worst > 0.0012, "{worst}");
+    assert!(schlick > 0.06, "{schlick}");
 }
 
 #[test]

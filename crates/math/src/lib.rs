@@ -1,9 +1,10 @@
 //! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, the curve of sRGB,
-//! vectors in space and masks of sub-voxels.
+//! vectors in space, masks of sub-voxels and numbers as people read them.
 
 pub mod chebyshev;
 pub mod gauss;
 pub mod lanes;
+pub mod numbers;
 pub mod ops;
 pub mod panels;
 pub mod piecewise;

@@ -1,58 +1,163 @@
-//! The effect `width`: the roughness to fetch a prefiltered environment map, or a blurred picture of
-//! what lies behind, with, where a lobe is refracted. Quantity `refracted-width`.
+//! The effect `width`: the roughness that stands for a lobe that another one replaces: for what glass
+//! refracts (quantity `refracted-width`), and for what something widens (`averaged-width`, `lit-width`,
+//! `coated-width`).
 
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
-use super::value::{IOR_WIDTH_MIN, ValueFits};
+use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, reasons, rough, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
-use crate::data::{AlphaMap, Use};
+use crate::data::AlphaMap;
 use crate::scene::limits::EXACT_IOR;
-use crate::scene::{Lobe, Material, Scene};
-use lobefit_truth::quantity::{Quantity, RefractedWidth};
+use crate::scene::{Goals, Lobe, Material, Scene};
+use lobefit_truth::quantity::{AVERAGED_WIDTH, COATED_WIDTH, LIT_WIDTH, RefractedWidth};
 
 /// The effect.
 pub struct Width;
 
-/// r'(roughness, mu, ior) with free parameters, by rising cost.
-pub const HYPOTHESES: [Entry; 5] = own![
-    "refracted_width_2",
-    "refracted_width_4",
-    "refracted_width_9",
-    "refracted_width_11",
-    "refracted_width_14"
-];
-
-/// What engines ship: measured and reported, not emitted.
-pub const PUBLISHED: [Entry; 2] = published![
-    "refracted_width_none" by "no rule: the roughness of the surface",
-    "refracted_width_khronos" by "Khronos glTF Sample Renderer, applyIorToRoughness; Bevy, three.js",
-];
-
 /// Least index of refraction of a job: the truth is quick from there.
 const IOR_MIN: f64 = 1.05;
 
-const FITS: ValueFits = ValueFits {
+/// The least cosine of the widened lobes' quantities, and the largest index of a coat.
+const MU_MIN: f64 = 0.01;
+const COAT_IOR: f64 = 2.0;
+
+/// The fits of each value, ours by rising cost, beside what engines ship.
+pub static FITS: [ValueFits; 5] = [
+    ValueFits {
+        quantity: &RefractedWidth,
+        column: "roughness_refracted",
+        own: &own![
+            "refracted_width_2",
+            "refracted_width_4",
+            "refracted_width_9",
+            "refracted_width_11",
+            "refracted_width_14"
+        ],
+        published: &published![
+            "refracted_width_none" by "no rule: the roughness of the surface",
+            "refracted_width_khronos" by "Khronos glTF Sample Renderer, applyIorToRoughness; Bevy, three.js",
+        ],
+        role: "refracted_roughness",
+        of: "refraction",
+        field: "wants.refracted_width",
+        because: "with a rough surface wants the width of what it refracts",
+        caption: "The roughness of the prefiltered lobe that holds half of its energy within the cone that holds half of the refracted one.",
+        shown_at: &[("ior", 1.5)],
+        seconds: [3.5, 0.4],
+        ..WIDENED
+    },
+    ValueFits {
+        quantity: &AVERAGED_WIDTH,
+        column: "roughness_averaged",
+        own: &own!["averaged_width_a1", "averaged_width_a2", "averaged_width_a3"],
+        published: &published![
+            "averaged_width_none" by "no rule: the roughness of the surface",
+            "averaged_width_toksvig" by "M. Toksvig, Mipmapping Normal Maps, 2005, in the form of GGX",
+            "averaged_width_lean" by "M. Olano and D. Baker, LEAN Mapping, 2010",
+            "averaged_width_filament" by "Y. Tokuyoshi and A. Kaplanyan 2019, as in Filament",
+        ],
+        role: "averaged_roughness",
+        of: "normals",
+        because: "with a rough specular lobe wants its width over averaged normals",
+        shown_at: &[("mean_length", 0.9)],
+        ..WIDENED
+    },
+    ValueFits {
+        quantity: &LIT_WIDTH,
+        column: "roughness_lit",
+        own: &own!["lit_width_a1", "lit_width_a2", "lit_width_a3"],
+        published: &published![
+            "lit_width_none" by "no rule: the roughness of the surface",
+            "lit_width_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013",
+        ],
+        role: "lit_roughness",
+        of: "disk lights",
+        because: "with a rough specular lobe wants its width under disk lights",
+        shown_at: &[("light_radius", 0.1)],
+        ..WIDENED
+    },
+    ValueFits {
+        quantity: &LIT_WIDTH,
+        column: "normalisation",
+        own: &own!["lit_energy_a1", "lit_energy_a2"],
+        published: &published!["lit_energy_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013"],
+        role: "lit_normalisation",
+        of: "nearest points of disk lights",
+        because: "with a rough specular lobe wants its energy under disk lights",
+        caption: "The factor on the lobe at the light's nearest point to the mirror direction that keeps its energy.",
+        shown_at: &[("light_radius", 0.1)],
+        ..WIDENED
+    },
+    ValueFits {
+        quantity: &COATED_WIDTH,
+        column: "roughness_coated",
+        own: &own!["coated_width_a1", "coated_width_a2"],
+        published: &published![
+            "coated_width_none" by "no rule: the roughness of the base",
+            "coated_width_openpbr" by "OpenPBR 1.1; MaterialX, open_pbr_surface",
+        ],
+        role: "coated_roughness",
+        of: "bases below coats",
+        because: "with a rough specular lobe wants its width below its coat",
+        shown_at: &[("coat_roughness", 0.5), ("ior", 1.5)],
+        ..WIDENED
+    },
+];
+
+/// What the fits of widened lobes share.
+const WIDENED: ValueFits = ValueFits {
     quantity: &RefractedWidth,
     side: None,
-    column: "roughness_refracted",
-    own: &HYPOTHESES,
-    published: &PUBLISHED,
-    role: "refracted_roughness",
-    of: "refraction",
-    field: "wants.refracted_width",
+    column: "",
+    own: &[],
+    published: &[],
+    role: "",
+    of: "",
+    field: "wants.widened",
     layer: None,
-    because: "with a rough surface wants the width of what it refracts",
-    caption: "The roughness of the prefiltered lobe that holds half of its energy within the cone that holds half of the refracted one.",
+    because: "",
+    caption: "The roughness of the lobe that holds half of its energy within the cone that holds half of the widened one.",
     curves: &[0.1, 0.2, 0.4, 0.7, 1.0],
-    shown_at: &[("ior", 1.5)],
-    seconds: [3.5, 0.4],
+    shown_at: &[],
+    seconds: [2.0, 0.4],
     table: None,
     around: None,
 };
+
+/// What a material wants of the fits of a value: goals, and ranges of the further inputs.
+fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static str, Span)>)> {
+    let ior = |ior: [f64; 2], most| {
+        let inside = ior.map(|ior| ior.clamp(IOR_MIN, most));
+        ("ior", Span::at_least(inside, IOR_WIDTH_MIN, [IOR_MIN, most]))
+    };
+    if fits.field == FITS[0].field {
+        let want = material.wants.refracted_width.as_ref()?;
+        return Some((want.goals.clone(), vec![ior(material.ior?, EXACT_IOR)]));
+    }
+    let want = material.wants.widened.as_ref()?;
+    let (goals, norms) = (want.goals.clone(), want.goals.norms.clone());
+    match fits.role {
+        "averaged_roughness" => {
+            let span = Span::at_least(want.mean_length?, 0.1, [0.5, 1.0]);
+            Some((goals, vec![("mean_length", span)]))
+        }
+        "coated_roughness" => {
+            let coat = material.coat.as_ref().filter(|_| want.coat)?;
+            let roughness = Span::at_least(coat.roughness.map(|r| r.max(MU_MIN)), 0.1, [MU_MIN, 1.0]);
+            Some((goals, vec![("coat_roughness", roughness), ior(coat.ior, COAT_IOR)]))
+        }
+        role => {
+            let span = Span::at_least(want.light_radius?, 0.05, [0.0, 0.5]);
+            // The limit is of the roughness.
+            let goals = if role == "lit_roughness" { goals } else { Goals { norms, ..Goals::default() } };
+            Some((goals, vec![("light_radius", span)]))
+        }
+    }
+}
 
 impl Effect for Width {
     fn name(&self) -> &'static str {
@@ -60,46 +165,63 @@ impl Effect for Width {
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
-        let demand = |(of, material, range): (usize, &Material, [f64; 2])| {
-            let (want, ior) = (material.wants.refracted_width.as_ref()?, material.ior?);
-            let mut demand = FITS.demand(scene, of, range, want.goals.clone());
-            let ior = ior.map(|ior| ior.max(IOR_MIN));
-            demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN, EXACT_IOR])));
+        let demand = |(of, material, range): (usize, &Material, [f64; 2]),
+                      (rank, fits): (usize, &ValueFits)| {
+            let (goals, spans) = wanted(material, fits)?;
+            let mut demand = Demand { rank, ..fits.demand(scene, of, range, goals) };
+            if rank > 0 {
+                demand.spans[1].1 = Span::new(scene.mu.map(|mu| mu.max(MU_MIN)));
+            }
+            demand.spans.extend(spans);
             Some(demand)
         };
-        // The roughness of a chain has alpha = roughness^2.
-        rough(scene).filter(|_| scene.alpha == AlphaMap::RoughnessSquared).filter_map(demand).collect()
+        // The roughness that stands for a lobe has alpha = roughness^2.
+        let all = rough(scene).filter(|_| scene.alpha == AlphaMap::RoughnessSquared);
+        all.flat_map(|of| FITS.iter().enumerate().filter_map(move |fits| demand(of, fits))).collect()
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let glass = scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
-        let (wanting, others): (Vec<&Material>, Vec<&Material>) =
-            glass.partition(|m| m.wants.refracted_width.is_some());
-        if wanting.is_empty() && others.is_empty() {
-            return "no material transmits light".into();
-        }
+        let (glass, others): (Vec<&Material>, Vec<&Material>) =
+            scene.materials.iter().partition(|m| m.lobe() == Lobe::Glass);
+        let wants = |m: &&Material| m.wants.refracted_width.is_some() || m.wants.widened.is_some();
+        let wanting: Vec<&Material> = glass.iter().chain(&others).copied().filter(wants).collect();
         if !wanting.is_empty() && scene.alpha != AlphaMap::RoughnessSquared {
-            return "it is of chains with alpha = roughness^2, which the scene has not".into();
+            return "it is of lobes with alpha = roughness^2, which the scene has not".into();
         }
-        reasons([about(&wanting, stay_smooth)]).unwrap_or_else(|| "no glass wants `refracted_width`".into())
+        let smooth = reasons([about(&wanting, stay_smooth)]);
+        smooth.unwrap_or_else(|| match glass.is_empty() {
+            true => "no material transmits light or wants `widened`".into(),
+            false => "no glass wants `refracted_width`".into(),
+        })
     }
 
     fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
+        let own = |job: &Job| {
+            FITS.iter().find(|fits| fits.of == job.name).map(|fits| fits.expects(std::slice::from_ref(job)))
+        };
+        jobs.iter().filter_map(own).flatten().collect()
     }
 
     fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&PUBLISHED).collect()
+        FITS.iter().flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == RefractedWidth.name()
-            && (target.column, target.used_as) == (FITS.column, Use::VALUE);
-        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
+        let suits = |fits: &&ValueFits| {
+            let (quantity, column) = (target.quantity.name(), target.column);
+            (fits.quantity.name(), fits.column, fits.used_as()) == (quantity, column, target.used_as)
+        };
+        FITS.iter().filter(suits).flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     fn prefixes(&self) -> &'static [&'static str] {
-        &[FITS.role]
+        &[
+            "refracted_roughness",
+            "averaged_roughness",
+            "lit_roughness",
+            "lit_normalisation",
+            "coated_roughness",
+        ]
     }
 
     fn lobe(&self, scene: &Scene) -> String {
@@ -107,17 +229,32 @@ impl Effect for Width {
     }
 
     fn notes(&self) -> &'static [Note] {
-        &[(
-            &[FITS.role],
-            &[
-                "`refracted_roughness` is the roughness to fetch a prefiltered environment map (alpha = roughness^2), or a picture that is blurred",
-                "as one, with, in the direction refract(-v, n, 1/ior), for glass seen from outside. Within the same cone lies half of the energy.",
-                "The error is of the roughness itself. Pass an ior within the stated domain.",
-            ],
-        )]
+        &[
+            (
+                &["refracted_roughness"],
+                &[
+                    "`refracted_roughness` is the roughness to fetch a prefiltered environment map (alpha = roughness^2), or a picture that is blurred",
+                    "as one, with, in the direction refract(-v, n, 1/ior), for glass seen from outside. Within the same cone lies half of the energy.",
+                    "The error is of the roughness itself. Pass an ior within the stated domain.",
+                ],
+            ),
+            (
+                &["averaged_roughness", "lit_roughness", "coated_roughness"],
+                &[
+                    "`averaged_roughness`, `lit_roughness` and `coated_roughness` are the roughness (alpha = roughness^2) of the lobe that stands for one over averaged",
+                    "normals, under a disk light that is taken for its middle, or below a rough coat: within the same cone about the mirror direction lies half of the energy.",
+                ],
+            ),
+            (
+                &["lit_normalisation"],
+                &[
+                    "`lit_normalisation` multiplies the lobe of the surface's own roughness at the disk's nearest point to the mirror direction. Its error is relative.",
+                ],
+            ),
+        ]
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
+        value::bake(&FITS, called, context)
     }
 }

@@ -90,6 +90,16 @@ pub struct Findings {
 }
 
 impl Findings {
+    /// Adds those of more values to the same page.
+    pub fn join(&mut self, more: Findings) {
+        self.left_out.extend(more.left_out);
+        self.tables.extend(more.tables);
+        self.truths.extend(more.truths);
+        self.caption = format!("{} {}", self.caption, more.caption);
+        self.approximations.extend(more.approximations);
+        self.fits.extend(more.fits);
+    }
+
     /// Nothing yet.
     pub fn new(origin: Origin) -> Findings {
         Findings {

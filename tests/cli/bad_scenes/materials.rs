@@ -116,6 +116,18 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
             material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"refracted_width":{}}"#),
             "materials[0].wants.refracted_width: it is of glass, which refracts",
         ),
+        case(
+            material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"widened":{"coat":true}}"#),
+            "materials[0].wants.widened.coat: the material has no `coat`",
+        ),
+        case(
+            material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"widened":{"mean_length":0.4}}"#),
+            "materials[0].wants.widened.mean_length: 0.4 is outside [0.5, 1]",
+        ),
+        case(
+            material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"widened":{"coat":false}}"#),
+            "materials[0].wants.widened: nothing widens the lobe; give `mean_length`, `light_radius` or `\"coat\": true`",
+        ),
         case(anisotropy("1.5"), "materials[0].anisotropy: 1.5 is outside [0, 1]"),
         case(anisotropy("-0"), "materials[0].anisotropy: -0 is negative zero"),
         case(anisotropy("-0.5"), "materials[0].anisotropy: -0.5 is outside [0, 1]"),

@@ -17,6 +17,7 @@ mod refracted;
 pub mod sheen;
 mod used;
 mod variant;
+mod widened;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
@@ -31,6 +32,7 @@ pub use refracted::RefractedWidth;
 pub use sheen::SheenCharlie;
 pub use used::{Residual, Use};
 pub use variant::{Choice, Variant};
+pub use widened::{AVERAGED_WIDTH, COATED_WIDTH, LIGHT, LIT_WIDTH, Widened};
 
 use rayon::prelude::*;
 
@@ -382,7 +384,7 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 11] = [
+pub static QUANTITIES: [&dyn Quantity; 14] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
@@ -394,6 +396,9 @@ pub static QUANTITIES: [&dyn Quantity; 11] = [
     &EonSingle,
     &RefractedWidth,
     &GgxCoat,
+    &AVERAGED_WIDTH,
+    &LIT_WIDTH,
+    &COATED_WIDTH,
 ];
 
 /// The quantity of a name.

@@ -22,7 +22,13 @@ use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::Specular;
 
 /// The lobe of what is lost, behind the averages of Fresnel factors that it takes.
-const MULTISCATTER: [&str; 3] = ["fresnel_average_schlick", "fresnel_average_f82", "ggx_multiscatter_lobe"];
+const MULTISCATTER: [&str; 5] = [
+    "fresnel_average_schlick",
+    "fresnel_average_f82",
+    "fresnel_conductor",
+    "fresnel_average_conductor",
+    "ggx_multiscatter_lobe",
+];
 
 /// Its functions in a language.
 fn printed(language: Language) -> Result<String, BakeError> {
@@ -117,7 +123,7 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
                 let is_average = a.used_as == Use::VALUE && want.is_some_and(|want| want.multiscatter);
                 call.then = match a.used_as {
                     Use::NORMALISATION => Some(TIMES.into()),
-                    _ => is_average.then(|| MULTISCATTER[2].into()),
+                    _ => is_average.then(|| MULTISCATTER[4].into()),
                 };
             }
         }

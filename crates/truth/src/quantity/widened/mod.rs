@@ -1,0 +1,408 @@
+//! Which roughness stands for a lobe that something widens: normals that a texel averages
+//! (`averaged-width`), a light that is a disk (`lit-width`), a coat above (`coated-width`).
+//!
+//! The lobe of a surface is the light that GGX facets mirror, with height-correlated shadowing and
+//! F = 1, weighted by the cosine: f(v, l) (n.l). What widens it turns each light away and takes some of
+//! it. About the mirror direction of the view, `radius` is the angle of the cone that holds half of the
+//! widened lobe's energy. The first output is the roughness r' whose own lobe, of the same view and with
+//! alpha = r'^2, holds half of its energy within the same cone; it is 1 where no lobe is wide enough.
+//! Where nothing widens, r' is the surface's roughness for every view. Half of the energy is a measure
+//! that the tails of GGX leave finite, where a variance is infinite.
+//!
+//! Values are means over sequences that differ by a shift; `error` is three standard errors of the mean
+//! by their spread. Lobe and bare lobe are drawn by the same numbers, whose errors cancel in r' where
+//! little is widened. Many points come from one interpolant over the whole domain.
+
+mod averaged;
+mod coated;
+mod lit;
+
+use std::f64::consts::PI;
+use std::sync::{LazyLock, OnceLock};
+
+use rayon::prelude::*;
+
+pub use averaged::AVERAGED_WIDTH;
+pub use coated::COATED_WIDTH;
+pub use lit::{LIGHT, LIT_WIDTH};
+
+use super::{Asked, Choice, Input, Quantity, Truth, Use, Variant};
+use crate::integrate::IntegrateError;
+use crate::integrate::monte_carlo::shadowing;
+use crate::optics::Smith;
+use crate::optics::ggx::{self, Vec3};
+use lobefit_math::recurrence::Recurrence;
+use lobefit_math::{chebyshev, ops, sum, vector};
+
+/// The form of the shadowing.
+const SMITH: Smith = Smith::Correlated;
+
+/// Inputs that all have.
+const ALPHA: Input = Input::new("alpha", [1e-4, 1.0]);
+const MU: Input = Input::new("mu", [0.01, 1.0]);
+
+/// Numbers that a light is drawn with.
+const DIMENSIONS: usize = 6;
+type Draw = [f64; DIMENSIONS];
+
+/// A light and its energy; none where it is lost.
+type Light = Option<(Vec3, f64)>;
+
+/// Lights of a lobe.
+type Lights = Box<dyn Fn(&Draw) -> Light + Sync>;
+
+/// What widens a lobe.
+pub struct Widened {
+    name: &'static str,
+    /// alpha, mu, and how much it widens.
+    inputs: &'static [Input],
+    outputs: &'static [&'static str],
+    remark: &'static str,
+    /// The lights of a view.
+    lights: fn(Vec3, &[f64]) -> Lights,
+    /// Another value of the bare lobe, where there is one.
+    beside: Option<Beside>,
+    /// Nodes of the interpolant along the inputs, lights at each, and the error of many points.
+    nodes: &'static [usize],
+    drawn: usize,
+    quick: f64,
+    known: OnceLock<[Tensor; 2]>,
+}
+
+/// A value of the bare lobe, and how it is interpolated, there and back.
+struct Beside {
+    of: fn(&[f64], &Spread) -> f64,
+    smooth: fn(&[f64], f64) -> f64,
+    back: fn(&[f64], f64) -> f64,
+    used: &'static [Use],
+}
+
+/// The largest error of a value where no less is asked for.
+const TOLERANCE: f64 = 1e-2;
+
+/// Shifted sequences of a mean, the first and the last number of lights of each.
+const SHIFTS: usize = 8;
+const FIRST: usize = 1 << 8;
+const LAST: usize = 1 << 16;
+
+/// Nodes of the interpolant of bare lobes, and lights there.
+const BARE: [usize; 2] = [20, 12];
+const AT_BARE: usize = 1 << 12;
+
+/// Bins of ln(tan(theta/2)), from ln(NARROWEST) on.
+const BINS: usize = 1 << 14;
+const NARROWEST: f64 = 1e-7;
+const BIN: f64 = 2e-3;
+
+/// The view of a cosine.
+fn view(mu: f64) -> Vec3 {
+    [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]
+}
+
+/// The light of a facet that mirrors a view, drawn by two numbers, with its energy.
+fn mirrored(alpha: f64, view: Vec3, u: f64, v: f64) -> Light {
+    let light = ggx::mirror(view, ggx::visible_normal([alpha; 2], view, u, v)).0;
+    (light[2] > 0.0).then(|| (light, shadowing(SMITH, [alpha; 2], view, light).0))
+}
+
+/// The direction at 1 - cos = `fall` from an axis, a part `turn` of a turn about it.
+fn tilted(axis: Vec3, fall: f64, turn: f64) -> Vec3 {
+    let (sine, (y, x)) = ((fall * (2.0 - fall)).max(0.0).sqrt(), ops::sincos(2.0 * PI * turn));
+    vector::turned(axis, vector::tangents(axis), [sine * x, sine * y, 1.0 - fall])
+}
+
+/// The energy of lights by their angle to an axis.
+struct Spread {
+    bins: Vec<f64>,
+    energy: f64,
+    drawn: usize,
+}
+
+impl Spread {
+    /// Of so many lights about an axis, drawn by a sequence with a shift.
+    fn new(axis: Vec3, drawn: usize, shift: f64, light: impl Fn(&Draw) -> Light) -> Spread {
+        let sequence = Recurrence::new(DIMENSIONS);
+        let mut spread = Spread { bins: vec![0.0; BINS], energy: 0.0, drawn };
+        for i in 0..drawn {
+            let draw = std::array::from_fn(|k| {
+                let x = sequence.coordinate(i, k) + shift * (k + 1) as f64;
+                x - x.floor()
+            });
+            let Some((light, energy)) = light(&draw) else { continue };
+            let length = |sign: f64| (0..3).map(|k| (light[k] + sign * axis[k]).powi(2)).sum::<f64>();
+            let bin = (0.5 * ops::log(length(-1.0) / length(1.0)) - ops::log(NARROWEST)) / BIN;
+            spread.bins[bin.clamp(0.0, (BINS - 1) as f64) as usize] += energy;
+            spread.energy += energy;
+        }
+        spread
+    }
+
+    /// tan(theta/2) of the cone of half of the energy.
+    fn middle(&self) -> f64 {
+        let mut left = 0.5 * self.energy;
+        for (k, energy) in self.bins.iter().enumerate() {
+            if left <= *energy {
+                return tangent(k as f64 + left / energy);
+            }
+            left -= energy;
+        }
+        tangent(BINS as f64)
+    }
+
+    /// What is interpolated of it.
+    fn root(&self) -> f64 {
+        self.middle().sqrt()
+    }
+
+    /// The mean over lights of a function of tan(theta/2).
+    fn mean(&self, f: impl Fn(f64) -> f64) -> f64 {
+        let filled = self.bins.iter().enumerate().filter(|(_, energy)| **energy > 0.0);
+        filled.map(|(k, energy)| energy * f(tangent(k as f64 + 0.5))).sum::<f64>() / self.energy
+    }
+}
+
+fn tangent(bin: f64) -> f64 {
+    NARROWEST * ops::exp(BIN * bin)
+}
+
+/// The bare lobe.
+fn bare([alpha, mu]: [f64; 2], drawn: usize, shift: f64) -> Spread {
+    let view = view(mu);
+    Spread::new([-view[0], 0.0, view[2]], drawn, shift, |u| mirrored(alpha, view, u[0], u[1]))
+}
+
+/// The alpha in [1e-4, 1] at which a rising function is 0, sought between two places if it is there.
+fn rising(between: [f64; 2], f: &dyn Fn(f64) -> f64) -> f64 {
+    let [mut low, mut high] = between.map(|x| x.clamp(ALPHA.domain[0], 1.0));
+    let [mut below, mut above] = [low, high].map(f);
+    if (below > 0.0 || above < 0.0) && between != ALPHA.domain {
+        return rising(ALPHA.domain, f);
+    }
+    for _ in 0..STEPS {
+        // The line between both ends, by the logarithm; off either, so that both come nearer.
+        let next = low * ops::pow(high / low, (below / (below - above)).clamp(0.05, 0.95));
+        let off = f(next);
+        if off.abs() <= SOUGHT || high - low <= SOUGHT * low {
+            return next;
+        }
+        if off > 0.0 {
+            (high, above) = (next, off);
+        } else {
+            (low, below) = (next, off);
+        }
+    }
+    high
+}
+
+/// Steps to it, far more than are taken, and how near in the logarithm.
+const STEPS: usize = 60;
+const SOUGHT: f64 = 1e-4;
+
+/// An interpolant over a box.
+struct Tensor {
+    nodes: Vec<Vec<f64>>,
+    values: Vec<f64>,
+}
+
+impl Tensor {
+    /// The interpolant over the inputs before those that are given, the last ones.
+    fn of_last(&self, place: &[f64]) -> Tensor {
+        let first = self.nodes.len() - place.len();
+        let mut values = self.values.clone();
+        for (nodes, x) in self.nodes[first..].iter().zip(place).rev() {
+            let weights = chebyshev::weights(nodes, x.clamp(nodes[0], nodes[nodes.len() - 1]));
+            let row = |row: &[f64]| row.iter().zip(&weights).map(|(value, weight)| value * weight).sum();
+            values = values.chunks(nodes.len()).map(row).collect();
+        }
+        Tensor { nodes: self.nodes[..first].to_vec(), values }
+    }
+
+    fn at(&self, place: &[f64]) -> f64 {
+        self.of_last(place).values[0]
+    }
+}
+
+/// The root of tan(theta/2) of a spread's middle, of bare lobes.
+static BARE_ROOTS: LazyLock<Tensor> = LazyLock::new(|| {
+    let [roots] = tabulated(&[ALPHA, MU], &BARE, |x| [bare([x[0], x[1]], AT_BARE, 0.0).root()]);
+    roots
+});
+
+/// The alpha of the bare lobe of a root of tan(theta/2), from their interpolant.
+fn quick_alpha(root: f64, mu: f64) -> f64 {
+    let roots = BARE_ROOTS.of_last(&[mu.sqrt()]);
+    let off = |alpha: f64| 2.0 * ops::log(roots.at(&[alpha.sqrt()]) / root);
+    rising(ALPHA.domain, &off)
+}
+
+/// An input as the interpolant has it, in which widths are nearly linear, and back.
+fn coordinate(name: &str, x: f64) -> f64 {
+    match name {
+        "mean_length" => (1.0 - x).max(0.0).sqrt().sqrt(),
+        "alpha" | "mu" | "light_radius" => x.sqrt(),
+        _ => x,
+    }
+}
+fn value(name: &str, x: f64) -> f64 {
+    match name {
+        "mean_length" => 1.0 - x * x * x * x,
+        "alpha" | "mu" | "light_radius" => x * x,
+        _ => x,
+    }
+}
+
+/// Nodes of inputs, and values at their product.
+fn tabulated<const N: usize>(
+    inputs: &[Input],
+    counts: &[usize],
+    at: impl Fn(&[f64]) -> [f64; N] + Sync,
+) -> [Tensor; N] {
+    let ends = |input: &Input| input.domain.map(|x| coordinate(input.name, x));
+    let nodes: Vec<Vec<f64>> = (inputs.iter().map(ends).zip(counts))
+        .map(|([a, b], count)| chebyshev::nodes(a.min(b), a.max(b), *count))
+        .collect();
+    let place = |mut i: usize| {
+        let mut x: Vec<f64> = (nodes.iter().zip(inputs).rev())
+            .map(|(nodes, input)| {
+                let node = nodes[i % nodes.len()];
+                i /= nodes.len();
+                value(input.name, node).clamp(input.domain[0], input.domain[1])
+            })
+            .collect();
+        x.reverse();
+        at(&x)
+    };
+    let all: Vec<[f64; N]> = (0..counts.iter().product()).into_par_iter().map(place).collect();
+    std::array::from_fn(|k| Tensor { nodes: nodes.clone(), values: all.iter().map(|row| row[k]).collect() })
+}
+
+impl Widened {
+    /// The lobe of inputs.
+    fn spread(&self, x: &[f64], drawn: usize, shift: f64) -> Spread {
+        let view = view(x[1]);
+        Spread::new([-view[0], 0.0, view[2]], drawn, shift, (self.lights)(view, x))
+    }
+
+    /// Roughness, radius, and the value beside them, by one sequence.
+    fn by(&self, x: &[f64], drawn: usize, shift: f64) -> Vec<f64> {
+        let middle = self.spread(x, drawn, shift).middle();
+        let off = |alpha: f64| ops::log(bare([alpha, x[1]], drawn, shift).middle() / middle);
+        let guess = quick_alpha(middle.sqrt(), x[1]);
+        let alpha = rising([0.95 * guess, 1.05 * guess], &off);
+        let mut values = vec![alpha.sqrt(), 2.0 * ops::atan(middle)];
+        values.extend(self.beside.as_ref().map(|own| (own.of)(x, &bare([x[0], x[1]], drawn, shift))));
+        values
+    }
+
+    /// The interpolants of the root and of what is beside it, made at the first call.
+    fn known(&self) -> &[Tensor; 2] {
+        let of = |own: &Beside, x: &[f64]| (own.smooth)(x, (own.of)(x, &bare([x[0], x[1]], AT_BARE, 0.0)));
+        let at = |x: &[f64]| {
+            let beside = self.beside.as_ref().map_or(0.0, |own| of(own, x));
+            [self.spread(x, self.drawn, 0.0).root(), beside]
+        };
+        self.known.get_or_init(|| tabulated(self.inputs, self.nodes, at))
+    }
+
+    /// The outputs of many points, but for the error.
+    fn quick(&self, x: &[f64]) -> Vec<f64> {
+        let [roots, beside] = self.known();
+        let place: Vec<f64> =
+            x.iter().zip(self.inputs).map(|(x, input)| coordinate(input.name, *x)).collect();
+        let root = roots.at(&place);
+        let mut values = vec![quick_alpha(root, x[1]).sqrt(), 2.0 * ops::atan(root * root)];
+        values.extend(self.beside.as_ref().map(|own| (own.back)(x, beside.at(&place))));
+        values
+    }
+
+    fn check(&self, x: &[f64]) -> Result<(), IntegrateError> {
+        for (input, &value) in self.inputs.iter().zip(x) {
+            let [low, high] = input.domain;
+            if !(low * (1.0 - super::ROUNDED)..=high * (1.0 + super::ROUNDED)).contains(&value) {
+                let domain = "is outside the quantity's domain";
+                return Err(IntegrateError::Domain { quantity: self.name, input: input.name, value, domain });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Quantity for Widened {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn inputs(&self) -> &'static [Input] {
+        self.inputs
+    }
+
+    fn outputs(&self) -> &'static [&'static str] {
+        self.outputs
+    }
+
+    fn choices(&self) -> &'static [Choice] {
+        &[]
+    }
+
+    fn tolerance(&self, _: &Variant) -> f64 {
+        TOLERANCE
+    }
+
+    fn smallest_alpha(&self) -> f64 {
+        ALPHA.domain[0]
+    }
+
+    fn uses(&self, column: &str) -> &'static [Use] {
+        let beside = self.beside.as_ref().filter(|_| self.outputs[2] == column);
+        beside.map_or(&[Use::VALUE], |own| own.used)
+    }
+
+    fn remark(&self) -> &'static str {
+        self.remark
+    }
+
+    fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        self.check(x)?;
+        let place = || format!("{x:?}");
+        let (mut drawn, mut reached) = (FIRST, f64::INFINITY);
+        while drawn <= LAST {
+            let all: Vec<Vec<f64>> =
+                (0..SHIFTS).map(|k| self.by(x, drawn, k as f64 / SHIFTS as f64)).collect();
+            let column = |k: usize| all.iter().map(|row| row[k]).collect::<Vec<f64>>();
+            let columns: Vec<Vec<f64>> = (0..all[0].len()).map(column).collect();
+            reached = columns.iter().map(|column| 3.0 * sum::standard_error(column)).fold(0.0, f64::max);
+            if !reached.is_finite() {
+                return Err(IntegrateError::NotFinite { quantity: self.name, place: place() });
+            }
+            if reached <= tolerance {
+                return Ok(columns.iter().map(|column| sum::mean(column)).chain([reached]).collect());
+            }
+            drawn *= 4;
+        }
+        Err(IntegrateError::Tolerance { quantity: self.name, place: place(), reached, tolerance })
+    }
+
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        if asked.tolerance < self.quick || asked.wants(&["error"]) {
+            return Ok(None);
+        }
+        let (places, inputs) = (asked.places(self)?, asked.inputs(self)?);
+        let one = |i: usize| {
+            let x: Vec<f64> = inputs.iter().flatten().map(|column| column[i]).collect();
+            self.check(&x)?;
+            Ok(self.quick(&x))
+        };
+        let rows: Vec<Vec<f64>> =
+            (0..asked.points.len()).into_par_iter().map(one).collect::<Result<_, _>>()?;
+        let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
+        Ok(Some(Truth { columns, error: self.quick, evaluations: rows.len() as u64 }))
+    }
+
+    fn tolerance_of_many(&self, _: &Variant) -> f64 {
+        self.quick
+    }
+
+    fn microseconds(&self, outputs: &[&str]) -> f64 {
+        if outputs.contains(&"error") { 2e4 } else { 2e3 }
+    }
+}
