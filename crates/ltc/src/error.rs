@@ -1,6 +1,7 @@
 //! What can be wrong with a fit or a measurement.
 
 use lobefit_fit::FitError;
+use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
 
 /// A linearly transformed cosine that is not made or measured.
@@ -10,6 +11,9 @@ pub enum LtcError {
     /// A truth that cannot be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
+    /// The text of the shader's function.
+    #[error(transparent)]
+    Shader(#[from] ShadeError),
     /// The solver.
     #[error("alpha {alpha}, mu {mu}: {source}")]
     Fit {

@@ -11,13 +11,15 @@ mod matrix;
 mod measure;
 mod pair;
 mod polygon;
+mod quad;
 mod square;
 
 pub use error::LtcError;
 pub use fit::{fitted, misplaced};
 pub use lobe::{Lobe, View};
 pub use matrix::Matrix;
-pub use measure::{Deviation, Measured, Setting, at_place, measured};
+pub use measure::{Deviation, Measured, Setting, measured};
 pub use pair::{Pair, SIDE};
 pub use polygon::{cosine_share, proxy_share, sphere_share, vector_share};
+pub use quad::{QUAD, Quad, TEXT};
 pub use square::{PER_PLACE, Share, Square, squares};

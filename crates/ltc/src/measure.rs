@@ -6,7 +6,9 @@ use crate::lobe::{Lobe, View};
 use crate::matrix::Matrix;
 use crate::pair::Pair;
 use crate::polygon::{cosine_share, proxy_share, vector_share};
+use crate::quad::Quad;
 use crate::square::{PER_PLACE, squares};
+use lobefit_math::vector::{Vec3, dot, plus, scaled};
 use rayon::prelude::*;
 
 /// What a pair is measured against, and where.
@@ -18,7 +20,7 @@ pub struct Setting {
     pub roughness: [f64; 2],
     /// Range of mu.
     pub mu: [f64; 2],
-    /// Places along both axes.
+    /// Places along both axes, at least 2.
     pub places: usize,
 }
 
@@ -40,78 +42,79 @@ pub struct Deviation {
 pub struct Measured {
     /// Share of the lobe's light that a square's is off by, at the places: the shape alone.
     pub shape: Deviation,
-    /// Error of the integrals.
+    /// The same with weights of the lookup of 8 fractional bits.
+    pub shape_8_bit: Deviation,
+    /// Errors of the truths of squares.
     pub integration: Deviation,
     /// Share of the light that comes from elsewhere: the bound for lights of any shape.
     pub misplaced: Deviation,
     /// E.
     pub amplitude: Deviation,
+    /// E, by coarse weights.
+    pub amplitude_8_bit: Deviation,
     /// B.
     pub bias: Deviation,
-    /// A square's light by the vector form factor, with the horizon by a formula, from that of the
-    /// clipped square.
+    /// A square's light by the emitted function in f32, from that of the closed form.
+    pub code: Deviation,
+    /// A square's light with the horizon by the formula of shaders that do not clip, from the same.
     pub horizon: Deviation,
     /// Largest shape error of a square at each place, roughness fastest.
     pub map: Vec<f64>,
+    /// Roughness along the map's columns, mu along its rows.
+    pub axes: [Vec<f64>; 2],
     /// Squares that were looked at.
     pub squares: usize,
 }
 
-/// Errors of a place: of each square shape and horizon, then the others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+/// Errors at a place.
+#[derive(Default)]
+struct Place {
     at: [f64; 2],
     shape: Vec<f64>,
+    shape_8_bit: Vec<f64>,
+    code: Vec<f64>,
     horizon: Vec<f64>,
-    integration: f64,
-    misplaced: f64,
-    amplitude: f64,
-    bias: f64,
+    integration: Vec<f64>,
+    misplaced: [f64; 1],
+    amplitude: [f64; 1],
+    amplitude_8_bit: [f64; 1],
+    bias: [f64; 1],
 }
 
-/// Errors of a matrix at a view.
-pub fn at_place(view: &View, matrix: Matrix, at: [f64; 2]) -> Place {
-    let mut place = Place {
-        at,
-        shape: Vec::with_capacity(PER_PLACE),
-        horizon: Vec::with_capacity(PER_PLACE),
-        integration: 0.0,
-        misplaced: misplaced(view, matrix),
-        amplitude: 0.0,
-        bias: 0.0,
-    };
-    for square in squares(view) {
-        let truth = square.share(view);
-        let taken = square.corners().map(|corner| matrix.taken(corner));
-        let share = cosine_share(&taken);
-        place.shape.push(share - truth.value);
-        place.integration = place.integration.max(truth.error);
-        let [x, y, z] = vector_share(&taken);
-        // Whichever way round the corners go: towards the light.
-        let sign = if x * taken_middle(&taken)[0] + y * taken_middle(&taken)[1] + z * taken_middle(&taken)[2] < 0.0 {
-            -1.0
-        } else {
-            1.0
-        };
-        place.horizon.push(proxy_share([sign * x, sign * y, sign * z]) - share);
+impl Place {
+    /// The errors of squares of a view by a texel of matrices and by one of coarse weights.
+    fn over_squares(&mut self, view: &View, [texel, coarse]: [[f64; 4]; 2], quad: &Quad) {
+        let matrix = Matrix::of_texel(texel);
+        self.misplaced = [misplaced(view, matrix)];
+        for square in squares(view) {
+            let (truth, corners) = (square.share(view), square.corners());
+            let taken = corners.map(|corner| matrix.taken(corner));
+            let share = cosine_share(&taken);
+            self.shape.push(share - truth.value);
+            self.shape_8_bit.push(Matrix::of_texel(coarse).share(&corners) - truth.value);
+            self.integration.push(truth.error);
+            self.code.push(quad.share(texel, &corners) - share);
+            self.horizon.push(proxy_share(towards(&taken)) - share);
+        }
     }
-    place
 }
 
-fn taken_middle(corners: &[[f64; 3]; 4]) -> [f64; 3] {
-    std::array::from_fn(|k| corners.iter().map(|corner| corner[k]).sum())
+/// The vector form factor of a polygon, towards it whichever way round its corners go.
+fn towards(corners: &[Vec3; 4]) -> Vec3 {
+    let (vector, middle) = (vector_share(corners), corners.iter().fold([0.0; 3], |sum, c| plus(sum, *c)));
+    if dot(vector, middle) < 0.0 { scaled(vector, -1.0) } else { vector }
 }
 
 impl Setting {
-    fn places(&self) -> Vec<[f64; 2]> {
-        let n = self.places;
-        let along = |[low, high]: [f64; 2], i: usize| low + (high - low) * i as f64 / (n - 1) as f64;
-        let root = self.mu.map(|mu| (1.0 - mu).max(0.0).sqrt());
-        let place = |t: usize| {
-            let v = along([root[1], root[0]], t / n);
-            [along(self.roughness, t % n), (1.0 - v * v).clamp(self.mu[0], self.mu[1])]
+    /// Roughness along columns, mu along rows.
+    fn axes(&self) -> [Vec<f64>; 2] {
+        let last = (self.places - 1) as f64;
+        let along = |[low, high]: [f64; 2]| -> Vec<f64> {
+            (0..self.places).map(|i| low + (high - low) * i as f64 / last).collect()
         };
-        (0..n * n).map(place).collect()
+        let root = along([self.mu[1], self.mu[0]].map(|mu| (1.0 - mu).max(0.0).sqrt()));
+        let mu = root.into_iter().map(|v| (1.0 - v * v).clamp(self.mu[0], self.mu[1]));
+        [along(self.roughness), mu.collect()]
     }
 }
 
@@ -125,21 +128,22 @@ pub fn measured(
     setting: &Setting,
     alpha: impl Fn(f64) -> f64 + Sync,
 ) -> Result<Measured, LtcError> {
-    let lobe = setting.lobe;
-    let places = setting.places();
+    let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes());
+    let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
     let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
     let albedos = lobe.albedo(&widths)?;
     let one = |i: usize| -> Result<Place, LtcError> {
         let ([roughness, mu], [e, b]) = (places[i], albedos[i]);
-        let (matrix, [own_e, own_b, ..]) = pair.at(roughness, mu);
-        let view = View::of(lobe, widths[i], e);
-        let place = Place {
-            amplitude: own_e - e,
-            bias: own_b - b,
-            ..at_place(&view, matrix, places[i])
-        };
-        let named = [("the shape error", place.shape.iter().sum()), ("E", own_e), ("B", own_b)];
-        match named.into_iter().find(|(_, value): &(_, f64)| !value.is_finite()) {
+        let [[texel, [own_e, own_b, ..]], [coarse, [coarse_e, ..]]] =
+            [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse));
+        let mut place = Place { at: places[i], ..Place::default() };
+        place.amplitude = [own_e - e];
+        place.amplitude_8_bit = [coarse_e - e];
+        place.bias = [own_b - b];
+        place.over_squares(&View::of(lobe, widths[i], e), [texel, coarse], &quad);
+        let sums = [&place.shape, &place.shape_8_bit, &place.code].map(|errors| errors.iter().sum::<f64>());
+        let named = [("the shape error", sums[0] + sums[1]), ("the emitted function", sums[2]), ("E", own_e), ("B", own_b)];
+        match named.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((what, value)) => Err(LtcError::NotFinite { what, value, roughness, mu }),
             None => Ok(place),
         }
@@ -148,19 +152,23 @@ pub fn measured(
     let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
     Ok(Measured {
         shape: Deviation::of(&all, |place| &place.shape),
-        integration: Deviation::of(&all, |place| std::slice::from_ref(&place.integration)),
-        misplaced: Deviation::of(&all, |place| std::slice::from_ref(&place.misplaced)),
-        amplitude: Deviation::of(&all, |place| std::slice::from_ref(&place.amplitude)),
-        bias: Deviation::of(&all, |place| std::slice::from_ref(&place.bias)),
+        shape_8_bit: Deviation::of(&all, |place| &place.shape_8_bit),
+        integration: Deviation::of(&all, |place| &place.integration),
+        misplaced: Deviation::of(&all, |place| &place.misplaced),
+        amplitude: Deviation::of(&all, |place| &place.amplitude),
+        amplitude_8_bit: Deviation::of(&all, |place| &place.amplitude_8_bit),
+        bias: Deviation::of(&all, |place| &place.bias),
+        code: Deviation::of(&all, |place| &place.code),
         horizon: Deviation::of(&all, |place| &place.horizon),
         map: all.iter().map(|place| largest(&place.shape)).collect(),
+        axes,
         squares: all.len() * PER_PLACE,
     })
 }
 
 impl Deviation {
     fn of(places: &[Place], errors: impl Fn(&Place) -> &[f64]) -> Deviation {
-        let (mut found, mut count, mut square) = (Deviation::default(), 0, 0.0);
+        let (mut found, mut count, mut square) = (Deviation::default(), 0_u32, 0.0);
         for place in places {
             for error in errors(place) {
                 count += 1;
@@ -171,7 +179,7 @@ impl Deviation {
                 }
             }
         }
-        found.mean /= f64::from(count.max(1));
-        Deviation { rms: (square / f64::from(count.max(1))).sqrt(), ..found }
+        let count = f64::from(count.max(1));
+        Deviation { rms: (square / count).sqrt(), mean: found.mean / count, ..found }
     }
 }

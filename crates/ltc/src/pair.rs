@@ -2,7 +2,6 @@
 
 use crate::fit::fitted;
 use crate::lobe::{Lobe, View};
-use crate::matrix::Matrix;
 use crate::polygon::sphere_share;
 use crate::LtcError;
 use rayon::prelude::*;
@@ -57,23 +56,24 @@ impl Pair {
         Ok(Pair { side, matrices: texels(|row| &row.0), amplitudes: texels(|row| &row.1) })
     }
 
-    /// The matrix and the second texel at a place, by the bilinear lookup between texels.
-    pub fn at(&self, roughness: f64, mu: f64) -> (Matrix, [f64; 4]) {
+    /// The matrix and the second texel at a place, by the bilinear lookup between texels, whose
+    /// weights are multiples of 2^-8 where `coarse`.
+    pub fn at(&self, roughness: f64, mu: f64, coarse: bool) -> [[f64; 4]; 2] {
         let place = [roughness, (1.0 - mu).max(0.0).sqrt()];
         let last = (self.side - 1) as f64;
         let [(i, u), (k, v)] = place.map(|at| {
             let at = (at * last).clamp(0.0, last);
             let floor = at.floor().min(last - 1.0);
-            (floor as usize, at - floor)
+            let weight = at - floor;
+            (floor as usize, if coarse { (weight * 256.0).round() / 256.0 } else { weight })
         });
-        let of = |texels: &[[f64; 4]]| {
+        [&self.matrices, &self.amplitudes].map(|texels| {
             let t = |i: usize, k: usize| texels[k * self.side + i];
             let mix = |a: [f64; 4], b: [f64; 4], t: f64| -> [f64; 4] {
                 std::array::from_fn(|c| a[c] + t * (b[c] - a[c]))
             };
             mix(mix(t(i, k), t(i + 1, k), u), mix(t(i, k + 1), t(i + 1, k + 1), u), v)
-        };
-        (Matrix::of_texel(of(&self.matrices)), of(&self.amplitudes))
+        })
     }
 }
 

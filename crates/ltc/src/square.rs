@@ -48,8 +48,8 @@ static RULES: LazyLock<[Gauss; 2]> = LazyLock::new(|| NODES.map(Gauss::new));
 const GROWTH: f64 = 2.5;
 
 /// Longest panel of Charlie's lobe, which is a ring along the horizon and not about the mirror
-/// direction.
-const LONGEST: f64 = 0.35;
+/// direction: at least, at most, and over the root of alpha, which the ring's width goes with.
+const LONGEST: [f64; 3] = [0.2, 1.2, 1.2];
 
 /// The squares of a view: six sizes, from half the lobe's width to more than half of the hemisphere,
 /// each about the mirror direction, beside it with an edge or a corner on it, and above and below.
@@ -105,7 +105,10 @@ impl Square {
             at.clamp(-self.half, self.half)
         };
         let fine = (0.5 * view.alpha).min(0.25);
-        let longest = if view.lobe == Lobe::Charlie { LONGEST } else { f64::INFINITY };
+        let longest = match view.lobe {
+            Lobe::Ggx(_) => f64::INFINITY,
+            Lobe::Charlie => (LONGEST[2] * view.alpha.sqrt()).clamp(LONGEST[0], LONGEST[1]),
+        };
         let ends = [
             panels(place(self.across), [fine * view.mu.max(view.alpha), longest], self.half, None),
             panels(place(self.along), [fine, longest], self.half, self.horizon()),
