@@ -2,6 +2,7 @@
 
 use lobefit_fit::FitError;
 use lobefit_shade::ShadeError;
+use lobefit_shade::code::CodeError;
 use lobefit_truth::integrate::IntegrateError;
 
 /// A linearly transformed cosine that is not made or measured.
@@ -14,6 +15,9 @@ pub enum LtcError {
     /// The text of the shader's function.
     #[error(transparent)]
     Shader(#[from] ShadeError),
+    /// A language that cannot print it.
+    #[error(transparent)]
+    Code(#[from] CodeError),
     /// The solver.
     #[error("alpha {alpha}, mu {mu}: {source}")]
     Fit {

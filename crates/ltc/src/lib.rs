@@ -21,5 +21,5 @@ pub use matrix::Matrix;
 pub use measure::{Deviation, Measured, Setting, measured};
 pub use pair::{Pair, SIDE};
 pub use polygon::{cosine_share, proxy_share, sphere_share, vector_share};
-pub use quad::{QUAD, Quad, TEXT};
+pub use quad::{FUNCTIONS, QUAD, Quad, TEXT};
 pub use square::{PER_PLACE, Share, Square, squares};

@@ -38,6 +38,14 @@ impl Lobe {
         }
     }
 
+    /// The quantity that its matrices stand for, in headers.
+    pub fn transformed(self) -> &'static str {
+        match self {
+            Lobe::Ggx(_) => "ggx-ltc",
+            Lobe::Charlie => "sheen-ltc",
+        }
+    }
+
     /// An alpha within the range of matrices.
     pub fn within(self, alpha: f64) -> f64 {
         alpha.max(LEAST[usize::from(self == Lobe::Charlie)])

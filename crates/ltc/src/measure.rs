@@ -142,7 +142,12 @@ pub fn measured(
         place.bias = [own_b - b];
         place.over_squares(&View::of(lobe, widths[i], e), [texel, coarse], &quad);
         let sums = [&place.shape, &place.shape_8_bit, &place.code].map(|errors| errors.iter().sum::<f64>());
-        let named = [("the shape error", sums[0] + sums[1]), ("the emitted function", sums[2]), ("E", own_e), ("B", own_b)];
+        let named = [
+            ("the shape error", sums[0] + sums[1]),
+            ("the emitted function", sums[2]),
+            ("E", own_e),
+            ("B", own_b),
+        ];
         match named.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((what, value)) => Err(LtcError::NotFinite { what, value, roughness, mu }),
             None => Ok(place),

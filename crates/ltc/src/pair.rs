@@ -1,9 +1,9 @@
 //! The two tables of a lobe, as engines read them.
 
+use crate::LtcError;
 use crate::fit::fitted;
 use crate::lobe::{Lobe, View};
 use crate::polygon::sphere_share;
-use crate::LtcError;
 use rayon::prelude::*;
 
 /// Texels along both axes of the tables that engines ship.
@@ -54,6 +54,12 @@ impl Pair {
             (0..side * side).map(|t| of(&rows[t % side])[t / side]).collect::<Vec<_>>()
         };
         Ok(Pair { side, matrices: texels(|row| &row.0), amplitudes: texels(|row| &row.1) })
+    }
+
+    /// The pair as texels are stored.
+    pub fn stored(&self, stored: impl Fn(f64) -> f64) -> Pair {
+        let all = |texels: &[[f64; 4]]| texels.iter().map(|texel| texel.map(&stored)).collect();
+        Pair { side: self.side, matrices: all(&self.matrices), amplitudes: all(&self.amplitudes) }
     }
 
     /// The matrix and the second texel at a place, by the bilinear lookup between texels, whose

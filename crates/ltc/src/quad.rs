@@ -2,9 +2,13 @@
 
 use crate::LtcError;
 use lobefit_math::vector::Vec3;
+use lobefit_shade::code::Language;
 use lobefit_shade::{Source, Tape};
 
-/// Name of the function.
+/// Names of the functions, each after those that it calls; the last is what a shader calls.
+pub const FUNCTIONS: [&str; 6] = ["ltc_arc", "ltc_edge", "ltc_raised", "ltc_lit", "ltc_leaving", QUAD];
+
+/// The function of a quadrilateral.
 pub const QUAD: &str = "ltc_quad";
 
 /// Names of the arguments, a vector component by component.
@@ -23,17 +27,29 @@ pub struct Quad {
 }
 
 impl Quad {
-    /// What the functions are printed from: one, the others written out in it.
-    ///
-    /// # Errors
-    /// A text that does not parse, a defect of this program.
-    pub fn source() -> Result<Source, LtcError> {
+    fn source() -> Result<Source, LtcError> {
         let source = Source::parse("quad.wgsl", TEXT)?;
         Ok(source.inlined(|name| name == "taken"))
     }
 
+    /// The functions in a language; `error` says how far the last is off.
+    ///
     /// # Errors
-    /// As [`Quad::source`].
+    /// A text that does not parse, a defect of this program.
+    pub fn print(language: Language, error: &str) -> Result<String, LtcError> {
+        let (source, mut text) = (Quad::source()?, String::new());
+        for name in FUNCTIONS {
+            let mut header = source.doc(name)?.to_vec();
+            header.extend((name == QUAD).then(|| error.to_string()));
+            text += &format!("\n{}", source.print(language, name, &header)?);
+        }
+        Ok(text)
+    }
+
+    /// The last of them.
+    ///
+    /// # Errors
+    /// A text that does not parse, a defect of this program.
     pub fn new() -> Result<Quad, LtcError> {
         let tape = Quad::source()?.tape(QUAD, 0)?;
         let corner = |k: usize| AXES.map(|axis| format!("p{k}.{axis}"));

@@ -88,7 +88,8 @@ impl Square {
 
     /// Its corners.
     pub fn corners(&self) -> [Vec3; 4] {
-        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[x, y]| self.at(x * self.half, y * self.half))
+        [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
+            .map(|[x, y]| self.at(x * self.half, y * self.half))
     }
 
     fn at(&self, x: f64, y: f64) -> Vec3 {
