@@ -148,8 +148,8 @@ pub fn misplaced(view: &View, matrix: Matrix) -> f64 {
     DISK.iter().map(lost).sum()
 }
 
-/// The matrix of least misplaced light near one of some starts, by reweighted least squares; at mu = 1 one that
-/// is round about the normal.
+/// The matrix of least misplaced light near one of some starts, by reweighted least squares; at mu =
+/// 1 one that is round about the normal.
 ///
 /// # Errors
 /// A start from which the solver finds nothing.

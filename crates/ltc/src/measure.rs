@@ -6,7 +6,7 @@ use crate::lobe::{Lobe, View};
 use crate::matrix::Matrix;
 use crate::pair::Pair;
 use crate::polygon::{cosine_share, proxy_share, vector_share};
-use crate::quad::Quad;
+use crate::quad::{QUAD, Quad};
 use crate::square::{PER_PLACE, squares};
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
 use rayon::prelude::*;
@@ -20,7 +20,7 @@ pub struct Setting {
     pub roughness: [f64; 2],
     /// Range of mu.
     pub mu: [f64; 2],
-    /// Places along both axes, at least 2.
+    /// About as many places along both axes, at least 2.
     pub places: usize,
 }
 
@@ -75,17 +75,14 @@ struct Place {
     code: Vec<f64>,
     horizon: Vec<f64>,
     integration: Vec<f64>,
-    misplaced: [f64; 1],
-    amplitude: [f64; 1],
-    amplitude_8_bit: [f64; 1],
-    bias: [f64; 1],
+    misplaced: Vec<f64>,
 }
 
 impl Place {
     /// The errors of squares of a view by a texel of matrices and by one of coarse weights.
     fn over_squares(&mut self, view: &View, [texel, coarse]: [[f64; 4]; 2], quad: &Quad) {
         let matrix = Matrix::of_texel(texel);
-        self.misplaced = [misplaced(view, matrix)];
+        self.misplaced.push(misplaced(view, matrix));
         for square in squares(view) {
             let (truth, corners) = (square.share(view), square.corners());
             let taken = corners.map(|corner| matrix.taken(corner));
@@ -106,20 +103,72 @@ fn towards(corners: &[Vec3; 4]) -> Vec3 {
 }
 
 impl Setting {
-    /// Roughness along columns, mu along rows.
-    fn axes(&self) -> [Vec<f64>; 2] {
-        let last = (self.places - 1) as f64;
-        let along = |[low, high]: [f64; 2]| -> Vec<f64> {
-            (0..self.places).map(|i| low + (high - low) * i as f64 / last).collect()
-        };
-        let root = along([self.mu[1], self.mu[0]].map(|mu| (1.0 - mu).max(0.0).sqrt()));
-        let mu = root.into_iter().map(|v| (1.0 - v * v).clamp(self.mu[0], self.mu[1]));
-        [along(self.roughness), mu.collect()]
+    /// The ranges along the two coordinates of a table.
+    fn ranges(&self) -> [[f64; 2]; 2] {
+        [self.roughness, [self.mu[1], self.mu[0]].map(|mu| (1.0 - mu).max(0.0).sqrt())]
+    }
+
+    /// mu of a coordinate.
+    fn mu(&self, coordinate: f64) -> f64 {
+        (1.0 - coordinate * coordinate).clamp(self.mu[0], self.mu[1])
+    }
+
+    /// Roughness along columns, mu along rows: by turns a texel's place and the middle of two, and the
+    /// ends.
+    fn axes(&self, side: usize) -> [Vec<f64>; 2] {
+        let last = (side - 1) as f64;
+        let [roughness, root] = self.ranges().map(|[low, high]| {
+            let place = |i: usize| {
+                let at = (low + (high - low) * i as f64 / (self.places - 1) as f64) * last;
+                let at = if i.is_multiple_of(2) { at.round() } else { at.floor() + 0.5 };
+                (at / last).clamp(low, high)
+            };
+            let mut all: Vec<f64> = (0..self.places).map(place).chain([low, high]).collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+            all
+        });
+        [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
+    }
+
+    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges.
+    fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
+        let last = 3 * (side - 1);
+        let [roughness, root] = self.ranges().map(|[low, high]| {
+            let all = (0..=last).map(|i| i as f64 / last as f64);
+            all.filter(move |at| (low..=high).contains(at)).collect::<Vec<f64>>()
+        });
+        root.into_iter().flat_map(|v| roughness.iter().map(move |r| [*r, self.mu(v)])).collect()
     }
 }
 
-/// Measures a pair at places even in roughness and in sqrt(1 - mu), texels and between them as they
-/// fall. `alpha` is that of a roughness.
+/// What the lobe's albedo is off by: E, by coarse weights, and B.
+fn scales(
+    pair: &Pair,
+    setting: &Setting,
+    alpha: &(impl Fn(f64) -> f64 + Sync),
+) -> Result<[Deviation; 3], LtcError> {
+    let (lobe, places) = (setting.lobe, setting.everywhere(pair.side));
+    let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
+    let mut found = [const { Vec::new() }; 3];
+    for (&at, [e, b]) in places.iter().zip(lobe.albedo(&widths)?) {
+        let [[_, [own_e, own_b, ..]], [_, [coarse, ..]]] =
+            [false, true].map(|coarse| pair.at(at[0], at[1], coarse));
+        for (what, value) in [("E", own_e), ("B", own_b)] {
+            if !value.is_finite() {
+                return Err(LtcError::NotFinite { what, value, roughness: at[0], mu: at[1] });
+            }
+        }
+        for (list, error) in found.iter_mut().zip([own_e - e, coarse - e, own_b - b]) {
+            list.push((at, error));
+        }
+    }
+    Ok(found.map(|errors| Deviation::of(errors.into_iter())))
+}
+
+/// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
+/// between them, E and B at all texels and at
+/// thirds between them. `alpha` is that of a roughness.
 ///
 /// # Errors
 /// A truth that cannot be integrated; a table with values that are no numbers.
@@ -128,43 +177,36 @@ pub fn measured(
     setting: &Setting,
     alpha: impl Fn(f64) -> f64 + Sync,
 ) -> Result<Measured, LtcError> {
-    let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes());
+    let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
+    let [amplitude, amplitude_8_bit, bias] = scales(pair, setting, &alpha)?;
     let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
-    let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
-    let albedos = lobe.albedo(&widths)?;
-    let one = |i: usize| -> Result<Place, LtcError> {
-        let ([roughness, mu], [e, b]) = (places[i], albedos[i]);
-        let [[texel, [own_e, own_b, ..]], [coarse, [coarse_e, ..]]] =
-            [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse));
-        let mut place = Place { at: places[i], ..Place::default() };
-        place.amplitude = [own_e - e];
-        place.amplitude_8_bit = [coarse_e - e];
-        place.bias = [own_b - b];
-        place.over_squares(&View::of(lobe, widths[i], e), [texel, coarse], &quad);
-        let sums = [&place.shape, &place.shape_8_bit, &place.code].map(|errors| errors.iter().sum::<f64>());
-        let named = [
-            ("the shape error", sums[0] + sums[1]),
-            ("the emitted function", sums[2]),
-            ("E", own_e),
-            ("B", own_b),
-        ];
+    let one = |&[roughness, mu]: &[f64; 2]| -> Result<Place, LtcError> {
+        let texels = [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse)[0]);
+        let mut place = Place { at: [roughness, mu], ..Place::default() };
+        place.over_squares(&View::new(lobe, lobe.within(alpha(roughness)), mu)?, texels, &quad);
+        let sum = |errors: &[f64]| errors.iter().sum::<f64>();
+        let named =
+            [("the shape error", sum(&place.shape) + sum(&place.shape_8_bit)), (QUAD, sum(&place.code))];
         match named.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((what, value)) => Err(LtcError::NotFinite { what, value, roughness, mu }),
             None => Ok(place),
         }
     };
-    let all: Vec<Place> = (0..places.len()).into_par_iter().map(one).collect::<Result<_, _>>()?;
+    let all: Vec<Place> = places.par_iter().map(one).collect::<Result<_, _>>()?;
     let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
+    let over = |errors: fn(&Place) -> &Vec<f64>| {
+        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error))))
+    };
     Ok(Measured {
-        shape: Deviation::of(&all, |place| &place.shape),
-        shape_8_bit: Deviation::of(&all, |place| &place.shape_8_bit),
-        integration: Deviation::of(&all, |place| &place.integration),
-        misplaced: Deviation::of(&all, |place| &place.misplaced),
-        amplitude: Deviation::of(&all, |place| &place.amplitude),
-        amplitude_8_bit: Deviation::of(&all, |place| &place.amplitude_8_bit),
-        bias: Deviation::of(&all, |place| &place.bias),
-        code: Deviation::of(&all, |place| &place.code),
-        horizon: Deviation::of(&all, |place| &place.horizon),
+        shape: over(|place| &place.shape),
+        shape_8_bit: over(|place| &place.shape_8_bit),
+        integration: over(|place| &place.integration),
+        misplaced: over(|place| &place.misplaced),
+        amplitude,
+        amplitude_8_bit,
+        bias,
+        code: over(|place| &place.code),
+        horizon: over(|place| &place.horizon),
         map: all.iter().map(|place| largest(&place.shape)).collect(),
         axes,
         squares: all.len() * PER_PLACE,
@@ -172,16 +214,14 @@ pub fn measured(
 }
 
 impl Deviation {
-    fn of(places: &[Place], errors: impl Fn(&Place) -> &[f64]) -> Deviation {
+    fn of(errors: impl Iterator<Item = ([f64; 2], f64)>) -> Deviation {
         let (mut found, mut count, mut square) = (Deviation::default(), 0_u32, 0.0);
-        for place in places {
-            for error in errors(place) {
-                count += 1;
-                square += error * error;
-                found.mean += error;
-                if error.abs() > found.max {
-                    (found.max, found.at) = (error.abs(), place.at);
-                }
+        for (at, error) in errors {
+            count += 1;
+            square += error * error;
+            found.mean += error;
+            if error.abs() > found.max {
+                (found.max, found.at) = (error.abs(), at);
             }
         }
         let count = f64::from(count.max(1));

@@ -28,32 +28,35 @@ fn node(i: usize, side: usize) -> f64 {
 }
 
 impl Pair {
-    /// The tables of a lobe: for each roughness from the isotropic matrix of mu = 1 on to grazing,
+    /// The tables of a lobe: E and B by texels that a lookup between them is best with, and the matrices
+    /// for each roughness from the isotropic matrix of mu = 1 on to grazing,
     /// each search starts at its neighbour's matrix. `alpha` is that of a roughness.
     ///
     /// # Errors
     /// A truth that cannot be integrated, a search that fails.
     pub fn fitted(lobe: Lobe, side: usize, alpha: impl Fn(f64) -> f64 + Sync) -> Result<Pair, LtcError> {
-        let row = |i: usize| -> Result<(Vec<[f64; 4]>, Vec<[f64; 4]>), LtcError> {
-            let alpha = alpha(node(i, side));
-            let width = lobe.within(alpha);
-            let mu = |k: usize| 1.0 - node(k, side) * node(k, side);
-            let albedos = lobe.albedo(&(0..side).map(|k| [width, mu(k)]).collect::<Vec<_>>())?;
-            let mut matrix = lobe.first(width);
-            let (mut matrices, mut amplitudes) = (Vec::new(), Vec::new());
-            for (k, [e, b]) in albedos.into_iter().enumerate() {
-                let view = View::of(lobe, [width, mu(k)], e);
+        // Texels, and half way between them.
+        let fine = 2 * side - 1;
+        let place = |t: usize| {
+            let root = node(t / fine, fine);
+            [lobe.within(alpha(node(t % fine, fine))), 1.0 - root * root]
+        };
+        let albedos = lobe.albedo(&(0..fine * fine).map(place).collect::<Vec<_>>())?;
+        let row = |i: usize| -> Result<Vec<[f64; 4]>, LtcError> {
+            let mut matrix = lobe.first(place(2 * i)[0]);
+            let one = |k: usize| {
+                let at = 2 * (k * fine + i);
+                let view = View::of(lobe, place(at), albedos[at][0]);
                 matrix = fitted(&view, &lobe.starts(matrix))?;
-                matrices.push(matrix.texel());
-                amplitudes.push([e, b, 0.0, sphere(i, k, side)]);
-            }
-            Ok((matrices, amplitudes))
+                Ok(matrix.texel())
+            };
+            (0..side).map(one).collect()
         };
-        let rows: Vec<_> = (0..side).into_par_iter().map(row).collect::<Result<_, _>>()?;
-        let texels = |of: fn(&(Vec<[f64; 4]>, Vec<[f64; 4]>)) -> &Vec<[f64; 4]>| {
-            (0..side * side).map(|t| of(&rows[t % side])[t / side]).collect::<Vec<_>>()
-        };
-        Ok(Pair { side, matrices: texels(|row| &row.0), amplitudes: texels(|row| &row.1) })
+        let rows: Vec<Vec<[f64; 4]>> = (0..side).into_par_iter().map(row).collect::<Result<_, _>>()?;
+        let matrices = (0..side * side).map(|t| rows[t % side][t / side]).collect();
+        let [e, b] = [0, 1].map(|column| relaxed(side, |t| albedos[t][column]));
+        let texel = |t: usize| [e[t], b[t], 0.0, sphere(t % side, t / side, side)];
+        Ok(Pair { side, matrices, amplitudes: (0..side * side).map(texel).collect() })
     }
 
     /// The pair as texels are stored.
@@ -81,6 +84,35 @@ impl Pair {
             mix(mix(t(i, k), t(i + 1, k), u), mix(t(i, k + 1), t(i + 1, k + 1), u), v)
         })
     }
+}
+
+/// Rounds after which the largest error stands still, and the part of a correction that is made in one.
+const ROUNDS: usize = 40;
+const STEP: f64 = 0.6;
+
+/// Texels whose bilinear lookup is off by as much above as below about each of them: at it and half
+/// way to its neighbours. `truth` is of the places of a grid twice as fine.
+fn relaxed(side: usize, truth: impl Fn(usize) -> f64) -> Vec<f64> {
+    let fine = 2 * side - 1;
+    let mut texels: Vec<f64> = (0..side * side).map(|t| truth(2 * (t / side * fine + t % side))).collect();
+    for _ in 0..ROUNDS {
+        let lookup = |x: usize, y: usize| {
+            let at = |x: usize, y: usize| texels[y * side + x];
+            let ends = |x: usize| [x / 2, x.div_ceil(2)];
+            let ([a, b], [c, d]) = (ends(x), ends(y));
+            0.25 * (at(a, c) + at(b, c) + at(a, d) + at(b, d))
+        };
+        let errors: Vec<f64> = (0..fine * fine).map(|t| lookup(t % fine, t / fine) - truth(t)).collect();
+        let errors = &errors;
+        let about = |i: usize| (2 * i).saturating_sub(1)..=(2 * i + 1).min(fine - 1);
+        let moved = |t: usize| {
+            let near = about(t / side).flat_map(|y| about(t % side).map(move |x| errors[y * fine + x]));
+            let [low, high] = near.fold([f64::INFINITY, -f64::INFINITY], |[l, h], e| [l.min(e), h.max(e)]);
+            texels[t] - STEP * 0.5 * (low + high)
+        };
+        texels = (0..side * side).map(moved).collect();
+    }
+    texels
 }
 
 /// The share of a sphere over the length of its vector.

@@ -91,6 +91,7 @@ impl Effect for Ltc {
         let all = materials.flat_map(|(of, m)| wanted(scene, m).map(move |pair| (of, m, pair)));
         all.map(|(of, material, (lobe, range, item, want))| {
             let (part, layer) = field(lobe);
+            let rough = if layer.is_some() { "rough sheen" } else { "rough specular lobe" };
             let (name, [low, high]) = (material.name.clone(), range);
             Demand {
                 job: named(lobe, want).into(),
@@ -98,8 +99,8 @@ impl Effect for Ltc {
                 of,
                 item,
                 because: format!(
-                    "{name}: {} lobe (roughness {low} to {high}) wants area lights",
-                    lobe.name()
+                    "{name}: {} with a {rough} (roughness {low} to {high}) wants area lights",
+                    material.kind.name()
                 ),
                 name,
                 field: format!("materials[{of}].{part}.tables[{item}]"),
