@@ -29,8 +29,8 @@ pub enum Decode {
     LossBias,
     /// `m11`, `m31`, `m13`, `m33`: the inverse matrix of a linearly transformed cosine, whose m22 is 1.
     Transform,
-    /// `E`, `B`, `zero`, `sphere`: what the shares of lights are scaled by, and the share of a sphere over the
-    /// cosine of its direction, 2 u - 1, and the length v of its vector form factor.
+    /// `E`, `B`, `zero`, `sphere`: what the shares of lights are scaled by, and the share of a sphere
+    /// over the cosine of its direction, 2 u - 1, and the length v of its vector form factor.
     Light,
 }
 

@@ -127,11 +127,11 @@ pub(super) struct OpenTable {
 #[serde(deny_unknown_fields, default, expecting = "an object that describes a table")]
 struct TableFile {
     /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic
-    /// materials), `plain`, `plain-squared`; `area-lights`, over roughness in [0, 1] and sqrt(1 - mu), for a
-    /// pair of tables of a linearly transformed cosine, by which polygons light the lobe. With a third axis, of anisotropic materials and of
-    /// glass: `optimised` (their default), `path-tracer`, which takes separable Smith and
-    /// alpha = roughness whatever the scene says, has its own size and takes no `max_error`, and
-    /// `azimuth`, which is for anisotropic materials.
+    /// materials), `plain`, `plain-squared`; `area-lights`, over roughness in [0, 1] and sqrt(1 -
+    /// mu), for a pair of tables of a linearly transformed cosine, by which polygons light the lobe. With
+    /// a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`,
+    /// which takes separable Smith and alpha = roughness whatever the scene says, has its own size and
+    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384

@@ -1,5 +1,5 @@
-// What a quadrilateral sends by a linearly transformed cosine (Heitz, Dupuy, Hill and Neubelt 2016), clipped to the horizon
-// without branches: of each edge the part above it, and the arc along it from where the outline goes down to where it comes up.
+//! What a quadrilateral sends by a linearly transformed cosine (Heitz, Dupuy, Hill and Neubelt 2016), clipped to the horizon
+//! without branches: of each edge the part above it, and the arc along it from where the outline goes down to where it comes up.
 
 /// The angle of two directions over 2 pi times its sine, from the cosine: within 6e-7 of itself, a weighted least-squares fit.
 fn ltc_arc(cosine: f32) -> f32 {

@@ -222,5 +222,5 @@ fn a_small_pair_is_measured_at_its_texels_and_between() {
     let mut broken = pair;
     broken.matrices.iter_mut().for_each(|texel| texel[3] = f64::NAN);
     let refused = measured(&broken, &setting, alpha).expect_err("no number");
-    assert!(refused.to_string().contains("the shape error is NaN at roughness"), "{refused}");
+    assert!(refused.to_string().contains("is NaN at roughness"), "{refused}");
 }

@@ -42,7 +42,17 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     assert!(found["errors"][0]["max"].as_f64().unwrap() > 0.3, "{found}");
     let sheen = lobefit(
         folder.path(),
-        &["audit", "matrices.raw", "--as=ltc:sheen", "--size", "8x8", "--channels", "3", "--raw-format", "f32"],
+        &[
+            "audit",
+            "matrices.raw",
+            "--as=ltc:sheen",
+            "--size",
+            "8x8",
+            "--channels",
+            "3",
+            "--raw-format",
+            "f32",
+        ],
         b"",
     );
     assert_eq!(sheen.status.code(), Some(2), "three channels are no matrix");
