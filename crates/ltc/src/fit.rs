@@ -58,7 +58,7 @@ fn full(at: &[f64]) -> [f64; 4] {
 }
 
 fn parameters(m: Matrix) -> [f64; 4] {
-    let (b, angle) = (m.m31.hypot(m.m33), ops::atan2(m.m31, m.m33));
+    let (b, angle) = ((m.m31 * m.m31 + m.m33 * m.m33).sqrt(), ops::atan2(m.m31, m.m33));
     let (s, c) = ops::sincos(angle);
     let (a, shear) = (m.m11 * c - m.m13 * s, m.m11 * s + m.m13 * c);
     [ops::log(a.abs().max(1e-12)), ops::log(b.max(1e-12)), shear / b, angle]

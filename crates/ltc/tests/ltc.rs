@@ -53,7 +53,7 @@ fn the_identity_is_the_cosine() {
             let light: Vec3 =
                 std::array::from_fn(|k| square.centre[k] + x * square.across[k] + y * square.along[k]);
             let inverse = 1.0 / dot(light, light).sqrt();
-            (light[2] * inverse).max(0.0) * inverse.powi(3) / PI
+            (light[2] * inverse).max(0.0) * (inverse * inverse * inverse) / PI
         };
         let half = square.half;
         let horizon = (-square.centre[2] / square.along[2]).clamp(-half, half);

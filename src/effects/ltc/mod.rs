@@ -8,7 +8,7 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::who::{anisotropy, reasons};
-use super::{BakeError, Called, Effect, JobSummary, Made};
+use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::CallOps;
 use crate::data::Layout;
 use crate::scene::{Goals, Material, Scene, TableWant};
@@ -143,6 +143,10 @@ impl Effect for Ltc {
             })
         };
         jobs.iter().filter_map(one).collect()
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        format!("{}; of a sheen Charlie with Neubelt's visibility", ggx(scene))
     }
 
     fn sources(&self) -> Vec<&'static str> {
