@@ -157,8 +157,9 @@ fn the_emitted_function_is_the_closed_form() {
 #[test]
 fn a_sphere_sends_what_a_rule_finds() {
     let rule = Gauss::new(200);
-    for (cosine, length) in [(1.0, 0.5), (0.2, 0.3), (-0.3, 0.4), (0.0, 1.0), (-0.9, 0.1), (0.6, 0.9)] {
-        let (sine, reach) = ((1.0 - cosine * cosine as f64).sqrt(), ops::asin(f64::sqrt(length)));
+    for (cosine, length) in [(1.0_f64, 0.5_f64), (0.2, 0.3), (-0.3, 0.4), (0.0, 1.0), (-0.9, 0.1), (0.6, 0.9)]
+    {
+        let (sine, reach) = ((1.0 - cosine * cosine).sqrt(), ops::asin(length.sqrt()));
         // z over the cap, whose rings are cut at the horizon.
         let ring = |theta: f64| {
             let (s, c) = ops::sincos(theta);
