@@ -64,6 +64,9 @@ pub enum Warp {
     /// the smoother the surface, the sooner.
     #[serde(rename = "ior")]
     Ior,
+    /// u = sqrt(1 - mu), from min 1 to max 0: the axis of linearly transformed cosines.
+    #[serde(rename = "grazing")]
+    Grazing,
     /// The axis of anisotropy, linear in the aspect alpha_y/alpha = alpha/alpha_x = sqrt(1 - 0.9
     /// anisotropy).
     #[serde(rename = "aspect")]
@@ -72,7 +75,7 @@ pub enum Warp {
 
 impl Warp {
     /// Every warp, in the order of the declaration.
-    pub const ALL: [Warp; 8] = [
+    pub const ALL: [Warp; 9] = [
         Warp::Linear,
         Warp::Sqrt,
         Warp::Homogeneous,
@@ -80,6 +83,7 @@ impl Warp {
         Warp::HomogeneousAzimuth,
         Warp::Square,
         Warp::Ior,
+        Warp::Grazing,
         Warp::Aspect,
     ];
 
@@ -93,6 +97,7 @@ impl Warp {
             Warp::HomogeneousAzimuth => "homogeneous_azimuth",
             Warp::Square => "square",
             Warp::Ior => "layered",
+            Warp::Grazing => "grazing",
             Warp::Aspect => "aspect",
         }
     }
@@ -174,6 +179,7 @@ impl Axis {
         match self.warp {
             Warp::Linear => self.min + u * (self.max - self.min),
             Warp::Sqrt => u * u,
+            Warp::Grazing => 1.0 - u * u,
             Warp::Homogeneous => homogeneous(alpha),
             Warp::HomogeneousAzimuth => homogeneous(surface.towards()),
             Warp::Square => {
@@ -205,6 +211,7 @@ impl Axis {
             Warp::Linear if (*min, *max) == (0.0, 1.0) => format!("u = {name}"),
             Warp::Linear => format!("u = ({name} - {min}) / ({max} - {min})"),
             Warp::Sqrt => format!("u = sqrt({name})"),
+            Warp::Grazing => format!("u = sqrt(1 - {name})"),
             Warp::Homogeneous => format!("u = sqrt({name} * (1 + alpha) / ({name} + alpha))"),
             Warp::HomogeneousAzimuth => format!(
                 "u = sqrt({name} * (1 + l) / ({name} + l)), l = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), \
@@ -230,7 +237,11 @@ impl Axis {
         let aspect = |x: f64| (1.0 - SQUASH * x).sqrt();
         match self.warp {
             Warp::Linear => [self.min, self.max],
-            Warp::Sqrt | Warp::Homogeneous | Warp::HomogeneousIor | Warp::HomogeneousAzimuth => [0.0, 1.0],
+            Warp::Sqrt
+            | Warp::Homogeneous
+            | Warp::HomogeneousIor
+            | Warp::HomogeneousAzimuth
+            | Warp::Grazing => [0.0, 1.0],
             Warp::Square => [self.min * self.min, self.max * self.max],
             Warp::Ior => [CROWDING, (1.0 + CROWDING * CROWDING).sqrt()],
             Warp::Aspect => [aspect(self.min), aspect(self.max)],

@@ -27,6 +27,11 @@ pub enum Decode {
     AzimuthCubic,
     /// `loss`, `bias`: E = 1 - loss, B = E (bias + (1 - mu)^5).
     LossBias,
+    /// `m11`, `m31`, `m13`, `m33`: the inverse matrix of a linearly transformed cosine, whose m22 is 1.
+    Transform,
+    /// `E`, `B`, `zero`, `sphere`: what the shares of lights are scaled by, and the share of a sphere
+    /// over the cosine of its direction, 2 u - 1, and the length v of its vector form factor.
+    Light,
 }
 
 impl Decode {
@@ -40,12 +45,20 @@ impl Decode {
             (Layout::Optimised, _) => Decode::Loss,
             (Layout::PathTracer, _) => Decode::Albedo,
             (Layout::Azimuth, _) => Decode::AzimuthCubic,
+            (Layout::AreaLights, _) => Decode::Transform,
         }
     }
 
     /// Every decoding, in the order of the declaration.
-    pub const ALL: [Decode; 5] =
-        [Decode::Albedo, Decode::Loss, Decode::SplitSum, Decode::AzimuthCubic, Decode::LossBias];
+    pub const ALL: [Decode; 7] = [
+        Decode::Albedo,
+        Decode::Loss,
+        Decode::SplitSum,
+        Decode::AzimuthCubic,
+        Decode::LossBias,
+        Decode::Transform,
+        Decode::Light,
+    ];
 
     /// Its function in `decodings.wgsl`.
     pub(super) fn function(self) -> &'static str {
@@ -55,6 +68,7 @@ impl Decode {
             Decode::SplitSum => "split_sum",
             Decode::AzimuthCubic => "azimuth_cubic",
             Decode::LossBias => "loss_bias",
+            Decode::Transform | Decode::Light => "whole",
         }
     }
 
@@ -68,7 +82,17 @@ impl Decode {
         match self {
             Decode::Albedo | Decode::Loss => 1,
             Decode::SplitSum | Decode::LossBias => 2,
-            Decode::AzimuthCubic => 4,
+            Decode::AzimuthCubic | Decode::Transform | Decode::Light => 4,
+        }
+    }
+
+    /// What a lookup returns, in words.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Decode::Transform => "The texel m11, m31, m13, m33 of M^-1",
+            Decode::Light => "E, B, 0 and the share of a sphere",
+            Decode::SplitSum | Decode::LossBias => "E, A and B",
+            Decode::Albedo | Decode::Loss | Decode::AzimuthCubic => "E",
         }
     }
 
@@ -88,6 +112,8 @@ impl Decode {
                  q = 1 - 0.9 * anisotropy (t = 0 at anisotropy 0)",
             )],
             Decode::SplitSum => &[("E", "A + B"), ("B", "B"), ("A", "A")],
+            Decode::Transform => &[("m11", "m11"), ("m31", "m31"), ("m13", "m13"), ("m33", "m33")],
+            Decode::Light => &[("E", "E"), ("B", "B"), ("zero", "zero"), ("sphere", "sphere")],
             Decode::LossBias => &[("E", "1 - loss"), ("B", "E * (bias + (1 - mu)^5)"), ("A", "E - B")],
         }
     }

@@ -20,6 +20,10 @@ fn loss_bias(texel: vec2f, mu: f32) -> vec3f {
     return vec3f(e, e - b, b);
 }
 
+fn whole(texel: vec4f) -> vec4f {
+    return texel;
+}
+
 // A cubic in t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1]; t = 0 at anisotropy 0.
 fn azimuth_cubic(texel: vec4f, anisotropy: f32, cos2_phi: f32) -> f32 {
     let q = 1.0 - 0.9 * anisotropy;

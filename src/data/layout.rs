@@ -23,6 +23,8 @@ pub enum Layout {
     /// With a third axis, of anisotropic lobes only: the azimuth of the view is a coordinate, where
     /// the other layouts hold the mean over it.
     Azimuth,
+    /// Over roughness and mu, sqrt(1 - mu), end points: a pair of tables of linearly transformed cosines.
+    AreaLights,
 }
 
 impl Layout {
@@ -35,13 +37,14 @@ impl Layout {
             Layout::Optimised => "optimised",
             Layout::PathTracer => "path-tracer",
             Layout::Azimuth => "azimuth",
+            Layout::AreaLights => "area-lights",
         }
     }
 
     /// Axes of a table.
     pub fn axes(self) -> usize {
         match self {
-            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => 2,
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::AreaLights => 2,
             Layout::Optimised | Layout::PathTracer | Layout::Azimuth => 3,
         }
     }

@@ -2,7 +2,6 @@
 //! else's code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a
 //! [`Cost`].
 
-mod alpha_map;
 mod approximation;
 mod axis;
 mod certificate;
@@ -10,13 +9,11 @@ mod container;
 mod decode;
 mod layout;
 mod lookup;
-mod mips;
 mod pick;
 mod shader;
 mod table;
 mod vendor;
 
-pub use alpha_map::AlphaMap;
 pub use approximation::{Approximation, Cost, Form, Formula, Source};
 pub use axis::{Axis, Registration, Surface, Warp};
 pub use certificate::{Certificate, Half, HalfError, HalfRefusal, Place, nine_digits, shortest};
@@ -24,10 +21,9 @@ pub use container::Container;
 pub use decode::{Decode, Values};
 pub use layout::{Layout, Serves};
 pub use lobefit_fit::Norm;
-pub use lobefit_truth::optics::Smith;
+pub use lobefit_truth::optics::{AlphaMap, LOG_FROM, LOG_SCALE, MipChain, MipMap, Smith};
 pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
-pub use mips::{LOG_FROM, LOG_SCALE, MipChain, MipMap};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
 pub use shader::{Coordinate, Decoder, TableCode, lookup_features, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};

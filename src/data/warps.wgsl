@@ -10,6 +10,11 @@ fn root(x: f32) -> f32 {
     return sqrt(x);
 }
 
+/// u = sqrt(1 - x): the axis of linearly transformed cosines.
+fn grazing(x: f32) -> f32 {
+    return sqrt(max(1.0 - x, 0.0));
+}
+
 /// u = x^2: the path tracer's axis of anisotropy.
 fn square(x: f32) -> f32 {
     return x * x;

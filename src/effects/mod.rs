@@ -20,6 +20,7 @@ mod error;
 pub mod explore;
 pub mod glass;
 pub mod grid;
+pub mod ltc;
 mod made;
 mod notes;
 pub mod occlusion;
@@ -56,6 +57,7 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &clearcoat::Clearcoat,
         &eon::Eon,
         &sheen::Sheen,
+        &ltc::Ltc,
         &parallax::Parallax,
         &occlusion::Occlusion,
     ]

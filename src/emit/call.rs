@@ -102,7 +102,7 @@ pub const TIMES: &str = "f*N";
 
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.
-const VALUES: [&str; 4] = ["escape", "e_avg", "e", "e_v"];
+const VALUES: [&str; 5] = ["escape", "e_avg", "e", "e_v", "matrix"];
 
 /// What a function does with another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

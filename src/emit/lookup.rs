@@ -47,7 +47,7 @@ impl Readable<'_> {
         let code = self.code()?;
         let parts = [
             (&code.coordinates, header::coordinates_line(self.table, &self.names.stem)),
-            (&code.decoding, header::decoding_line(self.table, self.meaning())),
+            (&code.decoding, header::decoding_line(self.table, self.decode.meaning())),
         ];
         let [coordinates, decoding] = parts.map(|(name, line)| code.source().print(language, name, &[line]));
         Ok(format!("{}\n{}", coordinates?, decoding?))
@@ -77,11 +77,6 @@ impl Readable<'_> {
         Ok(self.code()?.inputs)
     }
 
-    /// What the lookup returns, in words.
-    fn meaning(&self) -> &'static str {
-        if self.decode.count() == 1 { "E" } else { "E, A and B" }
-    }
-
     fn code(&self) -> Result<TableCode, CodeError> {
         let width = (self.arguments, self.table.alpha_map);
         Ok(TableCode::new(&self.names.stem, &self.table.axes, self.decode, width)?)
@@ -96,7 +91,7 @@ impl Readable<'_> {
             sizes: self.table.axes.iter().map(|axis| axis.size).collect(),
             channels: self.decode.channels(),
             values: self.decode.count(),
-            meaning: self.meaning(),
+            meaning: self.decode.meaning(),
             arguments: code.inputs,
             coordinates: code.located_by,
             decoding: code.decoded_by,

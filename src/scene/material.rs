@@ -225,7 +225,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "kind": { "enum": ["metal", "dielectric"] },
                 "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
                 "wants": { "properties": { "tables": { "items": { "properties": {
-                    "layout": { "enum": ["homogeneous", "plain", "plain-squared"] },
+                    "layout": { "enum": ["homogeneous", "plain", "plain-squared", "area-lights"] },
                     "size": { "maxItems": 2 },
                 } } } } },
             } },

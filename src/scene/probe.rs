@@ -102,7 +102,7 @@ struct ProbeFile {
     rho: Maybe<Span<Ratio, true>>,
     /// Its chain of levels, for functions of the level; default none.
     #[serde(default)]
-    mips: Maybe<MipChain>,
+    mips: Maybe<Mips>,
     /// Most operations that an emitted fit may take; default: any number. Where that leaves no fit,
     /// `lookups` cannot be made, and the bake fails.
     #[serde(default)]
@@ -220,7 +220,10 @@ struct MipsFile {
     levels: Maybe<List<In<Unit>, { limits::LEVELS_MAX }>>,
 }
 
-impl TryFrom<MipsFile> for MipChain {
+/// The chain of a file.
+struct Mips(MipChain);
+
+impl TryFrom<MipsFile> for Mips {
     type Error = String;
 
     fn try_from(file: MipsFile) -> Result<Self, String> {
@@ -232,7 +235,7 @@ impl TryFrom<MipsFile> for MipChain {
                         "a logarithmic chain has roughness 1 in its last level but one; give 3 or more",
                     ));
                 }
-                Ok(MipChain::Mapped { map: map.0, count: count.0 })
+                Ok(Mips(MipChain::Mapped { map: map.0, count: count.0 }))
             }
             (None, None, Some(List(levels))) => {
                 let levels: Vec<f64> = levels.into_iter().map(|level| level.0).collect();
@@ -245,7 +248,7 @@ impl TryFrom<MipsFile> for MipChain {
                     let message = format!("{high} does not follow {low} by {NARROWEST_STEP} or more");
                     return Err(about(format!("levels[{}]", i + 1), message));
                 }
-                Ok(MipChain::Given(levels))
+                Ok(Mips(MipChain::Given(levels)))
             }
             _ => Err("give `map` with `count`, or `levels` alone".into()),
         }
@@ -271,13 +274,13 @@ impl TryFrom<ProbeFile> for Probe {
             kernel_file,
             roughness: file.roughness.0.map_or(ROUGHNESS, |s| s.0),
             rho: file.rho.0.map_or(RHO, |s| s.0),
-            mips: file.mips.0,
+            mips: file.mips.0.map(|mips| mips.0),
             goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
             lookups: lookups(file.lookups.0)?,
         })
     }
 }
 
-from_file!(MipChain, MipsFile);
+from_file!(Mips, MipsFile);
 from_file!(ProbeLookup, LookupFile);
 from_file!(Probe, ProbeFile);

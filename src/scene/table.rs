@@ -21,7 +21,7 @@ fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
     match (layout, serves) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Some(3e-3),
-        (Layout::Optimised | Layout::Azimuth | Layout::PathTracer, _) => None,
+        (Layout::Optimised | Layout::Azimuth | Layout::PathTracer | Layout::AreaLights, _) => None,
     }
 }
 
@@ -31,6 +31,7 @@ fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
     match (layout, lobe) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, _) => None,
         (Layout::Azimuth, _) => Some(vec![64, 16, 16]),
+        (Layout::AreaLights, _) => Some(vec![64, 64]),
         (Layout::Optimised | Layout::PathTracer, Lobe::Glass) => Some(vec![128, 128, 32]),
         (Layout::Optimised | Layout::PathTracer, Lobe::Isotropic | Lobe::Anisotropic) => {
             Some(vec![64, 64, 32])
@@ -111,7 +112,7 @@ pub(super) struct OpenTable {
 #[schemars(rename = "Table", extend("anyOf" = [
     {
         "properties": {
-            "layout": { "enum": ["homogeneous", "plain", "plain-squared"] },
+            "layout": { "enum": ["homogeneous", "plain", "plain-squared", "area-lights"] },
             "size": { "maxItems": 2 },
         },
     },
@@ -126,10 +127,11 @@ pub(super) struct OpenTable {
 #[serde(deny_unknown_fields, default, expecting = "an object that describes a table")]
 struct TableFile {
     /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic
-    /// materials), `plain`, `plain-squared`. With a third axis, of anisotropic materials and of
-    /// glass: `optimised` (their default), `path-tracer`, which takes separable Smith and
-    /// alpha = roughness whatever the scene says, has its own size and takes no `max_error`, and
-    /// `azimuth`, which is for anisotropic materials.
+    /// materials), `plain`, `plain-squared`; `area-lights`, over roughness in [0, 1] and sqrt(1 -
+    /// mu), for a pair of tables of a linearly transformed cosine, by which polygons light the lobe. With
+    /// a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`,
+    /// which takes separable Smith and alpha = roughness whatever the scene says, has its own size and
+    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
@@ -207,7 +209,7 @@ impl OpenTable {
             return Err(about("n_dot_v", "a range of one value; give [lo, hi] with lo below hi"));
         }
         let serves = self.serves.unwrap_or_default();
-        if layout.axes() > 2 && serves != Serves::Albedo {
+        if (layout.axes() > 2 || layout == Layout::AreaLights) && serves != Serves::Albedo {
             let message = format!(
                 "the {} layout serves the albedo; for `split-sum` give `homogeneous`, `plain` or `plain-squared`",
                 layout.name()
@@ -237,10 +239,13 @@ fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
         (Lobe::Glass, Layout::Azimuth) => {
             Err(format!("`{name}` is for anisotropic materials; of glass give `optimised` or `path-tracer`"))
         }
-        (Lobe::Glass, Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
+        (Lobe::Glass, Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::AreaLights) => {
             Err(format!("`{name}` is of lobes that only reflect; of glass give `optimised` or `path-tracer`"))
         }
-        (Lobe::Isotropic, Layout::Homogeneous | Layout::Plain | Layout::PlainSquared)
+        (
+            Lobe::Isotropic,
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::AreaLights,
+        )
         | (Lobe::Glass, Layout::Optimised | Layout::PathTracer)
         | (Lobe::Anisotropic, _) => Ok(()),
     }
@@ -249,6 +254,11 @@ fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
 /// Holds a size to its number of axes and to the limits.
 fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
     let (axes, name) = (layout.axes(), layout.name());
+    if let (Layout::AreaLights, &[columns, rows]) = (layout, size)
+        && columns != rows
+    {
+        return Err(about("size", "engines read square tables of area lights"));
+    }
     if size.len() != axes {
         let numbers = if size.len() == 1 { "1 number".into() } else { format!("{} numbers", size.len()) };
         return Err(about("size", format!("{numbers} where the {name} layout has {axes} axes")));

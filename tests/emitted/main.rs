@@ -32,6 +32,7 @@ mod lookup_heads;
 mod lookup_hit;
 mod lookup_pictures;
 mod lookups;
+mod ltc;
 mod multiscatter;
 mod parallax;
 mod sliced;

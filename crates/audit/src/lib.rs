@@ -7,6 +7,7 @@
 //! | [`audit`] | the conventions that a table may follow, the best of them, and what is wrong under it |
 //! | [`cost`] | what a function costs in compiled instructions, beside our formulas |
 //! | [`furnace`] | a whole BRDF function in a white furnace, and for reciprocity |
+//! | [`ltc`] | tables of linearly transformed cosines |
 //! | [`report`] | the figures of an audit and their page |
 //! | [`run`] | the verbs `audit` and `furnace` |
 //!
@@ -18,6 +19,7 @@ mod cli;
 pub mod cost;
 pub mod foreign;
 pub mod furnace;
+pub mod ltc;
 pub mod report;
 
 pub use cli::run;

@@ -8,7 +8,6 @@
 //!
 //! With the azimuth, `homogeneous` takes the alpha towards the view.
 
-mod azimuth;
 mod path_tracer;
 mod points;
 mod table;
@@ -27,10 +26,10 @@ use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
-pub use azimuth::Azimuth;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo;
+pub use lobefit_truth::optics::azimuth::Azimuth;
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use points::judged;
 pub use table::{aniso_axes, azimuth_axes, path_tracer};
@@ -62,7 +61,7 @@ impl Family for Anisotropy {
         match layout {
             Layout::Azimuth => "ggx-aniso-azimuth",
             Layout::PathTracer => "path-tracer-reflection",
-            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => "ggx-aniso",
+            _ => "ggx-aniso",
         }
     }
 
@@ -70,9 +69,7 @@ impl Family for Anisotropy {
         match layout {
             Layout::Azimuth => "ggx_aniso_azimuth_albedo",
             Layout::PathTracer => "path_tracer_reflection_albedo",
-            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => {
-                "ggx_aniso_albedo"
-            }
+            _ => "ggx_aniso_albedo",
         }
     }
 
@@ -86,9 +83,7 @@ impl Family for Anisotropy {
         let (texel, truth) = match jobs[i].layout {
             Layout::PathTracer => (SAMPLED_S, TRUTH_S),
             Layout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
-            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => {
-                (OPTIMISED_S, TRUTH_S)
-            }
+            _ => (OPTIMISED_S, TRUTH_S),
         };
         jobs[i].texels() as f64 * texel + truth
     }

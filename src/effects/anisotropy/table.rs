@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use super::Azimuth;
 use super::QUANTITY;
-use super::azimuth::Azimuth;
 use super::path_tracer::{FLOOR, axes, grid};
 use super::truth::{View, energies};
 use crate::data::{Axis, Channel, Layout, Smith, Surface, Table, Warp};
@@ -59,7 +59,7 @@ pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
         Layout::Optimised => optimised(spec),
         Layout::PathTracer => sampled(spec),
         Layout::Azimuth => with_azimuth(spec),
-        Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => Err(spec.no_layout()),
+        _ => Err(spec.no_layout()),
     }
 }
 

@@ -48,7 +48,7 @@ pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     match spec.layout {
         Layout::Optimised => optimised(spec),
         Layout::PathTracer => sampled(spec),
-        Layout::Azimuth | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => Err(spec.no_layout()),
+        _ => Err(spec.no_layout()),
     }
 }
 

@@ -1,7 +1,6 @@
 //! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities
 //! `ggx-reflection` and `ggx-average`.
 
-mod accuracy;
 pub mod bake;
 mod catalogue;
 mod demand;
@@ -18,10 +17,10 @@ use crate::approximate::Entry;
 use crate::approximate::target::Target;
 use crate::data::Use;
 use crate::scene::{Material, Scene};
-pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS, entries};
 pub use demand::{CERTIFIED, FitJob, JUDGED, NORMALISATION, REACHED};
 pub use fits::{FitSpec, fit_all};
+pub use lobefit_truth::integrate::accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{Dfg, build, sampled};
 

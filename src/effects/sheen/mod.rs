@@ -11,7 +11,7 @@ use super::who::{about, reasons, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, Fit};
-use crate::data::Use;
+use crate::data::{Layout, Use};
 use crate::scene::{Material, Scene, TableWant};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
 use lobefit_shade::Source;
@@ -74,7 +74,8 @@ fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
     let mut all: Vec<(TableWant, String)> = Vec::new();
     for (i, material) in scene.materials.iter().enumerate() {
         let sheen = material.sheen.as_ref().filter(|sheen| sheen.rough_range(scene.alpha).is_some());
-        for (j, table) in sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate()) {
+        let own = sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
+        for (j, table) in own.filter(|(_, table)| table.layout != Layout::AreaLights) {
             let by = format!("{} (materials[{i}].sheen.tables[{j}].max_error)", material.name);
             let stricter = |known: &TableWant| {
                 table.max_error.is_some_and(|e| known.max_error.is_none_or(|known| e < known))

@@ -64,7 +64,7 @@ pub fn build(quantity: &str, spec: &Spec, rounds: usize, truth: &Truth) -> Resul
         Layout::Homogeneous => (Registration::Endpoint, Warp::Homogeneous, spec.region.roughness),
         Layout::Plain => (Registration::Centre, Warp::Linear, [0.0, 1.0]),
         Layout::PlainSquared => (Registration::Centre, Warp::Sqrt, [0.0, 1.0]),
-        Layout::Optimised | Layout::PathTracer | Layout::Azimuth => return Err(spec.no_layout()),
+        _ => return Err(spec.no_layout()),
     };
     let [columns, rows] = spec.sizes()?;
     let axes =

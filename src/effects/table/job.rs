@@ -84,7 +84,8 @@ pub fn demands<F: Sliced>(family: &F, scene: &Scene) -> Vec<Demand> {
 
 /// The tables of so many axes that a material wants, with their places in its list.
 pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, &TableWant)> {
-    material.wants.tables.iter().enumerate().filter(move |(_, want)| want.layout.axes() == axes)
+    let tables = material.wants.tables.iter().enumerate();
+    tables.filter(move |(_, want)| want.layout.axes() == axes && want.layout != Layout::AreaLights)
 }
 
 /// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout
@@ -92,9 +93,7 @@ pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, 
 fn conventions(scene: &Scene, layout: Layout) -> (Smith, AlphaMap) {
     match layout {
         Layout::PathTracer => (Smith::Separable, AlphaMap::Roughness),
-        Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::Azimuth => {
-            (scene.smith, scene.alpha)
-        }
+        _ => (scene.smith, scene.alpha),
     }
 }
 

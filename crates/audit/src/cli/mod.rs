@@ -2,6 +2,7 @@
 
 mod furnace;
 mod judged;
+mod ltc;
 mod origin;
 mod refusal;
 mod sidecar;
@@ -45,6 +46,7 @@ Examples:
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx --isa   and what does it cost, beside our formulas?
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
+  lobefit audit ltc_1.dds --as ltc --scales ltc_2.dds --limit 0.1   area lights: a pair of tables of a linearly transformed cosine
   lobefit audit tables/ggx-dfg-correlated-32x32.exr     a table of this tool says itself what it stands for
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
@@ -183,6 +185,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     if arguments.get(1).is_some_and(|word| word == "furnace") {
         arguments.remove(1);
         return furnace::run(arguments);
+    }
+    if ltc::is_meant(&arguments) {
+        return ltc::run(arguments);
     }
     declared::verb(arguments, verb)
 }

@@ -9,4 +9,5 @@ mod audit;
 mod cost;
 mod furnace;
 mod hostile;
+mod ltc;
 mod shaders;

@@ -37,7 +37,7 @@ fn coordinate(axis: &Axis) -> f64 {
         Warp::HomogeneousAzimuth => 8.0 + 0.5 * (8.0 + 0.5 * 3.0 / 0.01),
         Warp::HomogeneousIor => 8.0 + 0.5 * 8.0,
         Warp::Ior | Warp::Aspect => 3.0 * 8.0,
-        Warp::Linear | Warp::Sqrt | Warp::Homogeneous | Warp::Square => 8.0,
+        Warp::Linear | Warp::Sqrt | Warp::Homogeneous | Warp::Square | Warp::Grazing => 8.0,
     };
     units * ULP * axis.size as f64
 }
@@ -68,6 +68,7 @@ fn allowed(solid: &Solid, changes: [f64; 4], texel: [f32; 4], point: &Point) -> 
         Decode::AzimuthCubic => [azimuth_bound(texel, point, &logarithms(point, changes)), 0.0, 0.0],
         Decode::SplitSum => [first + second, first, second],
         Decode::LossBias => [first, 3.0 * first + second, 2.0 * first + second],
+        Decode::Transform | Decode::Light => panic!("no table of three axes"),
     };
     of.map(|x| x + ARITHMETIC)
 }
@@ -92,6 +93,7 @@ fn reference(solid: &Solid, lookup: &Lookup, point: &Point) -> [f64; 3] {
             let b = e * (texel[1] + x * x * (x * x) * x);
             [e, e - b, b]
         }
+        Decode::Transform | Decode::Light => panic!("no table of three axes"),
     };
     values.map(f64::from)
 }

@@ -1,5 +1,6 @@
 //! A quantity at a point, integrated to a value with an error bound.
 
+pub mod accuracy;
 pub mod aniso;
 pub mod brdf;
 mod error;

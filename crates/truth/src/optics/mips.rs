@@ -1,12 +1,12 @@
 //! How the levels of a prefiltered chain hold roughness.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use lobefit_math::ops;
 
 /// A published map of roughness r in [0, 1] to a level, of chains whose last level is `count - 1`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum MipMap {
     /// r (count - 1).
     #[serde(rename = "linear")]

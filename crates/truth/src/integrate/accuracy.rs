@@ -8,12 +8,11 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::data::Smith;
+use crate::integrate::monte_carlo::{self, Draw, Points, Run};
+use crate::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
+use crate::integrate::{IntegrateError, PanelRule};
+use crate::optics::{Smith, ggx};
 use lobefit_math::lanes::{self, F8, LANES};
-use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run};
-use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
-use lobefit_truth::integrate::{IntegrateError, PanelRule};
-use lobefit_truth::optics::ggx;
 
 /// Error against evaluations at one point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,12 +1,10 @@
 //! The roughness map, without which a GGX figure means nothing.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How the artist's roughness becomes the GGX width alpha.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum AlphaMap {
     /// alpha = roughness.
     #[serde(rename = "roughness")]

@@ -1,0 +1,62 @@
+//! `lobefit audit --as ltc`: tables of linearly transformed cosines that the test makes.
+
+use crate::common;
+
+use common::{lobefit, stderr};
+use lobefit_ltc::{Lobe, Pair};
+use lobefit_truth::optics::Smith;
+use serde_json::Value;
+
+const SIDE: usize = 8;
+
+/// The texels as raw f32.
+fn raw(texels: &[[f64; 4]]) -> Vec<u8> {
+    texels.iter().flatten().flat_map(|x| (*x as f32).to_le_bytes()).collect()
+}
+
+#[test]
+fn a_pair_is_measured_and_one_that_is_off_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let pair = Pair::fitted(Lobe::Ggx(Smith::Correlated), SIDE, |roughness| roughness * roughness).unwrap();
+    write("matrices.raw", &raw(&pair.matrices));
+    write("scales.raw", &raw(&pair.amplitudes));
+    // The two rows of a matrix exchanged, as by who reads it transposed.
+    let turned: Vec<[f64; 4]> = pair.matrices.iter().map(|[a, b, c, d]| [*a, *c, *b, *d]).collect();
+    write("turned.raw", &raw(&turned));
+    let run = |file: &str, more: &[&str]| {
+        let all = ["audit", file, "--as", "ltc", "--size", "8x8", "--channels", "4", "--raw-format", "f32"];
+        let domain = ["--domain", "roughness=0.4..1,mu=0.2..1"];
+        lobefit(folder.path(), &[&all[..], &domain, more].concat(), b"")
+    };
+    let passed = run("matrices.raw", &["--scales", "scales.raw", "--limit", "0.15"]);
+    assert_eq!(passed.status.code(), Some(0), "{}", stderr(&passed));
+    let text = String::from_utf8(passed.stdout).unwrap();
+    assert!(text.starts_with("PASS with --limit 0.15: matrices.raw:"), "{text}");
+    assert!(text.contains("GGX, correlated Smith") && text.contains("worst at roughness"), "{text}");
+    assert!(text.contains("  E: 0.0"), "{text}");
+    let failed = run("turned.raw", &["--limit", "0.15", "--json"]);
+    assert_eq!(failed.status.code(), Some(1), "{}", stderr(&failed));
+    let found: Value = serde_json::from_slice(&failed.stdout).unwrap();
+    assert_eq!((&found["grade"], found["errors"].as_array().unwrap().len()), (&"FAIL".into(), 2));
+    assert!(found["errors"][0]["max"].as_f64().unwrap() > 0.3, "{found}");
+    let sheen = lobefit(
+        folder.path(),
+        &[
+            "audit",
+            "matrices.raw",
+            "--as=ltc:sheen",
+            "--size",
+            "8x8",
+            "--channels",
+            "3",
+            "--raw-format",
+            "f32",
+        ],
+        b"",
+    );
+    assert_eq!(sheen.status.code(), Some(2), "three channels are no matrix");
+    assert!(stderr(&sheen).contains("channels"), "{}", stderr(&sheen));
+    let unknown = run("matrices.raw", &["--as", "ltc:beckmann"]);
+    assert_eq!(unknown.status.code(), Some(2), "{}", stderr(&unknown));
+}

@@ -1,0 +1,230 @@
+//! How far a pair of tables is from its lobe.
+
+use crate::LtcError;
+use crate::fit::misplaced;
+use crate::lobe::{Lobe, View};
+use crate::matrix::Matrix;
+use crate::pair::Pair;
+use crate::polygon::{cosine_share, proxy_share, vector_share};
+use crate::quad::{QUAD, Quad};
+use crate::square::{PER_PLACE, squares};
+use lobefit_math::vector::{Vec3, dot, plus, scaled};
+use rayon::prelude::*;
+
+/// What a pair is measured against, and where.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The lobe.
+    pub lobe: Lobe,
+    /// Range of roughness.
+    pub roughness: [f64; 2],
+    /// Range of mu.
+    pub mu: [f64; 2],
+    /// About as many places along both axes, at least 2.
+    pub places: usize,
+}
+
+/// Errors over places.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Deviation {
+    /// The largest.
+    pub max: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+    /// The mean, with its sign.
+    pub mean: f64,
+    /// Roughness and mu of the largest.
+    pub at: [f64; 2],
+}
+
+/// What was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Share of the lobe's light that a square's is off by, at the places: the shape alone.
+    pub shape: Deviation,
+    /// The same with weights of the lookup of 8 fractional bits.
+    pub shape_8_bit: Deviation,
+    /// Errors of the truths of squares.
+    pub integration: Deviation,
+    /// Share of the light that comes from elsewhere: the bound for lights of any shape.
+    pub misplaced: Deviation,
+    /// E.
+    pub amplitude: Deviation,
+    /// E, by coarse weights.
+    pub amplitude_8_bit: Deviation,
+    /// B.
+    pub bias: Deviation,
+    /// A square's light by the emitted function in f32, from that of the closed form.
+    pub code: Deviation,
+    /// A square's light with the horizon by the formula of shaders that do not clip, from the same.
+    pub horizon: Deviation,
+    /// Largest shape error of a square at each place, roughness fastest.
+    pub map: Vec<f64>,
+    /// Roughness along the map's columns, mu along its rows.
+    pub axes: [Vec<f64>; 2],
+    /// Squares that were looked at.
+    pub squares: usize,
+}
+
+/// Errors at a place.
+#[derive(Default)]
+struct Place {
+    at: [f64; 2],
+    shape: Vec<f64>,
+    shape_8_bit: Vec<f64>,
+    code: Vec<f64>,
+    horizon: Vec<f64>,
+    integration: Vec<f64>,
+    misplaced: Vec<f64>,
+}
+
+impl Place {
+    /// The errors of squares of a view by a texel of matrices and by one of coarse weights.
+    fn over_squares(&mut self, view: &View, [texel, coarse]: [[f64; 4]; 2], quad: &Quad) {
+        let matrix = Matrix::of_texel(texel);
+        self.misplaced.push(misplaced(view, matrix));
+        for square in squares(view) {
+            let (truth, corners) = (square.share(view), square.corners());
+            let taken = corners.map(|corner| matrix.taken(corner));
+            let share = cosine_share(&taken);
+            self.shape.push(share - truth.value);
+            self.shape_8_bit.push(Matrix::of_texel(coarse).share(&corners) - truth.value);
+            self.integration.push(truth.error);
+            self.code.push(quad.share(texel, &corners) - share);
+            self.horizon.push(proxy_share(towards(&taken)) - share);
+        }
+    }
+}
+
+/// The vector form factor of a polygon, towards it whichever way round its corners go.
+fn towards(corners: &[Vec3; 4]) -> Vec3 {
+    let (vector, middle) = (vector_share(corners), corners.iter().fold([0.0; 3], |sum, c| plus(sum, *c)));
+    if dot(vector, middle) < 0.0 { scaled(vector, -1.0) } else { vector }
+}
+
+impl Setting {
+    /// The ranges along the two coordinates of a table.
+    fn ranges(&self) -> [[f64; 2]; 2] {
+        [self.roughness, [self.mu[1], self.mu[0]].map(|mu| (1.0 - mu).max(0.0).sqrt())]
+    }
+
+    /// mu of a coordinate.
+    fn mu(&self, coordinate: f64) -> f64 {
+        (1.0 - coordinate * coordinate).clamp(self.mu[0], self.mu[1])
+    }
+
+    /// Roughness along columns, mu along rows: by turns a texel's place and the middle of two, and the
+    /// ends.
+    fn axes(&self, side: usize) -> [Vec<f64>; 2] {
+        let last = (side - 1) as f64;
+        let [roughness, root] = self.ranges().map(|[low, high]| {
+            let place = |i: usize| {
+                let at = (low + (high - low) * i as f64 / (self.places - 1) as f64) * last;
+                let at = if i.is_multiple_of(2) { at.round() } else { at.floor() + 0.5 };
+                (at / last).clamp(low, high)
+            };
+            let mut all: Vec<f64> = (0..self.places).map(place).chain([low, high]).collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+            all
+        });
+        [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
+    }
+
+    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges.
+    fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
+        let last = 3 * (side - 1);
+        let [roughness, root] = self.ranges().map(|[low, high]| {
+            let all = (0..=last).map(|i| i as f64 / last as f64);
+            all.filter(move |at| (low..=high).contains(at)).collect::<Vec<f64>>()
+        });
+        root.into_iter().flat_map(|v| roughness.iter().map(move |r| [*r, self.mu(v)])).collect()
+    }
+}
+
+/// What the lobe's albedo is off by: E, by coarse weights, and B.
+fn scales(
+    pair: &Pair,
+    setting: &Setting,
+    alpha: &(impl Fn(f64) -> f64 + Sync),
+) -> Result<[Deviation; 3], LtcError> {
+    let (lobe, places) = (setting.lobe, setting.everywhere(pair.side));
+    let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
+    let mut found = [const { Vec::new() }; 3];
+    for (&at, [e, b]) in places.iter().zip(lobe.albedo(&widths)?) {
+        let [[_, [own_e, own_b, ..]], [_, [coarse, ..]]] =
+            [false, true].map(|coarse| pair.at(at[0], at[1], coarse));
+        for (what, value) in [("E", own_e), ("B", own_b)] {
+            if !value.is_finite() {
+                return Err(LtcError::NotFinite { what, value, roughness: at[0], mu: at[1] });
+            }
+        }
+        for (list, error) in found.iter_mut().zip([own_e - e, coarse - e, own_b - b]) {
+            list.push((at, error));
+        }
+    }
+    Ok(found.map(|errors| Deviation::of(errors.into_iter())))
+}
+
+/// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
+/// between them, E and B at all texels and at
+/// thirds between them. `alpha` is that of a roughness.
+///
+/// # Errors
+/// A truth that cannot be integrated; a table with values that are no numbers.
+pub fn measured(
+    pair: &Pair,
+    setting: &Setting,
+    alpha: impl Fn(f64) -> f64 + Sync,
+) -> Result<Measured, LtcError> {
+    let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
+    let [amplitude, amplitude_8_bit, bias] = scales(pair, setting, &alpha)?;
+    let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
+    let one = |&[roughness, mu]: &[f64; 2]| -> Result<Place, LtcError> {
+        let texels = [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse)[0]);
+        let mut place = Place { at: [roughness, mu], ..Place::default() };
+        place.over_squares(&View::new(lobe, lobe.within(alpha(roughness)), mu)?, texels, &quad);
+        let sum = |errors: &[f64]| errors.iter().sum::<f64>();
+        let named =
+            [("the shape error", sum(&place.shape) + sum(&place.shape_8_bit)), (QUAD, sum(&place.code))];
+        match named.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((what, value)) => Err(LtcError::NotFinite { what, value, roughness, mu }),
+            None => Ok(place),
+        }
+    };
+    let all: Vec<Place> = places.par_iter().map(one).collect::<Result<_, _>>()?;
+    let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
+    let over = |errors: fn(&Place) -> &Vec<f64>| {
+        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error))))
+    };
+    Ok(Measured {
+        shape: over(|place| &place.shape),
+        shape_8_bit: over(|place| &place.shape_8_bit),
+        integration: over(|place| &place.integration),
+        misplaced: over(|place| &place.misplaced),
+        amplitude,
+        amplitude_8_bit,
+        bias,
+        code: over(|place| &place.code),
+        horizon: over(|place| &place.horizon),
+        map: all.iter().map(|place| largest(&place.shape)).collect(),
+        axes,
+        squares: all.len() * PER_PLACE,
+    })
+}
+
+impl Deviation {
+    fn of(errors: impl Iterator<Item = ([f64; 2], f64)>) -> Deviation {
+        let (mut found, mut count, mut square) = (Deviation::default(), 0_u32, 0.0);
+        for (at, error) in errors {
+            count += 1;
+            square += error * error;
+            found.mean += error;
+            if error.abs() > found.max {
+                (found.max, found.at) = (error.abs(), at);
+            }
+        }
+        let count = f64::from(count.max(1));
+        Deviation { rms: (square / count).sqrt(), mean: found.mean / count, ..found }
+    }
+}

@@ -1,0 +1,137 @@
+//! The effect ltc: from the scene to tables and functions that light a lobe by a quadrilateral within
+//! the stated error, in every language, and nothing of them where a scene does not ask.
+
+use crate::emit_support;
+
+use std::sync::LazyLock;
+
+use emit_support::example::{baked, compiled, text};
+use lobefit::bake::Baked;
+use lobefit::emit::manifest::Manifest;
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use lobefit_ltc::{Lobe, View, squares};
+use lobefit_shade::Source;
+use lobefit_shade::code::Language;
+use lobefit_truth::optics::Smith;
+
+/// Small tables, with the ends of the range at texels.
+const SCENE: &str = r#"{ "schema_version": 1, "name": "lit", "formats": ["raw"], "materials": [
+    { "name": "steel", "kind": "metal", "f0": 0.5, "roughness": [0.5, 1],
+      "wants": { "tables": [{ "layout": "area-lights", "size": [9, 9], "format": "f32", "n_dot_v": [0.1, 1] }] } },
+    { "name": "velvet", "kind": "dielectric", "f0": 0.04, "roughness": 0, "sheen": { "roughness": [0.5, 1], "max_ops": 8,
+      "tables": [{ "layout": "area-lights", "size": [9, 9], "n_dot_v": [0.1, 1] }] } }] }"#;
+
+static LIT: LazyLock<Baked> = LazyLock::new(|| baked(SCENE));
+
+fn manifest() -> Manifest {
+    serde_json::from_slice(&LIT.files["manifest.json"]).expect("a manifest")
+}
+
+/// The texels of a table of f32.
+fn texels(name: &str) -> Vec<[f64; 4]> {
+    let numbers: Vec<f64> =
+        LIT.files[name].as_chunks().0.iter().map(|b| f64::from(f32::from_le_bytes(*b))).collect();
+    numbers.as_chunks().0.to_vec()
+}
+
+/// The emitted function, of a texel and of the corners of a square.
+fn quad() -> impl Fn([f64; 4], [[f64; 3]; 4]) -> f64 {
+    // Without the lookups, which fetch.
+    let text = text(&LIT, Language::Wgsl);
+    let functions = &text[text.find("/// The angle of two directions").expect("the first of them")..];
+    let source = Source::parse("lobefit.wgsl", functions).expect("it parses");
+    let tape = source.tape("ltc_quad", 0).expect("a function");
+    move |matrix, corners| {
+        let of = |input: &String| {
+            let (vector, part) = input.split_once('.').expect("a component");
+            let part = ["x", "y", "z", "w"].iter().position(|axis| *axis == part).expect("an axis");
+            match vector.strip_prefix('p') {
+                Some(corner) => corners[corner.parse::<usize>().expect("a corner")][part] as f32,
+                None => matrix[part] as f32,
+            }
+        };
+        f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+    }
+}
+
+#[test]
+fn a_square_lights_the_lobe_within_the_stated_error() {
+    let (name, side) = ("ggx-ltc-correlated-9x9-f32", 9);
+    let entry = |name: &str| {
+        manifest().entries.tables.into_iter().find(|table| table.name == name).expect("an entry")
+    };
+    let (entry, light) = (entry(name), entry(&format!("{name}-light")));
+    let (stated, of_e) = (entry.error.lookup.max, light.error.lookup.max);
+    let (matrices, lights) = (texels(&entry.file), texels(&light.file));
+    let (quad, mut worst) = (quad(), 0.0_f64);
+    for (i, k) in [(4, 0), (4, 4), (6, 7), (8, 2), (8, 7)] {
+        let (roughness, v) = (f64::from(i) / 8.0, f64::from(k) / 8.0);
+        let view =
+            View::new(Lobe::Ggx(Smith::Correlated), roughness * roughness, 1.0 - v * v).expect("a view");
+        let at = (k * side + i) as usize;
+        let [e, b, zero, _] = lights[at];
+        assert!((e - view.albedo).abs() <= of_e && (0.0..0.5).contains(&b) && zero == 0.0, "{e} {b}");
+        for square in squares(&view) {
+            let off = (quad(matrices[at], square.corners()) - square.share(&view).value).abs();
+            assert!(off <= stated + 1e-3, "roughness {roughness}, mu {}: {off}, stated {stated}", view.mu);
+            worst = worst.max(off);
+        }
+    }
+    assert!(worst > 0.2 * stated, "{stated} is stated, {worst} found");
+    assert!(stated < 0.1 && of_e < 0.05, "{stated} {of_e}");
+}
+
+#[test]
+fn what_is_called_is_said() {
+    let (manifest, text) = (manifest(), text(&LIT, Language::Glsl));
+    for (function, of, layer) in
+        [("ggx_ltc_matrix", "steel", None), ("sheen_ltc_matrix", "velvet", Some("sheen"))]
+    {
+        let call = manifest.entries.calls.iter().find(|call| call.function == function).expect("a call");
+        assert_eq!((call.of.as_str(), call.layer.as_deref()), (of, layer));
+        assert_eq!(call.arguments, ["table", "roughness", "n_dot_v"]);
+        let around = call.around.first().expect("what takes it");
+        assert_eq!((around.function.as_str(), around.value.as_deref()), ("ltc_quad", Some("matrix")));
+        assert!(call.recommended && text.contains(&format!("vec4 {function}(")), "{text}");
+    }
+    assert!(
+        text.contains("of a light of any shape at most") && text.contains("In f32 it is off by"),
+        "{text}"
+    );
+    let page = String::from_utf8(LIT.files["reports/ltc.html"].clone()).expect("UTF-8");
+    assert!(page.contains("transformed cosine") && page.contains("the horizon by"));
+    let light = manifest.entries.tables.iter().find(|table| table.name == "sheen-ltc-9x9-light").expect("it");
+    assert_eq!(light.channels, ["E", "B", "zero", "sphere"]);
+    assert_eq!(light.axes[1].warp, "u = sqrt(1 - mu)");
+}
+
+#[test]
+fn compilers_take_the_files() {
+    compiled(&LIT);
+}
+
+#[test]
+fn a_limit_is_kept_or_the_bake_fails() {
+    let strict = SCENE.replacen(r#""n_dot_v": [0.1, 1]"#, r#""n_dot_v": [0.1, 1], "max_error": 0.001"#, 1);
+    let broken = baked(&strict.replacen('{', r#"{ "reports": false,"#, 1)).broken;
+    assert_eq!(broken.len(), 1, "{broken:?}");
+    assert!(
+        broken[0].contains("exceeds the max_error 0.001 of steel (materials[0].wants.tables[0].max_error)")
+    );
+    for (table, message) in [
+        (r#""layout": "area-lights", "size": [8, 9]"#, "square tables"),
+        (r#""layout": "area-lights", "serves": "split-sum""#, "area-lights layout serves the albedo"),
+    ] {
+        let json = format!(
+            r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 1, "roughness": 0.5,
+                "wants": {{"tables": [{{{table}}}]}}}}]}}"#
+        );
+        let refused = Scene::from_json(json.as_bytes(), "scene.json").expect_err("refused").to_string();
+        assert!(refused.contains(message), "{refused}");
+    }
+    let without = SCENE.replace("area-lights", "plain").replace("[9, 9]", "[8, 8]");
+    let scene = Scene::from_json(without.as_bytes(), "scene.json").expect("a scene");
+    let left = plan(&scene).left_out.into_iter().find(|left| left.effect == "ltc").expect("left out");
+    assert_eq!(left.reason, "no material wants tables in the `area-lights` layout");
+}
