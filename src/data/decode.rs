@@ -90,7 +90,9 @@ impl Decode {
     pub fn meaning(self) -> &'static str {
         match self {
             Decode::Transform => "The texel m11, m31, m13, m33 of M^-1",
-            Decode::Light => "E, B, 0 and the share of a sphere",
+            Decode::Light => {
+                "E, B, 0 and, at u = (cosine + 1)/2 and v = length of a vector form factor, the share of a sphere divided by that length"
+            }
             Decode::SplitSum | Decode::LossBias => "E, A and B",
             Decode::Albedo | Decode::Loss | Decode::AzimuthCubic => "E",
         }

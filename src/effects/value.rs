@@ -192,7 +192,7 @@ impl ValueFits<'_> {
         let is_shown = context.reports(made.part.by.name());
         let findings = || self.findings(made, context, (&region, &shown), (&fits, &dropped));
         let findings = is_shown.then(findings).transpose()?;
-        self.explored(made, (&fits, &region, &shown), context)?;
+        self.explored(made, job, (&fits, &region, &shown), context)?;
         made.fits_called(job, &fits, context.scene);
         if let Some((of, fit)) = around {
             let others =
@@ -303,13 +303,13 @@ impl ValueFits<'_> {
     fn explored(
         &self,
         made: &mut Made,
+        job: &Job,
         (fits, region, shown): (&[Fit], &Region, &[(&'static str, f64)]),
         context: &Context,
     ) -> Result<(), BakeError> {
-        let ranges = &made.part.finding.ranges;
         let mut places = vec![shown.to_vec()];
         if let [(input, usual)] = *shown {
-            let ends = ranges.get(input).into_iter().flatten().filter(|end| **end != usual);
+            let ends = job.ranges.get(input).into_iter().flatten().filter(|end| **end != usual);
             places.extend(ends.map(|end| vec![(input, *end)]));
         }
         let outputs = [self.column];

@@ -296,6 +296,12 @@ impl TryFrom<MaterialFile> for Material {
         if wants.widened.as_ref().is_some_and(|widened| widened.coat) && file.coat.0.is_none() {
             return Err(about("wants.widened.coat", "the material has no `coat`"));
         }
+        let thick = |coat: &Coat| !(1.05..=2.0).contains(&coat.ior[0]) || coat.ior[1] > 2.0;
+        if wants.widened.as_ref().is_some_and(|widened| widened.coat)
+            && file.coat.0.as_ref().is_some_and(thick)
+        {
+            return Err(about("wants.widened.coat", "it is of a coat with an `ior` of 1.05 to 2"));
+        }
         let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
         let (coat, base) = (file.coat.0, file.base.0);
         for (layer, is_there) in [("base", base.is_some()), ("coat", coat.is_some())] {

@@ -1,7 +1,6 @@
 //! What accuracy costs: seconds, measured on this machine, and records of other machines and of
 //! compilers. No part of a bake.
 
-pub mod correlation;
 pub mod costs;
 pub mod isa;
 pub mod priced;

@@ -100,7 +100,7 @@ const PLANTED: [(&str, Edit, &[&str], Values); 53] = [
     ("manifest.json", Word("\"certificate\"", "\"max_abs\": 0.002", "\"max_abs\": 0.001"), &["line ", "; a smaller error than is true, by "], Refuse),
     ("manifest.json", Word("\"coefficients\"", ": 0.", ": 1."), &["line ", "; a constant of a function, 1e0 off"], Refuse),
     ("manifest.json", Word("", "\"recommended\": true", "\"recommended\": false"), &["line ", "`      \"recommended\": false,`"], Refuse),
-    ("manifest.json", Word("\"recipe\": \"", "", "0"), &["line ", "`  \"recipe\": \"0"], Accept),
+    ("manifest.json", Word("\"recipe\": \"", "", "x"), &["line ", "`  \"recipe\": \"x"], Accept),
     ("manifest.json", Cut(-3), &["line ", "(end of file)"], Refuse),
     // Pages, their data and pictures, and the hundredth column of a line.
     ("reports/index.html", Word("<title>", "lobefit", "lobefot"), &["line 10: `<title>lobefot report"], Accept),

@@ -1,7 +1,7 @@
 //! Prices of kinds of work, and how well they put functions in order.
 
 use lobefit::data::Vendor;
-use lobefit::timing::correlation::Correlation;
+use lobefit_math::correlation::Correlation;
 use lobefit_shade::Source;
 
 #[test]

@@ -12,8 +12,8 @@ use lobefit::data::{Model, Vendor};
 use lobefit::emit::header::short;
 use lobefit::emit::include::Include;
 use lobefit::plan::plan;
-use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
+use lobefit_math::correlation::Correlation;
 use serde_json::Value;
 
 use crate::baked_support::shared;

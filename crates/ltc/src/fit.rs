@@ -143,7 +143,8 @@ pub fn misplaced(view: &View, matrix: Matrix) -> f64 {
         let light = matrix.given(cosine);
         let light = scaled(light, 1.0 / length(light));
         let (p, q) = (view.density(light), matrix.density(light));
-        weight * (1.0 - p / q).max(0.0)
+        // A matrix that sends no light there sends it all elsewhere.
+        if q > 0.0 { weight * (1.0 - p / q).max(0.0) } else { weight }
     };
     DISK.iter().map(lost).sum()
 }

@@ -131,12 +131,12 @@ impl Setting {
         [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
     }
 
-    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges.
+    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges, and the ends.
     fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
         let last = 3 * (side - 1);
         let [roughness, root] = self.ranges().map(|[low, high]| {
-            let all = (0..=last).map(|i| i as f64 / last as f64);
-            all.filter(move |at| (low..=high).contains(at)).collect::<Vec<f64>>()
+            let inside = (0..=last).map(|i| i as f64 / last as f64).filter(|at| low < *at && *at < high);
+            std::iter::once(low).chain(inside).chain([high]).collect::<Vec<f64>>()
         });
         root.into_iter().flat_map(|v| roughness.iter().map(move |r| [*r, self.mu(v)])).collect()
     }
@@ -167,16 +167,16 @@ fn scales(
 }
 
 /// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
-/// between them, E and B at all texels and at
-/// thirds between them. `alpha` is that of a roughness.
+/// between them, E and B at all texels and at thirds between them. `alpha` is that of a roughness.
 ///
 /// # Errors
-/// A truth that cannot be integrated; a table with values that are no numbers.
+/// A truth that cannot be integrated; a texel with a value that is no number.
 pub fn measured(
     pair: &Pair,
     setting: &Setting,
     alpha: impl Fn(f64) -> f64 + Sync,
 ) -> Result<Measured, LtcError> {
+    pair.check()?;
     let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
     let [amplitude, amplitude_8_bit, bias] = scales(pair, setting, &alpha)?;
     let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();

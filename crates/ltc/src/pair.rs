@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// Texels along both axes of the tables that engines ship.
 pub const SIDE: usize = 64;
 
-/// The tables: matrices, and E, B, 0 and the share of a sphere. Texel (i, k) is of roughness i/(n -
+/// The tables: matrices, and E, B, 0 and the share of a sphere divided by the length. Texel (i, k) is of roughness i/(n -
 /// 1) with alpha = roughness^2, and of mu = 1 - (k/(n - 1))^2; the sphere's, of the cosine 2 i/(n -
 /// 1) - 1 and the length k/(n - 1).
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +28,23 @@ fn node(i: usize, side: usize) -> f64 {
 }
 
 impl Pair {
+    /// Refuses values that are no numbers.
+    ///
+    /// # Errors
+    /// The first of them, with its place.
+    pub fn check(&self) -> Result<(), LtcError> {
+        let names = [["m11", "m31", "m13", "m33"], ["E", "B", "the third channel", "the share of a sphere"]];
+        for (texels, names) in [&self.matrices, &self.amplitudes].into_iter().zip(names) {
+            for (t, texel) in texels.iter().enumerate() {
+                let Some(k) = texel.iter().position(|value| !value.is_finite()) else { continue };
+                let (roughness, root) = (node(t % self.side, self.side), node(t / self.side, self.side));
+                let (what, value, mu) = (names[k], texel[k], 1.0 - root * root);
+                return Err(LtcError::NotFinite { what, value, roughness, mu });
+            }
+        }
+        Ok(())
+    }
+
     /// The tables of a lobe: E and B by texels that a lookup between them is best with, and the matrices
     /// for each roughness from the isotropic matrix of mu = 1 on to grazing,
     /// each search starts at its neighbour's matrix. `alpha` is that of a roughness.

@@ -1,7 +1,8 @@
 //! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points, the curve of sRGB,
-//! vectors in space, masks of sub-voxels and numbers as people read them.
+//! vectors in space, masks of sub-voxels, correlations and numbers as people read them.
 
 pub mod chebyshev;
+pub mod correlation;
 pub mod gauss;
 pub mod lanes;
 pub mod numbers;

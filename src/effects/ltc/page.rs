@@ -124,10 +124,10 @@ pub(super) fn page(origin: Origin, baked: &[Baked], alpha: impl Fn(f64) -> f64) 
                 "The lobe times the cosine in the plane of incidence, and the cosine that the matrix makes.",
             )?,
         ];
-        let lead = "The first four errors are of lookups of the stored texels, at texels and between them.";
+        let lead = "The first four errors are of lookups of the stored texels: of squares at places by turns at a texel and between two, of E and B at every texel and at thirds between them.";
         Ok(Section { id: table.clone(), title: table.clone(), lead: lead.into(), blocks })
     };
-    let lead = "A cosine that a matrix makes as long, as wide and as slanted as a lobe sends of a polygon what a closed form says. Whatever the \
+    let lead = "A matrix stretches and tilts a cosine until it resembles the lobe; what a polygon sends by it has a closed form. Whatever the \
                 matrix, it is not the lobe: the errors are what is left.";
     Ok(Page {
         title: "lobefit: area lights".into(),

@@ -6,7 +6,7 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::value::{self, IOR_WIDTH_MIN, ValueFits};
-use super::who::{about, reasons, rough, stay_smooth};
+use super::who::{about, anisotropy, reasons, rough, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
@@ -21,8 +21,10 @@ pub struct Width;
 /// Least index of refraction of a job: the truth is quick from there.
 const IOR_MIN: f64 = 1.05;
 
-/// The least cosine of the widened lobes' quantities, and the largest index of a coat.
+/// The least cosine of the widened lobes' quantities and their least roughness of a coat, and the largest
+/// index of a coat.
 const MU_MIN: f64 = 0.01;
+const COAT_ROUGHNESS_MIN: f64 = 0.01;
 const COAT_IOR: f64 = 2.0;
 
 /// The fits of each value, ours by rising cost, beside what engines ship.
@@ -147,7 +149,11 @@ fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static
         }
         "coated_roughness" => {
             let coat = material.coat.as_ref().filter(|_| want.coat)?;
-            let roughness = Span::at_least(coat.roughness.map(|r| r.max(MU_MIN)), 0.1, [MU_MIN, 1.0]);
+            let roughness = Span::at_least(
+                coat.roughness.map(|r| r.max(COAT_ROUGHNESS_MIN)),
+                0.1,
+                [COAT_ROUGHNESS_MIN, 1.0],
+            );
             Some((goals, vec![("coat_roughness", roughness), ior(coat.ior, COAT_IOR)]))
         }
         role => {
@@ -243,15 +249,21 @@ impl Effect for Width {
                 &[
                     "`averaged_roughness`, `lit_roughness` and `coated_roughness` are the roughness (alpha = roughness^2) of the lobe that stands for one over averaged",
                     "normals, under a disk light that is taken for its middle, or below a rough coat: within the same cone about the mirror direction lies half of the energy.",
+                    "Their shadowing is height-correlated, whatever the scene has.",
                 ],
             ),
             (
                 &["lit_normalisation"],
                 &[
                     "`lit_normalisation` multiplies the lobe of the surface's own roughness at the disk's nearest point to the mirror direction. Its error is relative.",
+                    "Its shadowing is height-correlated, whatever the scene has.",
                 ],
             ),
         ]
+    }
+
+    fn without(&self, material: &Material) -> Option<&'static str> {
+        anisotropy(material)
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

@@ -16,7 +16,8 @@ const COLLAPSED: f64 = 1e-9;
 /// A step must gain this part of what the model promises.
 const WORTH: f64 = 0.05;
 
-/// A step that gains less than this part leaves the linear model: the trust region shrinks.
+/// A step that gains less than this part leaves the linear model: the trust region shrinks, unless the
+/// affine parameters bring more.
 const GOOD: f64 = 0.4;
 
 /// In a trust region smaller than this part of the largest error a descent crawls along a curved
@@ -201,7 +202,8 @@ impl<'a> Problem<'a> {
         let linear = here.linear.only(affine);
         let bounds = here.bounds.as_ref().map(|bounds| bounds.only(affine));
         let violation = bounds.as_ref().map_or(0.0, |b| b.worst(&b.values));
-        // No step to the lowest point moves a residual farther than from one side to the other.
+        // Without constraints no step to the lowest point moves a residual farther than from one side to
+        // the other.
         let radius = 2.0 * largest(&linear.residuals).max(violation);
         let step = Program::new(Aim::Largest, &linear, bounds.as_ref(), self.weight).step(radius)?.step;
         let mut next = p.to_vec();

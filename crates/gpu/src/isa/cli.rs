@@ -18,8 +18,8 @@ use lobefit::emit::include::Include;
 use lobefit::plan;
 use lobefit::report::{GpuKind, GpuRecord};
 use lobefit::store::{self, Files, Folder};
-use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{IsaRecord, IsaRow, Precision};
+use lobefit_math::correlation::Correlation;
 
 /// Compiles, prints, compares, and writes what is to be recorded.
 pub(crate) fn verb(options: &Options) -> Result<Outcome, CliError> {

@@ -9,9 +9,9 @@ pub(crate) use cli::verb;
 use lobefit::data::{Agreement, Model, Vendor, Weights};
 use lobefit::emit::include::Include;
 use lobefit::report::{GpuKind, GpuRecord};
-use lobefit::timing::correlation::Correlation;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use lobefit::timing::priced::{Priced, TIMED, priced, timed};
+use lobefit_math::correlation::Correlation;
 use lobefit_shade::{Features, ShadeError, Source, Tape};
 
 /// The command that makes the committed prices.

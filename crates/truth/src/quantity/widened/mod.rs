@@ -315,6 +315,12 @@ impl Widened {
         values
     }
 
+    /// A place beyond an end by rounding, on it.
+    fn inside(&self, x: &[f64]) -> Vec<f64> {
+        let inputs = self.inputs.iter().zip(x);
+        inputs.map(|(input, x)| x.clamp(input.domain[0], input.domain[1])).collect()
+    }
+
     fn check(&self, x: &[f64]) -> Result<(), IntegrateError> {
         for (input, &value) in self.inputs.iter().zip(x) {
             let [low, high] = input.domain;
@@ -363,6 +369,7 @@ impl Quantity for Widened {
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         self.check(x)?;
+        let x = &self.inside(x);
         let place = || format!("{x:?}");
         let (mut drawn, mut reached) = (FIRST, f64::INFINITY);
         while drawn <= LAST {
@@ -371,7 +378,7 @@ impl Quantity for Widened {
             let column = |k: usize| all.iter().map(|row| row[k]).collect::<Vec<f64>>();
             let columns: Vec<Vec<f64>> = (0..all[0].len()).map(column).collect();
             reached = columns.iter().map(|column| 3.0 * sum::standard_error(column)).fold(0.0, f64::max);
-            if !reached.is_finite() {
+            if columns.iter().flatten().any(|value| !value.is_finite()) {
                 return Err(IntegrateError::NotFinite { quantity: self.name, place: place() });
             }
             if reached <= tolerance {
