@@ -129,7 +129,7 @@ impl Spread {
                 x - x.floor()
             });
             let Some((light, energy)) = light(&draw) else { continue };
-            let length = |sign: f64| (0..3).map(|k| (light[k] + sign * axis[k]).powi(2)).sum::<f64>();
+            let length = |sign: f64| (0..3).map(|k| light[k] + sign * axis[k]).map(|x| x * x).sum::<f64>();
             let bin = (0.5 * ops::log(length(-1.0) / length(1.0)) - ops::log(NARROWEST)) / BIN;
             spread.bins[bin.clamp(0.0, (BINS - 1) as f64) as usize] += energy;
             spread.energy += energy;
