@@ -50,32 +50,26 @@ fn is_smooth(roughness: &[f64; 2]) -> bool {
 /// is multiplied by so that base and specular lobe together send back exactly all light; an albedo
 /// below 1 scales the base's share alone, and its error as well. A rough base calls for fits of the
 /// albedo of its own lobe, and for no factor.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Base")]
-#[serde(deny_unknown_fields, expecting = "an object that describes a diffuse base")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes a diffuse base")]
 struct BaseFile {
     /// Albedo of the base: a number, or one for red, green and blue; default 1, white. A black base
     /// calls for nothing.
-    #[serde(default)]
     albedo: Maybe<Numbers<In<Unit>, 3, true>>,
     /// Roughness of the base itself: a number, or the range [lo, hi] that the material's texture
     /// spans; default 0, Lambert's lobe. Above 0 the base is that of EON (Portsmouth, Kutz and Hill
     /// 2024), whose roughness is not squared.
-    #[serde(default)]
     roughness: Maybe<Span<Unit, true>>,
     /// What the renderer multiplies the specular lobe by: `single` nothing; `normalised` 1/E (the
     /// default); `compensated` 1 + f0 (1/E - 1).
-    #[serde(default)]
     specular: Maybe<Word<Specular>>,
     /// Most operations that an emitted fit may take; default: any number.
-    #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Error of the factor that at least one emitted fit within `max_ops` must meet, else the bake
     /// fails; default: no limit.
-    #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
-    #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
 }
@@ -181,26 +175,21 @@ const COAT_IOR: f64 = 1.5;
 
 /// A clear coat above a dielectric, as of car paint, smooth or rough. It calls for fits of the share of
 /// diffuse light from inside that leaves it, of which the darkening of the base below is made.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Coat")]
-#[serde(deny_unknown_fields, expecting = "an object that describes a coat")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes a coat")]
 struct CoatFile {
     /// Roughness of the coat: a number, or the range [lo, hi] that the material's texture spans; default 0,
     /// a smooth coat.
-    #[serde(default)]
     roughness: Maybe<Span<Unit, true>>,
     /// Index of refraction of the coat: a number, or a range [lo, hi]; default 1.5.
-    #[serde(default)]
     ior: Maybe<Span<GlassIor, true>>,
     /// Most operations that an emitted fit may take; default: any number.
-    #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Relative error of the share that at least one emitted fit within `max_ops` must meet, else the bake
     /// fails; default: no limit.
-    #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
-    #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
 }

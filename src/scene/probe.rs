@@ -128,30 +128,25 @@ struct ProbeFile {
 
 /// A function that looks a probe up: where the ray that a surface reflects meets the proxy, and
 /// what to fetch from there.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Lookup")]
-#[serde(deny_unknown_fields, expecting = "an object that describes a lookup, which may be empty")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes a lookup, which may be empty")]
 struct LookupFile {
     /// Whether the engine itself finds what the ray hits (by a ray, a depth buffer, a box of its
     /// own) and passes how far it is and where from the probe: the least expensive lookup, by the
     /// distances alone. Not with another field; default false.
-    #[serde(default)]
     hit: Maybe<bool>,
     /// Number of planes of the proxy; default: a box along the axes, between two corners.
-    #[serde(default)]
     planes: Maybe<Whole<Planes>>,
     /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing
     /// jumps there, or `sharp`; default `smooth`.
-    #[serde(default)]
     edges: Maybe<Word<Edges>>,
     /// Number of fetches: 1, or where the kernel is no file 2 or 3 along the axis that the wall
     /// stretches; default 1.
-    #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
     /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for
     /// half-cosine chains `fitted`, leaning towards the normal and squashed at grazing angles as
     /// GGX is, by normal and view; default `mirror`.
-    #[serde(default)]
     lobe: Maybe<Word<SurfaceLobe>>,
 }
 
@@ -203,19 +198,16 @@ fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<V
 
 /// A chain of prefiltered levels: a published `map` with its `count`, or the roughness of each of
 /// its `levels`.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Mips", extend("minProperties" = 1))]
-#[serde(deny_unknown_fields, expecting = "an object with `map` and `count`, or with `levels`")]
+#[serde(deny_unknown_fields, default, expecting = "an object with `map` and `count`, or with `levels`")]
 struct MipsFile {
     /// Roughness r to level: `linear` r, `r(2-r)`, `r(1.7-0.7r)`, all times `count` - 1; `log`
     /// `count` - 2 + 1.2 log2 r.
-    #[serde(default)]
     map: Maybe<Word<MipMap>>,
     /// Number of levels, with `map`; at least 3 for `log`.
-    #[serde(default)]
     count: Maybe<Whole<Levels>>,
     /// Roughness of every level, strictly increasing; between levels it is interpolated.
-    #[serde(default)]
     #[schemars(extend("minItems" = 2, "uniqueItems" = true))]
     levels: Maybe<List<In<Unit>, { limits::LEVELS_MAX }>>,
 }

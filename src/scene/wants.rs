@@ -84,7 +84,7 @@ pub(super) struct OpenWants {
 
 /// What the material wants of its specular lobe: at least one of the fields. Without `wants`: a table
 /// and fits, with their defaults; of anisotropic materials and of glass, a table with a third axis.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
 #[serde(
     deny_unknown_fields,
@@ -127,19 +127,16 @@ impl<'de> Deserialize<'de> for Renamed {
 }
 
 /// Fits of one value over roughness, mu and ior.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Value")]
-#[serde(deny_unknown_fields, expecting = "an object that describes fits")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes fits")]
 struct ValueFile {
     /// Most operations that an emitted fit may take; default: any number.
-    #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Error of the value that at least one emitted fit within `max_ops` must meet, else the bake fails;
     /// default: no limit.
-    #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
-    #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
 }
@@ -153,31 +150,25 @@ impl TryFrom<ValueFile> for ValueWant {
 }
 
 /// Fits of the roughness of the widened lobe, of each widening that is given: at least one.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Widened", extend("anyOf" = [
     { "required": ["mean_length"] }, { "required": ["light_radius"] },
     { "required": ["coat"], "properties": { "coat": { "const": true } } },
 ]))]
-#[serde(deny_unknown_fields, expecting = "an object that describes what widens a lobe")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes what widens a lobe")]
 struct WidenedFile {
     /// Range [lo, hi] of the length of the mean of the normals that a texel of a normal map averages.
-    #[serde(default)]
     mean_length: Maybe<Span<MeanLength, true>>,
     /// Range [lo, hi] of the angular radius of disk and sphere lights, in radians.
-    #[serde(default)]
     light_radius: Maybe<Span<LightRadius, true>>,
     /// Whether the lobe is seen through the material's coat; default false.
-    #[serde(default)]
     coat: Maybe<bool>,
     /// Most operations that an emitted fit may take; default: any number.
-    #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Error of the roughness that at least one emitted fit of each within `max_ops` must meet, else the
     /// bake fails; default: no limit.
-    #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
-    #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
 }
@@ -213,8 +204,8 @@ struct FitFile {
     norms: Norms,
     /// Also fit the average albedo E_avg(alpha); default false.
     average: Maybe<bool>,
-    /// Also emit the reciprocal lobe of the light that is lost between facets (Kulla and Conty 2017), and E_avg,
-    /// which it takes; default false.
+    /// Also emit the reciprocal lobe of the light that is lost between facets (Kulla and Conty 2017), and
+    /// E_avg, which it takes; default false.
     multiscatter: Maybe<bool>,
     /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
     blend: Maybe<bool>,

@@ -131,7 +131,8 @@ impl Setting {
         [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
     }
 
-    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges, and the ends.
+    /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges, and
+    /// the ends.
     fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
         let last = 3 * (side - 1);
         let [roughness, root] = self.ranges().map(|[low, high]| {

@@ -9,9 +9,9 @@ use rayon::prelude::*;
 /// Texels along both axes of the tables that engines ship.
 pub const SIDE: usize = 64;
 
-/// The tables: matrices, and E, B, 0 and the share of a sphere divided by the length. Texel (i, k) is of roughness i/(n -
-/// 1) with alpha = roughness^2, and of mu = 1 - (k/(n - 1))^2; the sphere's, of the cosine 2 i/(n -
-/// 1) - 1 and the length k/(n - 1).
+/// The tables: matrices, and E, B, 0 and the share of a sphere divided by the length. Texel (i, k)
+/// is of roughness i/(n - 1) with alpha = roughness^2, and of mu = 1 - (k/(n - 1))^2; the sphere's,
+/// of the cosine 2 i/(n - 1) - 1 and the length k/(n - 1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
     /// Texels along both axes.

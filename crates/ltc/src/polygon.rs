@@ -44,7 +44,8 @@ pub fn cosine_share(corners: &[Vec3]) -> f64 {
 }
 
 /// The share of a sphere with the vector form factor of a polygon, exactly: the fourth channel
-/// of the second texture holds it divided by the length, at columns of the cosine of its direction and rows of the length.
+/// of the second texture holds it divided by the length, at columns of the cosine of its direction
+/// and rows of the length.
 pub fn sphere_share(cosine: f64, length: f64) -> f64 {
     let length = length.clamp(0.0, 1.0);
     let (sine, sine2) = (length.sqrt(), length);
