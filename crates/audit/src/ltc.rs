@@ -70,7 +70,7 @@ pub fn pair(tables: &[ForeignTable]) -> Result<(Pair, bool), AuditError> {
         if columns != rows || columns < 2 || (side > 0 && columns != side) {
             return Err(refused(format!("size {size:?}: the tables of a pair are square and of one size")));
         }
-        if channels.len() < CHANNELS {
+        if channels.len() != CHANNELS {
             let found = channels.len();
             return Err(refused(format!(
                 "{found} channels, where a matrix has m11, m31, m13 and m33; give --channels 4"
@@ -81,6 +81,13 @@ pub fn pair(tables: &[ForeignTable]) -> Result<(Pair, bool), AuditError> {
             |i: usize| std::array::from_fn(|c| channels[c].values.get(i).copied().unwrap_or(f64::NAN));
         let texels: Vec<[f64; CHANNELS]> = (0..table.texels()).map(texel).collect();
         layers.extend(texels.chunks(side * side).map(<[_]>::to_vec));
+    }
+    if layers.len() > 2 {
+        let reason = format!(
+            "{} layers and tables, where a pair has two; give --symbol, or leave --scales out",
+            layers.len()
+        );
+        return Err(AuditError::refused(&tables[0].file, reason));
     }
     let has_scales = layers.len() > 1;
     let mut layers = layers.into_iter();

@@ -40,23 +40,21 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     let found: Value = serde_json::from_slice(&failed.stdout).unwrap();
     assert_eq!((&found["grade"], found["errors"].as_array().unwrap().len()), (&"FAIL".into(), 2));
     assert!(found["errors"][0]["max"].as_f64().unwrap() > 0.3, "{found}");
-    let sheen = lobefit(
-        folder.path(),
-        &[
-            "audit",
-            "matrices.raw",
-            "--as=ltc:sheen",
-            "--size",
-            "8x8",
-            "--channels",
-            "3",
-            "--raw-format",
-            "f32",
-        ],
-        b"",
-    );
-    assert_eq!(sheen.status.code(), Some(2), "three channels are no matrix");
-    assert!(stderr(&sheen).contains("channels"), "{}", stderr(&sheen));
+    let mut broken = pair.matrices.clone();
+    broken[11][2] = f64::NAN;
+    write("broken.raw", &raw(&broken));
+    write("three.raw", &[raw(&pair.matrices), raw(&pair.amplitudes), raw(&turned)].concat());
+    for (file, size, channels, said) in [
+        ("matrices.raw", "8x8", "3", "3 channels"),
+        ("matrices.raw", "4x4", "16", "16 channels"),
+        ("three.raw", "8x8x3", "4", "3 layers and tables, where a pair has two"),
+        ("broken.raw", "8x8", "4", "channel 2, texel [3, 1]: NaN"),
+    ] {
+        let words = ["audit", file, "--as=ltc:sheen", "--size", size, "--channels", channels];
+        let refused = lobefit(folder.path(), &[&words[..], &["--raw-format", "f32"]].concat(), b"");
+        assert_eq!(refused.status.code(), Some(2), "{file} {channels}: {}", stderr(&refused));
+        assert!(stderr(&refused).contains(said), "{}", stderr(&refused));
+    }
     let unknown = run("matrices.raw", &["--as", "ltc:beckmann"]);
     assert_eq!(unknown.status.code(), Some(2), "{}", stderr(&unknown));
 }
