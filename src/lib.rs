@@ -4,7 +4,8 @@
 //!
 //! Below this package: `lobefit-math` (quadrature rules, sums, lanes), `lobefit-truth` (optics, and
 //! quantities integrated to a value with an error), `lobefit-shade` (the shader language: parse,
-//! evaluate, bound, count, print), `lobefit-fit` (solver, search, texels), `lobefit-ltc` (linearly transformed cosines), `lobefit-strict` (a user's
+//! evaluate, bound, count, print), `lobefit-fit` (solver, search, texels), `lobefit-ltc` (linearly
+//! transformed cosines), `lobefit-figures` (values that draw themselves), `lobefit-strict` (a user's
 //! files, read strictly) and `lobefit-import` (glTF and MaterialX to scenes). `math` is a package of
 //! its own so that neither `shade` nor `fit` can reach optics through it.
 //!

@@ -4,14 +4,12 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use lobefit_figures::WOFF;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
 use super::page::{Block, Card, Choice, Page, Section, TextTable, figures_of, place_of};
 use super::{bar, fold};
 use crate::scene::UNNAMED;
-
-/// The font of the drawings, that of the plots in the container of the web: its tables are packed.
-const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.woff");
 
 /// Widest drawing in pixels that is still read where it is made as small as a narrow screen; a wider one
 /// scrolls there.
@@ -107,7 +105,7 @@ fn head(out: &mut String, page: &Page) {
     let (tool, command) = (Escaped(&origin.tool), Escaped(&origin.command));
     let (recipe, title) = (Escaped(&origin.recipe), Escaped(&page.title));
     let css = slim(include_str!("assets/page.css"));
-    let font = STANDARD.encode(FONT);
+    let font = STANDARD.encode(WOFF);
     put(
         out,
         format_args!(

@@ -3,30 +3,13 @@
 
 use std::io;
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use serde_json::Value;
 use serde_json::ser::{CompactFormatter, Formatter};
 
 use super::findings::SCHEMA_VERSION;
 use super::numbers::rounded;
 use super::{ReportError, check};
-
-/// Digits of a number that a picture is drawn from: a pixel tells no more.
-const DRAWN: usize = 4;
-
-/// What pictures are drawn from, in the digits that they show.
-pub(super) fn drawn<S: Serializer>(
-    values: &[impl Copy + Into<f64>],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(values.iter().map(|&x| rounded(x.into(), DRAWN)))
-}
-
-/// The same of several lists.
-pub(super) fn drawn_lists<S: Serializer>(lists: &[Vec<f64>], serializer: S) -> Result<S::Ok, S::Error> {
-    let list = |values: &Vec<f64>| values.iter().map(|&x| rounded(x, DRAWN)).collect::<Vec<f64>>();
-    serializer.collect_seq(lists.iter().map(list))
-}
 
 #[derive(Serialize)]
 struct Document<'a, T> {

@@ -8,19 +8,14 @@
 //! have fixed decimals, and nothing reads a clock.
 
 mod bar;
-pub mod check;
 mod cost;
-mod error;
 pub mod explore;
-mod field;
 mod findings;
 mod fold;
 mod gpu;
 mod html;
-mod image;
 mod json;
 mod page;
-pub(crate) mod plot;
 pub(crate) mod sections;
 mod timings;
 
@@ -30,8 +25,6 @@ use crate::emit::manifest::Manifest;
 use crate::store::Files;
 pub use bar::{bar_from, without_absent};
 pub use cost::{CostJob, CostPoint, CostUnit, Costs};
-pub use error::ReportError;
-pub use field::{Field, Ruler};
 pub use findings::{
     Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
     Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Marked, Measured, Offer, Origin, Purpose,
@@ -40,14 +33,14 @@ pub use findings::{
 pub use fold::{folded, folded_after};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use html::html;
-pub use image::{Image, displayed, luminance};
 pub use json::document;
+pub use lobefit_figures::{
+    Annotation, Bar, Bars, Cells, Curves, Dot, Field, Figure, Frontiers, Gallery, HeatMap, Image, Panel,
+    Pixels, ReportError, Ruler, Scale, Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tick, Tile,
+    Worst, check, disc, displayed, luminance, signed,
+};
 pub use lobefit_math::numbers;
 pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
-pub use plot::{
-    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Panel, Pixels, Scale,
-    Scatter, Series, Shade, SphereRow, Spheres, Spread, Style, Tick, Tile, Worst, disc, signed,
-};
 pub use sections::{figures, words};
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,

@@ -7,9 +7,7 @@ mod report_support;
 
 mod browser;
 mod explore;
-mod figures;
 mod input;
 mod numbers;
 mod page;
-mod plot;
 mod selection;

@@ -44,6 +44,18 @@ fn the_page_is_complete_self_contained_and_small() -> Outcome {
     Ok(())
 }
 
+/// Drawings have fixed inks, which the style sheet turns light on a dark page.
+#[test]
+fn the_style_sheet_knows_the_inks() -> Outcome {
+    let css = include_str!("../../src/report/assets/page.css");
+    let html = text(&report::page("reflection", &findings())?.files(""), "reports/reflection.html")?;
+    for ink in ["#222222", "#DDDDDD"] {
+        assert!(html.contains(&format!("=\"{ink}\" ")), "{ink} is drawn with");
+        assert!(css.contains(&format!("=\"{ink}\"]")), "{ink} is themed");
+    }
+    Ok(())
+}
+
 #[test]
 fn the_same_data_gives_the_same_bytes_on_any_number_of_threads() -> Outcome {
     let once = report::page("reflection", &findings())?.files("");

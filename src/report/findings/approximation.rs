@@ -84,13 +84,13 @@ pub struct FitCurve {
     /// Roughness.
     pub roughness: f64,
     /// Cosines, increasing.
-    #[serde(serialize_with = "crate::report::json::drawn")]
+    #[serde(serialize_with = "lobefit_figures::drawn")]
     pub mu: Vec<f64>,
     /// Truth at each mu.
-    #[serde(serialize_with = "crate::report::json::drawn")]
+    #[serde(serialize_with = "lobefit_figures::drawn")]
     pub truth: Vec<f64>,
     /// Fit at each mu.
-    #[serde(serialize_with = "crate::report::json::drawn")]
+    #[serde(serialize_with = "lobefit_figures::drawn")]
     pub fit: Vec<f64>,
 }
 
@@ -102,7 +102,7 @@ pub struct AverageFinding {
     /// Where it was sampled.
     pub roughness: Ruler,
     /// Truth at each roughness.
-    #[serde(serialize_with = "crate::report::json::drawn")]
+    #[serde(serialize_with = "lobefit_figures::drawn")]
     pub truth: Vec<f64>,
     /// The fits.
     pub fits: Vec<AverageFit>,
@@ -114,6 +114,6 @@ pub struct AverageFit {
     /// Name of the approximation; cost, certificate and source stand there.
     pub name: String,
     /// Values at each roughness.
-    #[serde(serialize_with = "crate::report::json::drawn")]
+    #[serde(serialize_with = "lobefit_figures::drawn")]
     pub values: Vec<f64>,
 }

@@ -25,7 +25,7 @@ pub struct FurnaceRow {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub of: String,
     /// `factors[column][k]` = E N at `mu[k]`.
-    #[serde(serialize_with = "crate::report::json::drawn_lists")]
+    #[serde(serialize_with = "lobefit_figures::drawn_lists")]
     pub factors: Vec<Vec<f64>>,
 }
 

@@ -1,11 +1,11 @@
 //! Fits beside their truth: a selection on one scale, then each with its formula.
 
 use super::{averages, figures, selection, words};
-use crate::report::plot::Scale;
 use crate::report::{
     ApproximationFinding, AverageFinding, Block, Curves, Dot, Field, FitCurve, FitFinding, HeatMap,
     ReportError, Section, Series, Shade, Spread, Style, Worst, check, numbers,
 };
+use lobefit_figures::{Scale, frontier};
 
 /// Fits that may share one chart of curves before colours repeat.
 const TOGETHER: usize = 6;
@@ -102,7 +102,7 @@ fn common_limit(shown: &[Shown]) -> (f64, bool) {
 /// Signed error of every shown fit on one scale.
 fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
     let (limit, clipped) = common_limit(shown);
-    let shade = crate::report::plot::signed(limit);
+    let shade = lobefit_figures::signed(limit);
     let maps: Vec<HeatMap> =
         shown.iter().map(|s| HeatMap { size: (152.0, 145.0), ..s.map(s.fit.name.clone(), shade) }).collect();
     let limit = numbers::tick(limit);
@@ -135,7 +135,7 @@ fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
             table: false,
         })
         .collect();
-    let mut best = crate::report::plot::frontier(&dots);
+    let mut best = frontier(&dots);
     // Where the frontier is long, its accurate end is the one that is hard to tell apart by figures
     // alone.
     let all = best.len();
@@ -172,7 +172,7 @@ fn overlay(shown: &[Shown], best: &[usize], curve: &FitCurve) -> Option<Curves> 
 
 /// One fit: figures, formula, curves, error map on its own scale.
 fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
-    let shade = crate::report::plot::signed(s.error.peak());
+    let shade = lobefit_figures::signed(s.error.peak());
     let map = s.map(format!("{} error, own scale", s.fit.error.name), shade);
     let svg = [crate::report::Figure::svg(&curves(s.fit))?, crate::report::Figure::svg(&map)?];
     let caption = "Left: truth (heavy) under the fit (colour), each line labelled with its roughness r; a fit \

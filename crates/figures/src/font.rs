@@ -6,10 +6,13 @@ use std::sync::OnceLock;
 use ab_glyph::{Font, FontRef};
 use plotters::style::{FontStyle, register_font};
 
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// DejaVu Sans, reduced to the characters that the report uses; licence in `assets/FONT-LICENSE`.
 pub(crate) const BYTES: &[u8] = include_bytes!("../assets/DejaVuSans-subset.ttf");
+
+/// The same in the container of the web, its tables packed: what a page embeds.
+pub const WOFF: &[u8] = include_bytes!("../assets/DejaVuSans-subset.woff");
 
 /// Family name, in plotters, in the SVG and in the page's style sheet.
 pub(crate) const FAMILY: &str = "lobefit";

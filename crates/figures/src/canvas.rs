@@ -12,7 +12,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
 use super::font;
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// Units of the drawing layer per pixel.
 const SCALE: f64 = 10.0;
@@ -293,7 +293,7 @@ fn refused(figure: &str, error: &impl std::fmt::Display) -> ReportError {
     ReportError::Drawing { section: figure.into(), reason: error.to_string() }
 }
 
-pub(super) fn unit(x: f64) -> i32 {
+pub(crate) fn unit(x: f64) -> i32 {
     (x * SCALE).round() as i32
 }
 

@@ -5,7 +5,9 @@ use plotters::style::RGBColor;
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
 use super::legend::{Entry, Key, Legend};
 use super::{Figure, LINES, Scale, Spread, axes, font, hover, labels};
-use crate::report::{ReportError, check, numbers};
+use lobefit_math::numbers;
+
+use crate::{ReportError, check};
 
 /// What a grey dot is, on every chart.
 const BEATEN: &str = "ours, beaten in both";
@@ -62,7 +64,7 @@ pub struct Frontiers {
 }
 
 /// Indices of the formulas of ours that no other formula of ours beats in both, by rising x.
-pub(crate) fn frontier(dots: &[Dot]) -> Vec<usize> {
+pub fn frontier(dots: &[Dot]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..dots.len()).filter(|&i| !dots[i].published && !dots[i].table).collect();
     order.sort_by(|&a, &b| dots[a].x.total_cmp(&dots[b].x).then(dots[a].y.total_cmp(&dots[b].y)));
     let mut best = f64::INFINITY;

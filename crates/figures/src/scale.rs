@@ -1,6 +1,6 @@
 //! From physical values to positions, with the ticks that people expect.
 
-use crate::report::numbers;
+use lobefit_math::numbers;
 use lobefit_math::ops;
 
 /// How values are spread along an axis.
@@ -15,7 +15,7 @@ pub enum Spread {
 }
 
 /// A spread as the page's script names it.
-pub(super) fn name(spread: Spread) -> &'static str {
+pub(crate) fn name(spread: Spread) -> &'static str {
     match spread {
         Spread::Linear => "linear",
         Spread::Log => "log",

@@ -1,7 +1,7 @@
 //! Scales, colours and texts of figures, as their SVG has them.
 
 use ab_glyph::{Font, FontRef};
-use lobefit::report::{
+use lobefit_figures::{
     Cells, Curves, Dot, Figure, Gallery, Image, Scale, Scatter, Series, Shade, Spread, Style, Tile,
 };
 
@@ -45,17 +45,6 @@ fn chart(title: &str, ends: &[f64]) -> Curves {
         y_limits: Some((0.0, 250.0)),
         size: (400.0, 250.0),
     }
-}
-
-#[test]
-fn the_style_sheet_knows_the_inks() -> Outcome {
-    let css = include_str!("../../src/report/assets/page.css");
-    let svg = chart("t", &[1.0]).svg()?;
-    for ink in ["#222222", "#DDDDDD"] {
-        assert!(svg.contains(ink), "{ink} is drawn with: {svg}");
-        assert!(css.contains(&format!("=\"{ink}\"]")), "{ink} is themed");
-    }
-    Ok(())
 }
 
 #[test]
@@ -161,7 +150,7 @@ fn labelled(points: &[(f64, f64)], name: &str, size: (f64, f64)) -> Result<(Fram
     let axis = |name: &str| (name.to_string(), Spread::Linear);
     let svg = Scatter { title: "t".into(), x: axis("x"), y: axis("y"), dots, size }.svg()?;
     let [right, bottom] = [number(&svg, "width")? - 18.0, number(&svg, "height")? - 44.0];
-    let font = FontRef::try_from_slice(include_bytes!("../../src/report/assets/DejaVuSans-subset.ttf"))?;
+    let font = FontRef::try_from_slice(include_bytes!("../../assets/DejaVuSans-subset.ttf"))?;
     let em = f64::from(font.units_per_em().ok_or("no size")?);
     let advance =
         |text: &str| text.chars().map(|c| f64::from(font.h_advance_unscaled(font.glyph_id(c)))).sum::<f64>();

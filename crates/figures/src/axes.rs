@@ -3,7 +3,7 @@
 use super::canvas::{Align, Canvas, Frame, GRID, INK, SMALL, TEXT};
 use super::scale::Tick;
 use super::{Scale, font};
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// A tick at a pixel.
 pub(crate) struct Mark {

@@ -4,7 +4,7 @@ use plotters::style::RGBColor;
 
 use super::canvas::{Align, Canvas, INK, SMALL};
 use super::font;
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// Height of a row in pixels.
 const ROW: f64 = 17.0;

@@ -1,6 +1,6 @@
 //! Checks shared by the figures: each names the section and the field that fails.
 
-use super::ReportError;
+use crate::ReportError;
 
 /// Every value is finite and there is at least one.
 pub fn values(section: &str, field: &str, values: &[f64]) -> Result<(), ReportError> {

@@ -4,8 +4,10 @@
 use super::canvas::{Align, Canvas, Frame, INK, LABEL_INK, PAPER, TEXT, picture, sheet};
 use super::hover::{self, Hover};
 use super::{Figure, Scale, Shade, Spread, axes, colour_bar, font, raster};
-use crate::report::field::Ruler;
-use crate::report::{Field, ReportError, check, numbers};
+use crate::Ruler;
+use lobefit_math::numbers;
+
+use crate::{Field, ReportError, check};
 
 /// Labelled ticks along each axis, about.
 const TICKS: usize = 6;

@@ -6,7 +6,7 @@ use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
 use super::hover::{self, Hover};
 use super::legend::{Key, Legend};
 use super::{Figure, LINES, Scale, Spread, axes, font, labels};
-use crate::report::{ReportError, check};
+use crate::{ReportError, check};
 use lobefit_math::ops;
 
 /// How a series is drawn.

@@ -4,7 +4,7 @@ use super::axes::widest;
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, picture};
 use super::colour::{LEVELS, Shade};
 use super::{font, raster};
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// Width of the bar and its distance from the picture in pixels.
 const BAR: f64 = 14.0;

@@ -2,7 +2,9 @@
 
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
 use super::{Figure, LINES, Scale, Spread, font};
-use crate::report::{ReportError, check, numbers};
+use lobefit_math::numbers;
+
+use crate::{ReportError, check};
 
 /// Height of a bar with its gap in pixels.
 const ROW: f64 = 20.0;

@@ -5,7 +5,7 @@ use plotters::style::RGBColor;
 
 use super::Scale;
 use super::scale::{Spread, Tick, exponent};
-use crate::report::numbers;
+use lobefit_math::numbers;
 
 /// Entries of a colour map; odd, so that zero has an entry of its own in the signed maps.
 pub(crate) const LEVELS: usize = 255;

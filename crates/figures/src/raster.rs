@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::canvas::{Align, Frame, INK, TEXT, picture, sheet};
 use super::colour::Shade;
 use super::{Figure, font};
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// A picture of any shape in colours of a palette, as large on the page as it has pixels.
 #[derive(Clone, Debug, PartialEq)]

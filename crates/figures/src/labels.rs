@@ -2,7 +2,7 @@
 
 use super::canvas::{Frame, SMALL};
 use super::font;
-use crate::report::ReportError;
+use crate::ReportError;
 
 /// Half the height of a label in pixels.
 const HALF: f64 = 7.0;

@@ -1,8 +1,9 @@
 //! A quantity or an error over a grid of two inputs: what a heat map shows.
 
-use serde::Serialize;
+use lobefit_math::numbers::rounded;
+use serde::{Serialize, Serializer};
 
-use super::{ReportError, check};
+use crate::{ReportError, check};
 
 /// One input of a grid: what it is and where it was sampled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -51,7 +52,7 @@ pub struct Field {
     /// Input along rows.
     pub y: Ruler,
     /// `values[j * x.values.len() + i]` at `x.values[i]`, `y.values[j]`.
-    #[serde(serialize_with = "super::json::drawn")]
+    #[serde(serialize_with = "drawn")]
     pub values: Vec<f32>,
 }
 
@@ -78,7 +79,7 @@ impl Field {
     }
 
     /// Value of the node nearest to a place, clamped to the grid; 0 of an empty field.
-    pub(crate) fn nearest(&self, x: f64, y: f64) -> f64 {
+    pub fn nearest(&self, x: f64, y: f64) -> f64 {
         let (i, j) = (self.x.position(x).round() as usize, self.y.position(y).round() as usize);
         self.values.get(j * self.x.values.len() + i).map_or(0.0, |&v| f64::from(v))
     }
@@ -95,4 +96,18 @@ impl Field {
         let bad = self.values.iter().position(|v| !v.is_finite());
         bad.map_or(Ok(()), |i| check::finite(section, &format!("{values}[{i}]"), f64::NAN))
     }
+}
+
+/// Digits of a number that a picture is drawn from: a pixel tells no more.
+const DRAWN: usize = 4;
+
+/// What pictures are drawn from, in the digits that they show: a serializer of lists of numbers.
+pub fn drawn<S: Serializer>(values: &[impl Copy + Into<f64>], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(values.iter().map(|&x| rounded(x.into(), DRAWN)))
+}
+
+/// [`drawn`] of several lists.
+pub fn drawn_lists<S: Serializer>(lists: &[Vec<f64>], serializer: S) -> Result<S::Ok, S::Error> {
+    let list = |values: &Vec<f64>| values.iter().map(|&x| rounded(x, DRAWN)).collect::<Vec<f64>>();
+    serializer.collect_seq(lists.iter().map(list))
 }

@@ -10,7 +10,9 @@ use rayon::prelude::*;
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
 use super::hover::{self, Cells, Hover};
 use super::{Figure, Shade, colour_bar, font, raster};
-use crate::report::{ReportError, check, numbers};
+use lobefit_math::numbers;
+
+use crate::{ReportError, check};
 
 /// Pixels of the picture per pixel of the page.
 const DENSITY: usize = 1;

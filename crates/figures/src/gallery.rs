@@ -3,8 +3,8 @@
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
 use super::hover::{self, Hover};
 use super::{Figure, Shade, colour_bar, font, raster};
-use crate::report::image::encoded;
-use crate::report::{Image, ReportError, check};
+use crate::image::encoded;
+use crate::{Image, ReportError, check};
 
 /// Widest line of a row's name in pixels of the page, and the most lines.
 const NAMES: f64 = 150.0;

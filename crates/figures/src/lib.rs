@@ -4,13 +4,17 @@
 mod axes;
 mod bars;
 mod canvas;
+pub mod check;
 mod colour;
 mod colour_bar;
 mod curves;
+mod error;
+mod field;
 mod font;
 mod gallery;
 mod heat_map;
 mod hover;
+mod image;
 mod labels;
 mod legend;
 mod raster;
@@ -22,15 +26,17 @@ pub use bars::{Bar, Bars};
 pub(crate) use colour::LINES;
 pub use colour::Shade;
 pub use curves::{Annotation, Curves, Panel, Series, Style};
+pub use error::ReportError;
+pub use field::{Field, Ruler, drawn, drawn_lists};
+pub use font::WOFF;
 pub use gallery::{Cells, Gallery, Tile};
 pub use heat_map::{HeatMap, Worst, signed};
+pub use image::{Image, displayed, luminance};
 pub use raster::Pixels;
 pub use scale::{Scale, Spread, Tick};
-pub(crate) use scatter::frontier;
-pub use scatter::{Dot, Frontiers, Scatter};
+pub use scatter::{Dot, Frontiers, Scatter, frontier};
 pub use spheres::{SphereRow, Spheres, disc};
 
-use super::ReportError;
 use scale::name as words_of;
 
 /// Anything that draws itself as a piece of SVG markup to be put into a page.

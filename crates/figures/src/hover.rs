@@ -6,19 +6,19 @@ use serde::Serialize;
 use super::canvas::{Frame, escape, unit};
 use super::scale::{Scale, Spread};
 use super::{Shade, words_of};
-use crate::report::ReportError;
-use crate::report::numbers::rounded;
+use crate::ReportError;
+use lobefit_math::numbers::rounded;
 
 /// Digits of a place: more than a pixel tells.
 const DIGITS: usize = 5;
 
 /// Name, spread and ends of an axis.
-pub(super) type Axis = (String, &'static str, f64, f64);
+pub(crate) type Axis = (String, &'static str, f64, f64);
 
 /// What a drawing says under the pointer.
 #[derive(Serialize)]
 #[serde(rename_all = "lowercase", tag = "kind")]
-pub(super) enum Hover {
+pub(crate) enum Hover {
     /// Lines over two axes, their names in the order of drawing.
     Lines { frame: [f64; 4], x: Axis, y: Axis, lines: Vec<String> },
     /// A cell for each pair of values.
@@ -29,7 +29,7 @@ pub(super) enum Hover {
 
 /// Pictures in rows and columns.
 #[derive(Serialize)]
-pub(super) struct Cells {
+pub(crate) struct Cells {
     pub frame: [f64; 4],
     pub rows: Vec<String>,
     pub columns: Vec<String>,
@@ -49,7 +49,7 @@ pub(super) struct Cells {
 
 /// How a place on the colour bar becomes a value.
 #[derive(Serialize)]
-pub(super) struct Colours {
+pub(crate) struct Colours {
     /// Whether the bar's middle is 0 and the scale that of magnitudes.
     signed: bool,
     scale: (&'static str, f64, f64),
@@ -69,22 +69,22 @@ impl From<Shade> for Colours {
 }
 
 /// An axis with its scale.
-pub(super) fn axis(name: &str, scale: Scale) -> Axis {
+pub(crate) fn axis(name: &str, scale: Scale) -> Axis {
     (short(name), words_of(scale.spread), scale.min, scale.max)
 }
 
 /// A name without what explains it in brackets.
-pub(super) fn short(name: &str) -> String {
+pub(crate) fn short(name: &str) -> String {
     name.split(" (").next().unwrap_or(name).into()
 }
 
 /// Values in the digits of a place.
-pub(super) fn places(values: &[f64]) -> Vec<f64> {
+pub(crate) fn places(values: &[f64]) -> Vec<f64> {
     values.iter().map(|&x| rounded(x, DIGITS)).collect()
 }
 
 /// A frame in pixels: left, top, right, bottom.
-pub(super) fn corners(frame: Frame) -> [f64; 4] {
+pub(crate) fn corners(frame: Frame) -> [f64; 4] {
     [frame.left, frame.top, frame.right, frame.bottom].map(|x| (x * 10.0).round() / 10.0)
 }
 
@@ -92,7 +92,7 @@ pub(super) fn corners(frame: Frame) -> [f64; 4] {
 ///
 /// # Errors
 /// None that a figure's own checks let through.
-pub(super) fn with(svg: &str, hover: &Hover) -> Result<String, ReportError> {
+pub(crate) fn with(svg: &str, hover: &Hover) -> Result<String, ReportError> {
     let refused =
         |e: serde_json::Error| ReportError::Drawing { section: "hover".into(), reason: e.to_string() };
     let data = escape(&serde_json::to_string(hover).map_err(refused)?);
@@ -100,7 +100,7 @@ pub(super) fn with(svg: &str, hover: &Hover) -> Result<String, ReportError> {
 }
 
 /// The drawing with places that say a text each.
-pub(super) fn spots(svg: &str, spots: &[((f64, f64), String)]) -> String {
+pub(crate) fn spots(svg: &str, spots: &[((f64, f64), String)]) -> String {
     let spot = |((x, y), text): &((f64, f64), String)| {
         let (x, y, text) = (unit(*x), unit(*y), escape(text));
         format!("<circle class=\"spot\" cx=\"{x}\" cy=\"{y}\" r=\"70\"><title>{text}</title></circle>")

@@ -1,7 +1,7 @@
 //! The pictures themselves, read back by an independent decoder.
 
 use base64::Engine;
-use lobefit::report::{
+use lobefit_figures::{
     Cells, Curves, Field, Figure, Gallery, HeatMap, Image, ReportError, Ruler, Series, Shade, SphereRow,
     Spheres, Spread, Style, Tile,
 };

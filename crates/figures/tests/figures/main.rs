@@ -1,0 +1,4 @@
+//! Figures, as their SVG has them.
+
+mod pictures;
+mod plot;
