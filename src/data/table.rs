@@ -9,6 +9,10 @@ use super::{AlphaMap, Axis, Registration, Smith, Warp};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum TexelFormat {
+    /// 8-bit integers / 255: numbers in [0, 1].
+    Unorm8,
+    /// 16-bit integers / 65535: numbers in [0, 1], in the bytes of a half with a step of 1.5e-5.
+    Unorm16,
     /// IEEE half.
     F16,
     /// IEEE single.
@@ -19,6 +23,8 @@ impl TexelFormat {
     /// The word used in file names, headers and the manifest.
     pub fn name(self) -> &'static str {
         match self {
+            TexelFormat::Unorm8 => "unorm8",
+            TexelFormat::Unorm16 => "unorm16",
             TexelFormat::F16 => "f16",
             TexelFormat::F32 => "f32",
         }
@@ -27,16 +33,31 @@ impl TexelFormat {
     /// Bytes of one channel of one texel.
     pub fn bytes(self) -> u64 {
         match self {
-            TexelFormat::F16 => 2,
+            TexelFormat::Unorm8 => 1,
+            TexelFormat::Unorm16 | TexelFormat::F16 => 2,
             TexelFormat::F32 => 4,
         }
     }
 
-    /// The value as stored and read back.
+    /// The largest integer of a format of integers.
+    pub fn steps(self) -> Option<f64> {
+        match self {
+            TexelFormat::Unorm8 => Some(255.0),
+            TexelFormat::Unorm16 => Some(65535.0),
+            TexelFormat::F16 | TexelFormat::F32 => None,
+        }
+    }
+
+    /// The value as stored and read back: of a format of integers the nearest in [0, 1], and what is
+    /// not finite as it is.
     pub fn quantise(self, x: f64) -> f64 {
+        if let (Some(steps), true) = (self.steps(), x.is_finite()) {
+            return (x.clamp(0.0, 1.0) * steps).round() / steps;
+        }
         match self {
             TexelFormat::F16 => half::f16::from_f64(x).to_f64(),
             TexelFormat::F32 => f64::from(x as f32),
+            TexelFormat::Unorm8 | TexelFormat::Unorm16 => x,
         }
     }
 }

@@ -244,14 +244,17 @@ fn product(size: [usize; 2], step: usize, offset: f64) -> Vec<[f64; 2]> {
 }
 
 fn texels(table: &Table, size: [usize; 2]) -> TableTexels {
+    // Browsers have no integers of 16 bits that a sampler filters.
+    let format = if table.format == TexelFormat::F16 { TexelFormat::F16 } else { TexelFormat::F32 };
     let mut bytes = Vec::new();
     for i in 0..size[0] * size[1] {
         for Channel { texels, .. } in &table.channels {
-            match table.format {
-                TexelFormat::F16 => bytes.extend(half::f16::from_f64(texels[i]).to_le_bytes()),
-                TexelFormat::F32 => bytes.extend((texels[i] as f32).to_le_bytes()),
+            if format == TexelFormat::F16 {
+                bytes.extend(half::f16::from_f64(texels[i]).to_le_bytes());
+            } else {
+                bytes.extend((texels[i] as f32).to_le_bytes());
             }
         }
     }
-    TableTexels { size, channels: table.channels.len(), format: table.format, data: STANDARD.encode(bytes) }
+    TableTexels { size, channels: table.channels.len(), format, data: STANDARD.encode(bytes) }
 }

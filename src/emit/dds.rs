@@ -32,14 +32,12 @@ const DIMENSIONS: [u32; 2] = [3, 4];
 
 /// DXGI_FORMAT by name and number.
 pub fn format(texel: Texel) -> (&'static str, u32) {
-    match texel {
-        Texel::R16 => ("R16_FLOAT", 54),
-        Texel::Rg16 => ("R16G16_FLOAT", 34),
-        Texel::Rgba16 => ("R16G16B16A16_FLOAT", 10),
-        Texel::R32 => ("R32_FLOAT", 41),
-        Texel::Rg32 => ("R32G32_FLOAT", 16),
-        Texel::Rgba32 => ("R32G32B32A32_FLOAT", 2),
-    }
+    texel.named([
+        [("R8_UNORM", 61), ("R8G8_UNORM", 49), ("R8G8B8A8_UNORM", 28)],
+        [("R16_UNORM", 56), ("R16G16_UNORM", 35), ("R16G16B16A16_UNORM", 11)],
+        [("R16_FLOAT", 54), ("R16G16_FLOAT", 34), ("R16G16B16A16_FLOAT", 10)],
+        [("R32_FLOAT", 41), ("R32G32_FLOAT", 16), ("R32G32B32A32_FLOAT", 2)],
+    ])
 }
 
 /// Header and extension, after the magic number.

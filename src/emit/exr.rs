@@ -84,6 +84,10 @@ fn encoding(table: &Table) -> Encoding {
 fn samples(channel: &Channel, format: TexelFormat) -> FlatSamples {
     match format {
         TexelFormat::F16 => FlatSamples::F16(channel.texels.iter().map(|t| f16::from_f64(*t)).collect()),
+        // EXR has no format of integers / 65535; a single holds each to 3e-8.
+        TexelFormat::Unorm8 | TexelFormat::Unorm16 => {
+            FlatSamples::F32(channel.texels.iter().map(|t| format.quantise(*t) as f32).collect())
+        }
         TexelFormat::F32 => FlatSamples::F32(channel.texels.iter().map(|t| *t as f32).collect()),
     }
 }

@@ -24,25 +24,24 @@ const CHANNELS: [u32; 4] = [0, 1, 2, 15];
 /// KHR_DF_SAMPLE_DATATYPE_FLOAT and _SIGNED.
 const FLOAT: u32 = 0x80 | 0x40;
 
-/// Values of a sample that stand for -1 and 1, as singles whatever the sample's size.
-const LOWER: u32 = (-1.0_f32).to_bits();
-const UPPER: u32 = 1.0_f32.to_bits();
+/// Values of a sample of floats that stand for -1 and 1, as singles whatever the sample's size.
+const ENDS: [u32; 2] = [(-1.0_f32).to_bits(), 1.0_f32.to_bits()];
 
 /// VkFormat by name and number.
 pub fn format(texel: Texel) -> (&'static str, u32) {
-    match texel {
-        Texel::R16 => ("R16_SFLOAT", 76),
-        Texel::Rg16 => ("R16G16_SFLOAT", 83),
-        Texel::Rgba16 => ("R16G16B16A16_SFLOAT", 97),
-        Texel::R32 => ("R32_SFLOAT", 100),
-        Texel::Rg32 => ("R32G32_SFLOAT", 103),
-        Texel::Rgba32 => ("R32G32B32A32_SFLOAT", 109),
-    }
+    texel.named([
+        [("R8_UNORM", 9), ("R8G8_UNORM", 16), ("R8G8B8A8_UNORM", 37)],
+        [("R16_UNORM", 70), ("R16G16_UNORM", 77), ("R16G16B16A16_UNORM", 91)],
+        [("R16_SFLOAT", 76), ("R16G16_SFLOAT", 83), ("R16G16B16A16_SFLOAT", 97)],
+        [("R32_SFLOAT", 100), ("R32G32_SFLOAT", 103), ("R32G32B32A32_SFLOAT", 109)],
+    ])
 }
 
 /// The data format descriptor: its size and one basic block with a sample per stored channel.
 fn descriptor(texel: Texel) -> Vec<Field> {
-    let (channels, bits) = (texel.channels(), 8 * texel.channel_bytes());
+    let (channels, bits) = (texel.channels, 8 * texel.channel_bytes());
+    // Of integers those that stand for 0 and 1.
+    let (kind, [lower, upper]) = texel.format.steps().map_or((FLOAT, ENDS), |steps| (0, [0, steps as u32]));
     let block = 24 + 16 * channels;
     let mut fields = vec![
         ("dfdTotalSize", 4 + block),
@@ -55,10 +54,10 @@ fn descriptor(texel: Texel) -> Vec<Field> {
     ];
     for (k, channel) in (0..channels).zip(CHANNELS) {
         fields.extend([
-            ("dfd.channelType", (k * bits) | ((bits - 1) << 16) | ((channel | FLOAT) << 24)),
+            ("dfd.channelType", (k * bits) | ((bits - 1) << 16) | ((channel | kind) << 24)),
             ("dfd.samplePosition", 0),
-            ("dfd.sampleLower", LOWER),
-            ("dfd.sampleUpper", UPPER),
+            ("dfd.sampleLower", lower),
+            ("dfd.sampleUpper", upper),
         ]);
     }
     fields

@@ -4,7 +4,7 @@
 
 use super::header;
 use crate::data::{Arguments, Decode, Table, TableCode, TexelFormat};
-use lobefit_shade::code::{CodeError, Language, TableLookup};
+use lobefit_shade::code::{CodeError, Language, TableLookup, Texels};
 
 /// What the functions of a table are called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,7 +95,11 @@ impl Readable<'_> {
             arguments: code.inputs,
             coordinates: code.located_by,
             decoding: code.decoded_by,
-            is_wide: self.table.format == TexelFormat::F32,
+            texels: match self.table.format {
+                TexelFormat::F32 => Texels::Single,
+                TexelFormat::Unorm16 => Texels::Norm16,
+                TexelFormat::F16 | TexelFormat::Unorm8 => Texels::Common,
+            },
         })
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::call::{Call, LookupFunction, MaskLookup, MipEntry};
-use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table};
+use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table, TexelFormat};
 use lobefit_import::Note;
 
 /// Version of the manifest's form.
@@ -153,7 +153,7 @@ pub struct TableEntry {
     /// How E, A and B follow from the channels.
     pub decode: BTreeMap<String, String>,
     /// Texel format.
-    pub format: String,
+    pub format: TexelFormat,
     /// Columns, then rows, then slices where there are any.
     pub axes: Vec<AxisEntry>,
     /// Measured errors.
@@ -399,7 +399,7 @@ impl TableEntry {
             alpha_map: table.alpha_map.name().into(),
             channels: table.channels.iter().map(|c| c.name.clone()).collect(),
             decode: decode.iter().map(|(name, formula)| (name.to_string(), formula.to_string())).collect(),
-            format: table.format.name().into(),
+            format: table.format,
             axes: table.axes.iter().map(AxisEntry::new).collect(),
             error,
             bytes: table.bytes(),

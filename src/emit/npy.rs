@@ -10,7 +10,8 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// The data begin at a multiple of this.
 const ALIGNMENT: usize = 64;
 
-/// How a file holds a validated table: an array of `<f2` or `<f4` in C order, of shape (slices,
+/// How a file holds a validated table: an array of `<f2` or `<f4` in C order, of integers `|u1` or
+/// `<u2` that stand for themselves / 255 or 65535, of shape (slices,
 /// rows, columns), or (rows, columns) for two axes; with a last axis of channels if there are
 /// several.
 pub fn packed(table: &Table) -> Packed {
@@ -25,6 +26,8 @@ pub fn packed(table: &Table) -> Packed {
 /// Everything before the texels.
 fn header(table: &Table) -> Vec<u8> {
     let kind = match table.format {
+        TexelFormat::Unorm8 => "|u1",
+        TexelFormat::Unorm16 => "<u2",
         TexelFormat::F16 => "<f2",
         TexelFormat::F32 => "<f4",
     };

@@ -30,63 +30,42 @@ pub enum TextureError {
     },
 }
 
-/// Format of a stored texel. Three channels are stored as four, the fourth 0: graphics interfaces
-/// need not have formats of three halves, nor filter those of three singles.
+/// A stored texel. Three channels are stored as four, the fourth 0: graphics interfaces need not have
+/// formats of three halves, nor filter those of three singles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Texel {
-    /// One half.
-    R16,
-    /// Two halves.
-    Rg16,
-    /// Four halves.
-    Rgba16,
-    /// One single.
-    R32,
-    /// Two singles.
-    Rg32,
-    /// Four singles.
-    Rgba32,
+pub struct Texel {
+    /// Type of a channel.
+    pub format: TexelFormat,
+    /// Stored channels: 1, 2 or 4.
+    pub channels: u32,
 }
 
 impl Texel {
     /// Of a table; none for more channels than four, or for no channel.
     pub fn of(table: &Table) -> Option<Texel> {
-        match (table.format, table.channels.len()) {
-            (TexelFormat::F16, 1) => Some(Texel::R16),
-            (TexelFormat::F16, 2) => Some(Texel::Rg16),
-            (TexelFormat::F16, 3 | 4) => Some(Texel::Rgba16),
-            (TexelFormat::F32, 1) => Some(Texel::R32),
-            (TexelFormat::F32, 2) => Some(Texel::Rg32),
-            (TexelFormat::F32, 3 | 4) => Some(Texel::Rgba32),
-            _ => None,
-        }
-    }
-
-    /// Stored channels.
-    pub fn channels(self) -> u32 {
-        match self {
-            Texel::R16 | Texel::R32 => 1,
-            Texel::Rg16 | Texel::Rg32 => 2,
-            Texel::Rgba16 | Texel::Rgba32 => 4,
-        }
-    }
-
-    /// Type of a channel.
-    pub fn format(self) -> TexelFormat {
-        match self {
-            Texel::R16 | Texel::Rg16 | Texel::Rgba16 => TexelFormat::F16,
-            Texel::R32 | Texel::Rg32 | Texel::Rgba32 => TexelFormat::F32,
-        }
+        let channels = match table.channels.len() {
+            1 => 1,
+            2 => 2,
+            3 | 4 => 4,
+            _ => return None,
+        };
+        Some(Texel { format: table.format, channels })
     }
 
     /// Bytes of a channel.
     pub fn channel_bytes(self) -> u32 {
-        self.format().bytes() as u32
+        self.format.bytes() as u32
     }
 
     /// Bytes of a texel.
     pub fn bytes(self) -> u32 {
-        self.channels() * self.channel_bytes()
+        self.channels * self.channel_bytes()
+    }
+
+    /// The one of 12 formats that an interface has for it, of one, two and four channels of each type
+    /// as [`TexelFormat`] lists them.
+    pub fn named<T: Copy>(self, formats: [[T; 3]; 4]) -> T {
+        formats[self.format as usize][(self.channels / 2) as usize]
     }
 }
 
@@ -130,8 +109,8 @@ impl Texture {
         Packed {
             header: [magic, &words, rest].concat(),
             fields: (magic.len(), fields),
-            stored: self.texel.format(),
-            channels: self.texel.channels() as usize,
+            stored: self.texel.format,
+            channels: self.texel.channels as usize,
         }
     }
 }

@@ -140,7 +140,9 @@ struct TableFile {
     /// slices where the materials have one anisotropy or one index of refraction.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
-    /// Texel format; default `f16`.
+    /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,
+    /// `unorm8` half the bytes; both hold [0, 1], which layouts of signed texels (`azimuth`, `area-lights`, and
+    /// `homogeneous` for `split-sum`) do not keep to.
     format: Maybe<Word<TexelFormat>>,
     /// What the table is looked up for; default `albedo`, the only one with a third axis.
     serves: Maybe<Word<Serves>>,
@@ -216,12 +218,31 @@ impl OpenTable {
             );
             return Err(about("serves", message));
         }
+        if self.format.steps().is_some() && !within_unit(layout, serves) {
+            let message = format!(
+                "`{}` holds [0, 1], and texels of the {} layout{} are signed; give `f16`",
+                self.format.name(),
+                layout.name(),
+                if serves == Serves::SplitSum { " for `split-sum`" } else { "" }
+            );
+            return Err(about("format", message));
+        }
         let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
         let max_error = self.max_error.or_else(default_limit);
         let has_open_slices = self.size.is_none() && layout.axes() > 2 && layout != Layout::PathTracer;
         let size = self.size.or_else(|| default_size(lobe, layout));
         let (format, n_dot_v) = (self.format, self.n_dot_v);
         Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, max_bytes: None, n_dot_v })
+    }
+}
+
+/// Whether the texels of a layout are in [0, 1]: albedos, losses, scales and biases are, expansions,
+/// differences and matrices are not.
+fn within_unit(layout: Layout, serves: Serves) -> bool {
+    match layout {
+        Layout::Azimuth | Layout::AreaLights => false,
+        Layout::Homogeneous => serves == Serves::Albedo,
+        Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::PathTracer => true,
     }
 }
 

@@ -44,12 +44,12 @@ fn table(name: &str, format: TexelFormat, axes: Vec<Axis>, channels: &[&str]) ->
     table
 }
 
-/// Tables of every shape that the formats tell apart: two and three axes, f16 and f32, one to four
+/// Tables of every shape that the formats tell apart: two and three axes, integers, f16 and f32, one to four
 /// channels.
 pub fn of_all_shapes() -> Vec<Table> {
     let names = ["loss", "second", "a third", "w"];
     let mut tables = Vec::new();
-    for format in [TexelFormat::F16, TexelFormat::F32] {
+    for format in [TexelFormat::Unorm8, TexelFormat::Unorm16, TexelFormat::F16, TexelFormat::F32] {
         for axes in [2, 3] {
             for channels in 1..=4 {
                 let name = format!("solid-{}-{axes}-{channels}", format.name());

@@ -34,6 +34,8 @@ fn write(container: Container, table: &Table, folder: &Path) -> PathBuf {
 fn expected(table: &Table, channel: usize, place: [usize; 3]) -> f64 {
     let exact = texel(channel, place);
     match table.format {
+        TexelFormat::Unorm8 => (exact * 255.0).round() / 255.0,
+        TexelFormat::Unorm16 => (exact * 65535.0).round() / 65535.0,
         TexelFormat::F16 => f16::from_f64(exact).to_f64(),
         TexelFormat::F32 => f64::from(exact as f32),
     }
@@ -46,7 +48,10 @@ fn compare(what: &str, table: &Table, found: impl Fn(usize, [usize; 3]) -> f64) 
         for y in 0..rows {
             for x in 0..columns {
                 for c in 0..table.channels.len() {
-                    let (expected, found) = (expected(table, c, [x, y, z]), found(c, [x, y, z]));
+                    let (mut expected, found) = (expected(table, c, [x, y, z]), found(c, [x, y, z]));
+                    if ["exr", "raw"].contains(&what) {
+                        expected = f64::from(expected as f32);
+                    }
                     assert!(expected == found, "{what} {}, channel {c} at {x} {y} {z}: {found}", table.name);
                 }
             }
@@ -96,7 +101,8 @@ fn our_own_reader_finds_the_same_image() {
         assert_eq!((decoded.width, decoded.height), (columns, rows * slices));
         for channel in table.quantised().channels {
             let found = decoded.channels.iter().find(|c| c.name == channel.name).expect("the channel");
-            assert_eq!(found.texels, channel.texels);
+            let stored = channel.texels.iter().map(|x| f64::from(*x as f32)).collect::<Vec<_>>();
+            assert_eq!(found.texels, stored);
         }
     }
 }
@@ -121,10 +127,16 @@ fn numpy_finds_slices_rows_columns_and_channels() {
         if channels > 1 {
             shape.push(channels);
         }
-        assert_eq!(read["type"], if table.format == TexelFormat::F16 { "<f2" } else { "<f4" });
+        let (kind, steps) = match table.format {
+            TexelFormat::Unorm8 => ("|u1", 255.0),
+            TexelFormat::Unorm16 => ("<u2", 65535.0),
+            TexelFormat::F16 => ("<f2", 1.0),
+            TexelFormat::F32 => ("<f4", 1.0),
+        };
+        assert_eq!(read["type"], kind);
         assert_eq!(read["shape"], serde_json::json!(shape), "{}", table.name);
         let values: Vec<f64> = serde_json::from_value(read["values"].clone()).unwrap();
-        compare("npy", table, |c, [x, y, z]| values[((z * rows + y) * columns + x) * channels + c]);
+        compare("npy", table, |c, [x, y, z]| values[((z * rows + y) * columns + x) * channels + c] / steps);
         sidecar(table, &path, table.format.name(), 128, 0);
     }
     say(&format!("numpy: {} arrays, every texel at its place", tables.len()));
@@ -205,6 +217,12 @@ fn a_dds_reader_finds_a_texture_with_every_texel() {
         assert_eq!((dds.get_width(), dds.get_height()), (columns as u32, rows as u32));
         assert_eq!((dds.header.depth, dds.get_depth()), (solid.then_some(3), slices as u32));
         let (format, stored) = match (table.format, table.channels.len()) {
+            (TexelFormat::Unorm8, 1) => (DxgiFormat::R8_UNorm, 1),
+            (TexelFormat::Unorm8, 2) => (DxgiFormat::R8G8_UNorm, 2),
+            (TexelFormat::Unorm8, _) => (DxgiFormat::R8G8B8A8_UNorm, 4),
+            (TexelFormat::Unorm16, 1) => (DxgiFormat::R16_UNorm, 1),
+            (TexelFormat::Unorm16, 2) => (DxgiFormat::R16G16_UNorm, 2),
+            (TexelFormat::Unorm16, _) => (DxgiFormat::R16G16B16A16_UNorm, 4),
             (TexelFormat::F16, 1) => (DxgiFormat::R16_Float, 1),
             (TexelFormat::F16, 2) => (DxgiFormat::R16G16_Float, 2),
             (TexelFormat::F16, _) => (DxgiFormat::R16G16B16A16_Float, 4),
@@ -231,7 +249,10 @@ fn a_dds_reader_finds_a_texture_with_every_texel() {
 
 /// Bytes as the numbers of a table's format.
 fn numbers(table: &Table, bytes: &[u8]) -> Vec<f64> {
+    let integer = |b: &[u8; 2]| f64::from(u16::from_le_bytes(*b)) / 65535.0;
     match table.format {
+        TexelFormat::Unorm8 => bytes.iter().map(|b| f64::from(*b) / 255.0).collect(),
+        TexelFormat::Unorm16 => bytes.as_chunks().0.iter().map(integer).collect(),
         TexelFormat::F16 => bytes.as_chunks().0.iter().map(|b| f16::from_le_bytes(*b).to_f64()).collect(),
         TexelFormat::F32 => bytes.as_chunks().0.iter().map(|b| f32::from_le_bytes(*b).into()).collect(),
     }
@@ -248,6 +269,12 @@ fn a_ktx2_reader_finds_a_texture_with_every_texel() {
         let [columns, rows, slices] = table.size();
         let solid = table.axes.len() == 3;
         let (format, stored) = match (table.format, table.channels.len()) {
+            (TexelFormat::Unorm8, 1) => (Format::R8_UNORM, 1),
+            (TexelFormat::Unorm8, 2) => (Format::R8G8_UNORM, 2),
+            (TexelFormat::Unorm8, _) => (Format::R8G8B8A8_UNORM, 4),
+            (TexelFormat::Unorm16, 1) => (Format::R16_UNORM, 1),
+            (TexelFormat::Unorm16, 2) => (Format::R16G16_UNORM, 2),
+            (TexelFormat::Unorm16, _) => (Format::R16G16B16A16_UNORM, 4),
             (TexelFormat::F16, 1) => (Format::R16_SFLOAT, 1),
             (TexelFormat::F16, 2) => (Format::R16G16_SFLOAT, 2),
             (TexelFormat::F16, _) => (Format::R16G16B16A16_SFLOAT, 4),
@@ -263,7 +290,7 @@ fn a_ktx2_reader_finds_a_texture_with_every_texel() {
         assert_eq!(header.supercompression_scheme, None);
         // As the crate makes it, whose descriptors Khronos' validator passes; texels are no
         // colours.
-        let (made, _) = Basic::from_format(format).expect("a format of floats");
+        let (made, _) = Basic::from_format(format).expect("a format of numbers");
         assert_eq!(made.transfer_function, Some(TransferFunction::Linear));
         assert_eq!(file.dfd_blocks(), [Block::Basic(Basic { color_primaries: None, ..made })]);
         let pairs: Vec<(&str, &[u8])> = file.key_value_data().collect();
@@ -299,10 +326,11 @@ fn what_a_container_cannot_hold_is_refused() {
     for container in [Container::Dds, Container::Ktx2] {
         let error = refused(container, &five);
         assert!(matches!(error, ContainerError::Texture(_)), "{error}");
-        let words = format!("solid-f16-2-1: 5 channels; a texel of {} has one to four", container.name());
+        let words = format!("solid-unorm8-2-1: 5 channels; a texel of {} has one to four", container.name());
         assert!(error.to_string().contains(&words), "{error}");
     }
-    let mut large = tables[0].clone();
+    let half = tables.iter().find(|table| table.format == TexelFormat::F16).expect("a table of f16");
+    let mut large = half.clone();
     large.channels[0].texels[7] = 1e6; // beyond the largest half, 65504
     let mut short = tables[0].clone();
     short.channels[0].texels.pop();

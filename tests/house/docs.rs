@@ -5,13 +5,14 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use clap::Parser;
-use lobefit::bake::{Baked, Silent};
+use lobefit::bake::{Baked, Silent, bake};
 use lobefit::cli::cost::{Beside, Options};
 use lobefit::cli::input::{Input, load};
 use lobefit::data::{Model, Vendor};
 use lobefit::emit::header::short;
 use lobefit::emit::include::Include;
 use lobefit::plan::plan;
+use lobefit::scene::Scene;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use lobefit_math::correlation::Correlation;
 use serde_json::Value;
@@ -174,6 +175,23 @@ fn the_table_of_tables_is_the_manifests() {
     let wanted: Vec<String> =
         json("manifest.json")["tables"].as_array().expect("a list").iter().map(table_row).collect();
     assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+#[test]
+fn the_table_of_formats_is_what_the_example_bakes() {
+    let example = root().join("examples/texel-formats.json");
+    let scene = Scene::from_json(&std::fs::read(&example).expect("a scene"), "a scene").expect("a scene");
+    let baked = bake(&scene, &plan(&scene), &[], shared(), &Silent).expect("a bake");
+    let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
+    let row = |table: &Value| {
+        let lookup = &table["error"]["lookup"];
+        let size = &table["axes"][0]["size"];
+        let (format, bytes) = (table["format"].as_str().expect("a format"), &table["bytes"]);
+        let (max, rms) = (number(&lookup["max"]), short(number(&lookup["rms"])));
+        format!("| {size} x {size} | `{format}` | {bytes} | {max} | {rms} |")
+    };
+    let rows: Vec<String> = manifest["tables"].as_array().expect("a list").iter().map(row).collect();
+    assert_rows("docs/cost.md", &["| 32 x 32 | `", "| 64 x 64 | `", "| 128 x 128 | `"], &rows);
 }
 
 /// Microseconds of a call for each pixel of 3840 x 2160.

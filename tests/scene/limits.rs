@@ -71,6 +71,32 @@ fn texels_hold_at_the_limit_only() {
     );
 }
 
+#[test]
+fn integers_hold_texels_in_the_unit_interval_alone() {
+    let scene = |more: &str, table: &str| {
+        format!(
+            r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"metal","f0":1,"roughness":[0.5,1]{more},"wants":{{"tables":[{{{table}}}]}}}}]}}"#
+        )
+    };
+    let signed = [
+        ("", r#""size":[8,8],"serves":"split-sum""#, "homogeneous layout for `split-sum`"),
+        ("", r#""size":[8,8],"layout":"area-lights""#, "area-lights layout"),
+        (r#","anisotropy":0.5"#, r#""size":[8,8,8],"layout":"azimuth""#, "azimuth layout"),
+    ];
+    for format in ["unorm8", "unorm16"] {
+        for (more, table, what) in signed {
+            let error = read(&scene(more, &format!(r#"{table},"format":"{format}""#))).unwrap_err();
+            let expected = format!(
+                "materials[0].wants.tables[0].format: `{format}` holds [0, 1], and texels of the {what} are signed; give `f16`"
+            );
+            assert!(error.ends_with(&expected), "{error}");
+        }
+        for table in ["", r#","layout":"plain","serves":"split-sum""#] {
+            read(&scene("", &format!(r#""size":[8,8],"format":"{format}"{table}"#))).unwrap();
+        }
+    }
+}
+
 /// A scene of glasses, each with these tables.
 fn glasses(tables: impl Iterator<Item = String>) -> String {
     let list: Vec<String> = tables

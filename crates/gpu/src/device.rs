@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use super::GpuError;
 use super::texture::Texels;
+use lobefit::data::TexelFormat;
 use lobefit::report::{GpuClock, GpuDevice};
 
 /// Invocations of a workgroup along either side.
@@ -96,7 +97,8 @@ impl Gpu {
     pub fn open(wanted: Option<&str>) -> Result<Gpu, GpuError> {
         let adapter = adapter(wanted)?;
         let info = adapter.get_info();
-        let useful = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_FILTERABLE;
+        use wgpu::Features as Of;
+        let useful = Of::TIMESTAMP_QUERY | Of::FLOAT32_FILTERABLE | Of::TEXTURE_FORMAT_16BIT_NORM;
         let features = adapter.features() & useful;
         let stamped = features.contains(wgpu::Features::TIMESTAMP_QUERY);
         let descriptor = wgpu::DeviceDescriptor {
@@ -138,9 +140,14 @@ impl Gpu {
         GpuError::Failed { adapter: self.info.adapter.clone(), doing: doing.into(), reason }
     }
 
-    /// Whether it filters textures of f32.
-    pub fn filters_single(&self) -> bool {
-        self.device.features().contains(wgpu::Features::FLOAT32_FILTERABLE)
+    /// The formats of which it filters no textures.
+    pub fn unfiltered(&self) -> Vec<TexelFormat> {
+        let needed = [
+            (TexelFormat::F32, wgpu::Features::FLOAT32_FILTERABLE),
+            (TexelFormat::Unorm16, wgpu::Features::TEXTURE_FORMAT_16BIT_NORM),
+        ];
+        let has = self.device.features();
+        needed.into_iter().filter(|(_, feature)| !has.contains(*feature)).map(|(format, _)| format).collect()
     }
 
     /// An empty buffer.

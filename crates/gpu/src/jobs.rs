@@ -7,6 +7,7 @@ use super::shader::{Fetches, Shader};
 use super::texture::{Shape, Texels};
 use super::variable::Ranges;
 use lobefit::bake::Baked;
+use lobefit::data::TexelFormat;
 use lobefit::data::Use;
 use lobefit::emit::call::LookupFunction;
 use lobefit::emit::call::MipEntry;
@@ -55,12 +56,12 @@ struct Collector {
     jobs: Jobs,
     /// Jobs of plain fetches.
     fetches: BTreeMap<String, usize>,
-    filters_single: bool,
+    unfiltered: Vec<TexelFormat>,
 }
 
 impl Jobs {
-    /// Of a bake with an include file, for a device that filters textures of f32 or does not.
-    pub fn of(include: Include, baked: &Baked, filters_single: bool) -> Result<Jobs, GpuError> {
+    /// Of a bake with an include file, for a device that does not filter textures of some formats.
+    pub fn of(include: Include, baked: &Baked, unfiltered: Vec<TexelFormat>) -> Result<Jobs, GpuError> {
         let wrong = |place: &str, reason: String| GpuError::Bake { place: place.into(), reason };
         let module = naga::front::wgsl::parse_str(&include.text)
             .map_err(|e| wrong("fits/lobefit.wgsl", e.emit_to_string(&include.text)))?;
@@ -68,7 +69,7 @@ impl Jobs {
         let manifest: Manifest =
             serde_json::from_slice(manifest).map_err(|e| wrong(MANIFEST, e.to_string()))?;
         let jobs = Jobs { all: Vec::new(), left_out: Vec::new() };
-        let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new(), filters_single };
+        let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new(), unfiltered };
         let manifest = manifest.entries;
         collector.plain(&manifest);
         manifest.lookups.iter().try_for_each(|lookup| collector.lookup(lookup))?;
@@ -81,9 +82,9 @@ impl Jobs {
 
 /// The fetch that formulas and tables of two axes are compared with, that of tables of three, and
 /// that of lookups.
-const FLAT: Texels = Texels { shape: Shape::Flat([64, 64], 2), single: false };
-const SOLID: Texels = Texels { shape: Shape::Solid([64, 64, 32], 1), single: false };
-const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), single: false };
+const FLAT: Texels = Texels { shape: Shape::Flat([64, 64], 2), format: TexelFormat::F16 };
+const SOLID: Texels = Texels { shape: Shape::Solid([64, 64, 32], 1), format: TexelFormat::F16 };
+const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), format: TexelFormat::F16 };
 
 impl Collector {
     /// The fetches to compare with that something is compared with.
@@ -164,9 +165,9 @@ impl Collector {
             [columns, rows, slices] => Shape::Solid([*columns, *rows, *slices], channels),
             _ => return Err(GpuError::Bake { place: function, reason: format!("{} axes", sizes.len()) }),
         };
-        let texels = Texels { shape, single: table.format == "f32" };
-        if texels.single && !self.filters_single {
-            let reason = "a texture of f32, which this device does not filter".into();
+        let texels = Texels { shape, format: table.format };
+        if self.unfiltered.contains(&table.format) {
+            let reason = format!("a texture of {}, which this device does not filter", table.format.name());
             self.jobs.left_out.push(GpuLeftOut { function, reason });
             return Ok(());
         }

@@ -70,7 +70,7 @@ pub fn measure(
 ) -> Result<Option<GpuRecord>, GpuError> {
     let Some(include) = Include::of(&baked.files) else { return Ok(None) };
     let gpu = Gpu::open(adapter)?;
-    let jobs = Jobs::of(include, baked, gpu.filters_single())?;
+    let jobs = Jobs::of(include, baked, gpu.unfiltered())?;
     let measured = Measured::of(&gpu, &jobs.all, work, progress)?;
     Ok(Some(GpuRecord {
         origin,

@@ -2,13 +2,15 @@
 
 use std::fmt;
 
+use lobefit::data::TexelFormat;
+
 /// A texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Texels {
     /// Axes and channels.
     pub shape: Shape,
-    /// Of f32, which not every device filters, instead of f16.
-    pub single: bool,
+    /// Type of a channel.
+    pub format: TexelFormat,
 }
 
 /// Axes and channels of a texture.
@@ -44,14 +46,14 @@ impl Texels {
     }
 
     fn format(self) -> wgpu::TextureFormat {
-        match (self.channels(), self.single) {
-            (1, false) => wgpu::TextureFormat::R16Float,
-            (2, false) => wgpu::TextureFormat::Rg16Float,
-            (_, false) => wgpu::TextureFormat::Rgba16Float,
-            (1, true) => wgpu::TextureFormat::R32Float,
-            (2, true) => wgpu::TextureFormat::Rg32Float,
-            (_, true) => wgpu::TextureFormat::Rgba32Float,
-        }
+        use wgpu::TextureFormat as Of;
+        let formats = match self.format {
+            TexelFormat::Unorm8 => [Of::R8Unorm, Of::Rg8Unorm, Of::Rgba8Unorm],
+            TexelFormat::Unorm16 => [Of::R16Unorm, Of::Rg16Unorm, Of::Rgba16Unorm],
+            TexelFormat::F16 => [Of::R16Float, Of::Rg16Float, Of::Rgba16Float],
+            TexelFormat::F32 => [Of::R32Float, Of::Rg32Float, Of::Rgba32Float],
+        };
+        formats[(self.channels() / 2) as usize]
     }
 
     fn size(self) -> wgpu::Extent3d {
@@ -92,14 +94,16 @@ impl Texels {
         size.width = (size.width >> level).max(1);
         size.height = (size.height >> level).max(1);
         let values = size.width * size.height * size.depth_or_array_layers * self.channels();
-        let (bytes, width): (Vec<u8>, u32) = if self.single {
-            ((0..values).flat_map(|i| texel(i).to_le_bytes()).collect(), 4)
-        } else {
-            ((0..values).flat_map(|i| half::f16::from_f32(texel(i)).to_le_bytes()).collect(), 2)
+        let texels = (0..values).map(texel);
+        let bytes: Vec<u8> = match self.format {
+            TexelFormat::Unorm8 => texels.map(|x| (255.0 * x) as u8).collect(),
+            TexelFormat::Unorm16 => texels.flat_map(|x| ((65535.0 * x) as u16).to_le_bytes()).collect(),
+            TexelFormat::F16 => texels.flat_map(|x| half::f16::from_f32(x).to_le_bytes()).collect(),
+            TexelFormat::F32 => texels.flat_map(f32::to_le_bytes).collect(),
         };
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(size.width * width * self.channels()),
+            bytes_per_row: Some(size.width * self.format.bytes() as u32 * self.channels()),
             rows_per_image: Some(size.height),
         };
         let mut place = texture.as_image_copy();
@@ -117,7 +121,7 @@ fn texel(i: u32) -> f32 {
 
 impl fmt::Display for Texels {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (channels, format) = (self.channels(), if self.single { "f32" } else { "f16" });
+        let (channels, format) = (self.channels(), self.format.name());
         match self.shape {
             Shape::Flat([columns, rows], _) => {
                 write!(f, "texture {columns}x{rows}, {channels} x {format}")

@@ -134,6 +134,8 @@ fn texels(
 /// Distance in representable numbers of the texel format.
 fn ulps(a: f64, b: f64, format: TexelFormat) -> u64 {
     let index = |x: f64| match format {
+        TexelFormat::Unorm8 => (255.0 * x).round() as i64,
+        TexelFormat::Unorm16 => (65535.0 * x).round() as i64,
         TexelFormat::F16 => ordered(u64::from(half::f16::from_f64(x).to_bits()), 15),
         TexelFormat::F32 => ordered(u64::from((x as f32).to_bits()), 31),
     };

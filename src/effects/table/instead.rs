@@ -81,8 +81,12 @@ pub(super) fn instead(
         let but = format!(", layout `{}` (another fetch in the shader)", layout.name());
         smallest(TableJob { layout, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }
-    if job.format == TexelFormat::F16 {
-        let format = TexelFormat::F32;
+    let finer = match job.format {
+        TexelFormat::Unorm8 => Some(TexelFormat::Unorm16),
+        TexelFormat::F16 => Some(TexelFormat::F32),
+        TexelFormat::Unorm16 | TexelFormat::F32 => None,
+    };
+    if let Some(format) = finer {
         let but = format!(", format `{}`", format.name());
         smallest(TableJob { format, ..job.clone() }, own.to_vec(), sizes, &but)?;
     }

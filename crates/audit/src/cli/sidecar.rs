@@ -111,6 +111,8 @@ impl Beside {
             return given;
         }
         let format = match self.said.stored {
+            TexelFormat::Unorm8 => RawFormat::Unorm8,
+            TexelFormat::Unorm16 => RawFormat::Unorm16,
             TexelFormat::F16 => RawFormat::F16,
             TexelFormat::F32 => RawFormat::F32,
         };
@@ -148,6 +150,8 @@ impl Beside {
             values: (0..texels).map(|t| value(t * stored + c)).collect(),
         };
         let step = match self.said.format {
+            TexelFormat::Unorm8 => Step::Unorm8,
+            TexelFormat::Unorm16 => Step::Unorm16,
             TexelFormat::F16 => Step::Half,
             TexelFormat::F32 => Step::None,
         };

@@ -36,7 +36,8 @@ pub(super) const HALF: Family = Family { qualifier: "mediump ", ..GLSL };
 const TEXTURES: Textures = Textures {
     resources: &[("table", "sampler#D")],
     fetch: "textureLod(table, #, 0.0)",
-    feature: "Texels of 32 bits need, in OpenGL ES, the extension OES_texture_float_linear.",
+    single: "Texels of 32 bits need, in OpenGL ES, the extension OES_texture_float_linear.",
+    norm16: Some("Texels of 16-bit integers need, in OpenGL ES, the extension EXT_texture_norm16."),
 };
 
 const FACTS: Facts = Facts {

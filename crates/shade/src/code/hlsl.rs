@@ -35,7 +35,8 @@ pub(super) const HALF: Family = Family { number: "min16float", suffix: "", vecto
 const TEXTURES: Textures = Textures {
     resources: &[("table", "Texture#D<float4>"), ("linear_clamp", "SamplerState")],
     fetch: "table.SampleLevel(linear_clamp, #, 0.0f)",
-    feature: "Texels of 32 bits need a device that filters them, which Direct3D leaves open.",
+    single: "Texels of 32 bits need a device that filters them, which Direct3D leaves open.",
+    norm16: None,
 };
 
 const FACTS: Facts = Facts {

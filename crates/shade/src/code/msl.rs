@@ -33,7 +33,8 @@ pub(super) const HALF: Family = Family { number: "half", suffix: "h", vector: "h
 const TEXTURES: Textures = Textures {
     resources: &[("table", "texture#d<float>"), ("linear_clamp", "sampler")],
     fetch: "table.sample(linear_clamp, #, level(0.0f))",
-    feature: "Texels of 32 bits need a device with supports32BitFloatFiltering.",
+    single: "Texels of 32 bits need a device with supports32BitFloatFiltering.",
+    norm16: None,
 };
 
 const FACTS: Facts = Facts {

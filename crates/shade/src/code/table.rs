@@ -29,8 +29,19 @@ pub struct TableLookup {
     pub coordinates: Vec<&'static str>,
     /// Those of the decoding among them.
     pub decoding: Vec<&'static str>,
-    /// Whether texels have 32 bits.
-    pub is_wide: bool,
+    /// What a device needs to filter its texels.
+    pub texels: Texels,
+}
+
+/// Formats of texels, by what a device needs to filter them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Texels {
+    /// Halves and bytes: nothing.
+    Common,
+    /// Singles.
+    Single,
+    /// Integers of 16 bits / 65535.
+    Norm16,
 }
 
 /// Letters of the texture coordinates, and the suffix of the function that computes them.
@@ -105,7 +116,9 @@ pub(super) struct Textures {
     /// The fetch of four channels, `#` for the coordinates.
     pub fetch: &'static str,
     /// What a device must have for texels of 32 bits.
-    pub feature: &'static str,
+    pub single: &'static str,
+    /// The same for integers of 16 bits, where the language's interfaces leave them open.
+    pub norm16: Option<&'static str>,
 }
 
 /// What picks a texel's channels from the four that are fetched.
@@ -120,7 +133,12 @@ impl Textures {
         let meaning = table.meaning;
         let mut first =
             vec![format!("{meaning} by one fetch; the sampler filters linearly and clamps to the edge.")];
-        first.extend(table.is_wide.then(|| self.feature.to_string()));
+        let needed = match table.texels {
+            Texels::Common => None,
+            Texels::Single => Some(self.single),
+            Texels::Norm16 => self.norm16,
+        };
+        first.extend(needed.map(String::from));
         let mut text = table.opening(printer, &first, &own.collect::<Vec<_>>());
         let uv = table.letters().concat();
         let declare = |name: &str, n: usize, value: &str| {

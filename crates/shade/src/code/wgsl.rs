@@ -49,7 +49,8 @@ const WORDS: Words = Words {
 const TEXTURES: Textures = Textures {
     resources: &[("table", "texture_#d<f32>"), ("linear_clamp", "sampler")],
     fetch: "textureSampleLevel(table, linear_clamp, #, 0.0)",
-    feature: "Texels of 32 bits need a device with the feature float32-filterable.",
+    single: "Texels of 32 bits need a device with the feature float32-filterable.",
+    norm16: Some("Texels of 16-bit integers need a device with the feature texture-formats-tier1."),
 };
 
 impl Printer for Wgsl {
