@@ -202,7 +202,8 @@ fn the_times_are_the_records() {
     let found: Vec<&str> = section.expect("it").lines().filter(|line| line.contains('`')).collect();
     let record = json("reports/gpu/nvidia-h200.json");
     let rows = record["rows"].as_array().expect("a list").iter();
-    let shown = |kind: &Value| ["cubemap-fetch", "lookup-fetches", "table"].iter().any(|k| kind == k);
+    let shown =
+        |kind: &Value| ["fetch", "cubemap-fetch", "lookup-fetches", "table"].iter().any(|k| kind == k);
     let row = |row: &Value| {
         let microseconds = number(&row["nanoseconds"]["median"]) * f64::from(3840 * 2160) / 1000.0;
         format!("| `{}` | {microseconds:.0} |", row["name"].as_str().expect("a name"))

@@ -86,13 +86,22 @@ const FLAT: Texels = Texels { shape: Shape::Flat([64, 64], 2), format: TexelForm
 const SOLID: Texels = Texels { shape: Shape::Solid([64, 64, 32], 1), format: TexelFormat::F16 };
 const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), format: TexelFormat::F16 };
 
+/// Those two in other formats, to compare formats by.
+const FORMATS: [TexelFormat; 3] = [TexelFormat::Unorm8, TexelFormat::Unorm16, TexelFormat::F32];
+
 impl Collector {
-    /// The fetches to compare with that something is compared with.
+    /// The fetches to compare with that something is compared with, and of textures the same in every
+    /// format that the device filters.
     fn plain(&mut self, manifest: &Entries) {
         let solid = manifest.tables.iter().any(|table| table.axes.len() > 2);
         let flat = !manifest.fits.is_empty() || manifest.tables.iter().any(|table| table.axes.len() == 2);
-        let wanted = [(FLAT, flat), (SOLID, solid), (CUBE, !manifest.lookups.is_empty())];
-        for (texels, _) in wanted.into_iter().filter(|(_, wanted)| *wanted) {
+        let formats = FORMATS.iter().filter(|format| !self.unfiltered.contains(format));
+        let others = |of: Texels| formats.clone().map(move |format| Texels { format: *format, ..of });
+        let of_tables = [(FLAT, flat), (SOLID, solid)];
+        let other = of_tables.iter().flat_map(|(of, wanted)| others(*of).map(move |of| (of, *wanted)));
+        let wanted = of_tables.into_iter().chain([(CUBE, !manifest.lookups.is_empty())]);
+        let wanted: Vec<_> = wanted.chain(other).filter(|(_, wanted)| *wanted).collect();
+        for (texels, _) in wanted {
             let name = format!("fetch: {texels}");
             self.fetches.insert(texels.to_string(), self.jobs.all.len());
             self.jobs.all.push(Job {
