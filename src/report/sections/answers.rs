@@ -404,7 +404,8 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
                        is that of the purpose.";
         figures(&[chart], caption)
     };
-    if purposes().all(|(_, p)| dots(p, 0).is_empty()) {
+    // One point has nothing to be compared with.
+    if purposes().map(|(_, p)| dots(p, 0).len()).sum::<usize>() < 2 {
         return Ok(None);
     }
     let of = vec![

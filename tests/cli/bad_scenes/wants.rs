@@ -63,7 +63,7 @@ fn not_a_want() -> Vec<Case> {
         case(table("\"size\":[\"32\",\"32\"]"), "wants.tables[0].size[0]: invalid type: string"),
         case(
             table("\"format\":\"f64\""),
-            "wants.tables[0].format: unknown variant `f64`, expected `f16` or `f32`",
+            "wants.tables[0].format: unknown variant `f64`, expected one of `unorm8`, `unorm16`, `f16`, `f32`",
         ),
         case(table("\"layout\":\"cubic\""), "wants.tables[0].layout: unknown variant `cubic`"),
         case(

@@ -183,7 +183,7 @@ impl Audit {
         if let Some(n) = self.channels.iter().map(sampled).max().filter(|n| *n > 0) {
             return Some(format!("{n} texels were not sampled: audit the table in slices"));
         }
-        let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused);
+        let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused && !self.pads(c));
         let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();
         if !names.is_empty() {
             let advice =
@@ -198,6 +198,17 @@ impl Audit {
             foreign.name,
             words.join(",")
         ))
+    }
+
+    /// Whether a channel only fills a pixel up, as blue or alpha beside two channels of a table do: it
+    /// is 0 or 1 throughout, and what the others hold is the whole energy.
+    fn pads(&self, channel: &ChannelAudit) -> bool {
+        let held = |column| self.channels.iter().any(|c| c.column == Some(column));
+        let whole = [Column::E, Column::Loss, Column::Inverse, Column::Excess, Column::RT, Column::LossRT];
+        let halves = [[Column::A, Column::B], [Column::R, Column::T]];
+        let is_whole =
+            whole.into_iter().any(held) || halves.into_iter().any(|both| both.into_iter().all(held));
+        is_whole && channel.constant.is_some_and(|x| x == 0.0 || x == 1.0)
     }
 
     /// The furnace error |E N - 1| of a function that is a normalisation: what a limit is on, as 1/E may

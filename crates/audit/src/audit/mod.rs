@@ -34,7 +34,7 @@ mod screen;
 mod table;
 mod truth;
 mod two_lobes;
-mod verdict;
+pub(crate) mod verdict;
 mod work;
 
 pub use crate::foreign::Channel;

@@ -4,7 +4,6 @@ mod furnace;
 mod judged;
 mod ltc;
 mod origin;
-mod refusal;
 mod sidecar;
 mod source;
 mod stated;
@@ -19,6 +18,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::audit::verdict::{of_stated, reason};
 use crate::audit::{
     self, Audit, AuditedTable, Column, Encoding, Fixed, Form, Input, LEFT_OUT, Registration, Scale,
 };
@@ -217,7 +217,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
             &holds,
             options.limit,
         );
-        return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
+        return publish(options, folder, &found, &of_stated(said, options.limit));
     }
     let (own, quantity) = (fixed(options)?, options.wanted.0);
     let judge = |fixed: &Fixed| {
@@ -247,9 +247,9 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let passed = found.passed && said.is_none();
     let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
     let refused = match &said {
-        Some(said) => refusal::of_stated(said, options.limit),
-        None if done.fit == audit::Fit::Whole => refusal::refusal(&done, options.limit),
-        None => refusal::refusal(&done, options.limit) + &sidecar::missing(options),
+        Some(said) => of_stated(said, options.limit),
+        None if done.fit == audit::Fit::Whole => reason(&done, options.limit),
+        None => reason(&done, options.limit) + &sidecar::missing(options),
     };
     publish(options, folder, &found, &refused)
 }
@@ -291,7 +291,7 @@ fn publish(
         return Ok(Outcome::Done);
     }
     if !options.quiet {
-        say(refused);
+        say(&format!("audit failed: {refused}"));
     }
     Ok(Outcome::Failed)
 }

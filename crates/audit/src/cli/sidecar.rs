@@ -105,21 +105,22 @@ impl Beside {
         &self.said.quantity
     }
 
-    /// What a file without a header is read by; an option has the last word.
+    /// What a file without a header is read by, and integers in one with a header; an option has the last
+    /// word.
     pub fn hints(&self, given: Hints) -> Hints {
-        if self.said.container != Container::Raw {
-            return given;
-        }
         let format = match self.said.stored {
             TexelFormat::Unorm8 => RawFormat::Unorm8,
             TexelFormat::Unorm16 => RawFormat::Unorm16,
             TexelFormat::F16 => RawFormat::F16,
             TexelFormat::F32 => RawFormat::F32,
         };
+        let given = Hints { format: given.format.or(Some(format)), ..given };
+        if self.said.container != Container::Raw {
+            return given;
+        }
         Hints {
             size: given.size.or(Some(self.size())),
             channels: given.channels.or(Some(self.said.channels.len())),
-            format: given.format.or(Some(format)),
             ..given
         }
     }

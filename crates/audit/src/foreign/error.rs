@@ -93,6 +93,11 @@ impl ForeignError {
         )
     }
 
+    /// The same with what else is to be known.
+    pub(super) fn beside(self, more: &str) -> ForeignError {
+        ForeignError { message: format!("{}; {more}", self.message), ..self }
+    }
+
     /// An array, layer or function that is asked for by name and is not there, or may be one of
     /// several.
     pub(super) fn no_such(file: &str, what: &str, name: &str, known: &[String]) -> ForeignError {

@@ -118,6 +118,12 @@ fn a_constant_channel_is_judged_or_named() {
             &Fixed { meanings: Some(list.iter().copied().map(Some).collect()), ..Fixed::default() },
         )
     };
+    // Beside both halves it fills a pixel up, as the blue of a picture does; 0.5 would be no filling.
+    let (a, b) = (|x, y| value(x, y).0 - value(x, y).1, |x, y| value(x, y).1);
+    let picture = |fill: f64| plane([16, 16], &[("R", &a), ("G", &b), ("B", &move |_, _| fill)]);
+    assert!(
+        reflection_of(&picture(0.0)).passes(Some(1e-3)) && !reflection_of(&picture(0.5)).passes(Some(1e-3))
+    );
     assert!(with(&[Column::A]).passes(Some(1e-3)));
     let judged = with(&[Column::A, Column::B]);
     assert!(judged.worst() > 0.1 && !judged.passes(Some(1e-3)), "{}", judged.worst());

@@ -7,7 +7,7 @@ use crate::foreign_support;
 mod solid;
 
 use foreign_support::{dds, dds_extended, exr_of_parts, hdr, ktx2, png, value};
-use lobefit::data::{Container, Table, TexelFormat};
+use lobefit::data::{Channel, Container, Table, TexelFormat};
 use lobefit::emit;
 use lobefit_audit::foreign::{ForeignTable, Hints, RawFormat, Step, read_table};
 use solid::of_all_shapes;
@@ -66,11 +66,22 @@ fn our_own_files_read_back_to_the_bit() {
         for container in Container::ALL {
             let Some(packed) = emit::container::packed(container, &table).unwrap() else { continue };
             // A raw file alone says nothing of its shape.
-            let hints = if container == Container::Raw { hints.clone() } else { Hints::default() };
+            let format = match table.format {
+                TexelFormat::Unorm8 => Some(RawFormat::Unorm8),
+                TexelFormat::Unorm16 => Some(RawFormat::Unorm16),
+                TexelFormat::F16 | TexelFormat::F32 => None,
+            };
+            let hints = match container {
+                Container::Raw => hints.clone(),
+                // Integers of an array may be bits, too.
+                Container::Npy => Hints { format, ..Hints::default() },
+                _ => Hints::default(),
+            };
             let found = one(&packed.file(&table), &format!("t.{}", container.name()), &hints);
             assert_eq!(found.size, size);
             for (channel, ours) in found.channels.iter().zip(&table.quantised().channels) {
-                assert_eq!(channel.values, ours.texels, "{}", found.what);
+                let as_f32 = container == Container::Raw;
+                assert_eq!(channel.values, stored(ours, as_f32), "{}", found.what);
             }
         }
     }
@@ -82,8 +93,13 @@ fn assert_same(found: &ForeignTable, table: &Table, size: &[usize]) {
     assert_eq!(found.step, step);
     for channel in &table.quantised().channels {
         let same = found.channels.iter().find(|c| c.name == channel.name).expect("the channel");
-        assert_eq!(same.values, channel.texels);
+        assert_eq!(same.values, stored(channel, true));
     }
+}
+
+/// The values of a channel, in a file of singles those nearest to them.
+fn stored(channel: &Channel, as_f32: bool) -> Vec<f64> {
+    channel.texels.iter().map(|x| if as_f32 { f64::from(*x as f32) } else { *x }).collect()
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::defect::{LINES, extent};
 use super::points::{LIKELY, SAME};
+use super::reason::only_plain_exceeds;
 use super::words::{listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::plain::Plain;
@@ -9,7 +10,7 @@ use crate::audit::table::Source;
 use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 
 /// The steps that mend it; none where there is nothing to mend.
-pub(super) fn advice(audit: &Audit) -> Vec<String> {
+pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     if audit.fit == Fit::None {
         let told = match audit.source {
             Source::Table => "make it again, or audit it as what it holds",
@@ -33,23 +34,28 @@ pub(super) fn advice(audit: &Audit) -> Vec<String> {
             steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
         }
     }
+    // Within a limit a part that is less exact than the rest is said, and needs no work.
+    let kept = limit.is_some() && audit.passes(limit);
     let defects = audit.channels.iter().flat_map(|c| &c.defects);
+    let defects = defects.filter(|d| !(kept && matches!(d, Defect::Part { .. })));
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     if audit.channels.iter().any(|c| matches!(c.column, Some(Column::Normal | Column::NormalLoss))) {
         steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
     }
-    steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain)));
+    let exceeds = limit.is_some_and(|limit| only_plain_exceeds(audit, limit));
+    steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, exceeds)));
     steps.dedup();
     steps
 }
 
-/// What to do about a reading that no reader assumes; none where only the registration is such, which
-/// has steps of its own.
-fn unassumed(audit: &Audit, plain: &Plain) -> Option<String> {
+/// What to do about a reading that no reader assumes, or for which a limit is not kept; none where only
+/// the registration is such, which has steps of its own.
+fn unassumed(audit: &Audit, plain: &Plain, exceeds: bool) -> Option<String> {
     let own = audit.best();
     let same = |(a, b): (&AxisReading, &AxisReading)| a.scale == b.scale && a.reversed == b.reversed;
     let axes = own.axes.iter().zip(&plain.convention.axes).all(same);
-    if axes && own.columns == plain.convention.columns {
+    let lobe = !exceeds || own.lobe == plain.convention.lobe;
+    if axes && lobe && own.columns == plain.convention.columns {
         return None;
     }
     let plainly = readings_differ(audit, own, &plain.convention);

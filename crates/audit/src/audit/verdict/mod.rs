@@ -3,10 +3,12 @@
 mod advice;
 mod defect;
 mod points;
+mod reason;
 mod words;
 
 pub(super) use defect::sentence;
 pub(super) use points::{of, said_limit};
+pub(crate) use reason::{of_stated, reason};
 pub(crate) use words::place;
 pub(super) use words::{along, listed, long, number};
 

@@ -1,5 +1,6 @@
 //! The points of a verdict on a table or function of unknown make.
 
+use super::reason::{only_plain_exceeds, reason};
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
 use crate::audit::axis::Registration;
@@ -18,7 +19,11 @@ pub(super) const LIKELY: f64 = 1.2;
 
 /// The verdict; `limit` is the largest error that the user allows.
 pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
+    let grade = grade(audit, limit);
     let mut errors = Vec::new();
+    if grade != Grade::Pass {
+        errors.push(format!("{} since {}.", grade.word(), reason(audit, limit)));
+    }
     for (k, channel) in audit.channels.iter().filter(|c| c.column.is_some()).enumerate() {
         errors.extend(at_places(audit, channel, k == 0));
         let known = audit.fit != Fit::None && audit.two_lobes.is_none();
@@ -26,7 +31,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
     errors.dedup();
-    errors.extend(untold(audit));
+    errors.extend(untold(audit).filter(|_| limit.is_none_or(|limit| !only_plain_exceeds(audit, limit))));
     errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
@@ -36,12 +41,12 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     });
     let convention: Vec<String> = [opening(audit)].into_iter().chain(named).chain(idle(audit)).collect();
     Verdict {
-        grade: grade(audit, limit),
+        grade,
         headline: headline(audit, limit),
         convention: convention.join(" "),
         errors,
         furnace: furnace(audit),
-        remedy: advice::advice(audit),
+        remedy: advice::advice(audit, limit),
         certainty: doubt(audit),
     }
 }
@@ -93,6 +98,7 @@ pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
 fn headline(audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
     let what = format!("{} {}: {}", audit.quantity, listed(&held), audit.what);
+    let is_limited = limit.is_some();
     let limit = said_limit(limit);
     let worst = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.errors.as_ref()?)));
     let Some((of, worst)) = worst.reduce(|a, b| if b.1.max > a.1.max { b } else { a }) else {
@@ -124,6 +130,8 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
     match largest_lookup(audit) {
         Some((of, lookup)) if lookup.max > worst.max => {
             let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
+            // A limit is on the texels: the figure that is judged stands first.
+            let worst_at = at;
             let at = match lookup.max > 1.01 * lookup.inner {
                 true => format!(
                     "beyond the outermost texels, at {}; {} between them",
@@ -132,10 +140,15 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
                 ),
                 false => place(&lookup.at),
             };
-            format!(
-                "{what} is off by at most {}{of} in lookups ({at}), {max} at texels{limit}",
-                number(lookup.max)
-            )
+            let lookup = number(lookup.max);
+            match is_limited {
+                true => format!(
+                    "{what} is off by at most {max} at texels ({worst_at}), {lookup}{of} in lookups ({at}){limit}"
+                ),
+                false => {
+                    format!("{what} is off by at most {lookup}{of} in lookups ({at}), {max} at texels{limit}")
+                }
+            }
         }
         _ => format!("{what} is off by at most {max} at {at}{limit}"),
     }

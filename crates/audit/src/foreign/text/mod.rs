@@ -42,7 +42,16 @@ pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreig
             return Err(ForeignError::no_such(file, "array", symbol, &known));
         }
     }
-    found.into_iter().map(|(lead, literal)| table(text, file, lead, literal, hints)).collect()
+    // Which of several is meant comes before what size one of them has.
+    let counts =
+        found.iter().map(|(lead, literal)| format!("{} ({} values)", lead.name, literal.values.len()));
+    let several = (found.len() > 1).then(|| counts.collect::<Vec<_>>().join(", "));
+    let read = found.into_iter().map(|(lead, literal)| table(text, file, lead, literal, hints));
+    let read: Result<Vec<ForeignTable>, ForeignError> = read.collect();
+    read.map_err(|error| match several {
+        Some(names) => error.beside(&format!("the file has the arrays {names}: choose one by --symbol")),
+        None => error,
+    })
 }
 
 fn table(

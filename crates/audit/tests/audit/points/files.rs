@@ -85,7 +85,11 @@ fn point_15_a_verdict_is_a_line_and_five_points() {
     says(
         &odd.verdict(Some(1e-3)),
         "FAIL",
-        &["ggx-reflection E: shipped is off by at most 0.1", ", 0.003 at texels; the limit is 0.001"],
+        &[
+            "ggx-reflection E: shipped is off by at most 0.003 at texels (",
+            " in lookups (",
+            "; the limit is 0.001",
+        ],
     );
     says(&nothing.verdict(None), "UNKNOWN", &["shipped fits no convention; the nearest leaves "]);
     let fields = serde_json::to_value(sound.verdict(None)).unwrap();

@@ -75,6 +75,24 @@ fn point_07_what_samples_leave_is_no_part_of_other_code() {
     assert!(plain > 20 && inverse.abs_diff(plain) <= 2, "{plain} {inverse}");
 }
 
+/// Two rows of other code in a table of samples are named by their rows, though samples leave a few
+/// texels elsewhere as far off.
+#[test]
+fn damaged_rows_among_samples_are_named() {
+    let truth = |i: usize| both(Smith::Correlated, at(i / N) * at(i / N), at(i % N)).0;
+    // A hundred times the samples.
+    let mut e: Vec<f64> =
+        of_samples().iter().enumerate().map(|(i, e)| truth(i) + 0.1 * (e - truth(i))).collect();
+    e[10 * N..12 * N].iter_mut().for_each(|e| *e += 0.1);
+    let found = reflection_of(&shipped(&[N; 2], vec![("0", e)]));
+    let part = found.channels[0].defects.iter().find_map(|d| match d {
+        Defect::Part { range, .. } => Some(range.clone()),
+        _ => None,
+    });
+    assert_eq!(part, Some(vec![[0, N - 1], [10, 11]]), "{:?}", found.channels[0].defects);
+    says(&found.verdict(None), "FAIL", &["ggx-reflection E", "make the texels at y = 10 to 11 again"]);
+}
+
 /// Smooth surfaces are exact in any format; in ten bits the rest is off by up to a step.
 #[test]
 fn point_07_what_the_format_holds_is_no_part_of_other_code() {
