@@ -27,7 +27,9 @@ pub use eon::EonSingle;
 pub use glass::GgxGlass;
 pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
-pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
+pub use reflection::{
+    BECKMANN_REFLECTION, GGX_REFLECTION, Lobe, Reflection, SCHLICK_SMITH, TRUTH_ERROR, reflection_by,
+};
 pub use refracted::RefractedWidth;
 pub use sheen::SheenCharlie;
 pub use used::{Residual, Use};
