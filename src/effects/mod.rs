@@ -47,11 +47,12 @@ pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {
-    static ALL: [&dyn Effect; 13] = [
+    static ALL: [&dyn Effect; 14] = [
         &reflection::GGX,
         &reflection::BECKMANN,
         &anisotropy::Anisotropy,
-        &glass::Glass,
+        &glass::GGX,
+        &glass::BECKMANN,
         &dielectric::Dielectric,
         &width::Width,
         &coupling::DiffuseCoupling,

@@ -21,10 +21,10 @@ pub(super) fn is_rough(scene: &Scene, material: &Material) -> bool {
 }
 
 /// Why a scene leaves out what is of a distribution of normals.
-pub(super) fn no_distribution(ndf: Ndf) -> String {
+pub(super) fn no_distribution(ndf: Ndf, noun: &str) -> String {
     match ndf {
-        Ndf::Ggx => "every material has Beckmann's distribution".into(),
-        Ndf::Beckmann => "no material has Beckmann's distribution".into(),
+        Ndf::Ggx => format!("every {noun} has Beckmann's distribution"),
+        Ndf::Beckmann => format!("no {noun} has Beckmann's distribution"),
     }
 }
 

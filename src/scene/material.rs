@@ -211,6 +211,17 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         },
     ],
     "allOf" = [{ "anyOf": [
+        { "properties": { "distribution": { "const": "ggx" } } },
+        { "properties": {
+            "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "coat": false,
+            "base": { "anyOf": [{ "required": ["roughness"] }, { "properties": { "albedo": { "const": 0.0 } } }] },
+            "wants": { "properties": {
+                "exact_fresnel": false, "refracted_width": false, "widened": false,
+                "fit": { "properties": { "average": { "const": false }, "multiscatter": { "const": false } } },
+                "tables": { "items": { "properties": { "layout": { "enum": ["homogeneous", "plain", "plain-squared", "optimised"] } } } },
+            } },
+        } },
+    ] }, { "anyOf": [
         { "required": ["coat"] },
         { "properties": { "wants": { "properties": { "widened": { "properties": { "coat": { "const": false } } } } } } },
     ] }, {
@@ -344,6 +355,8 @@ impl Material {
             wants.exact_fresnel.as_ref().map(|_| "wants.exact_fresnel".into()),
             wants.refracted_width.as_ref().map(|_| "wants.refracted_width".into()),
             wants.widened.as_ref().map(|_| "wants.widened".into()),
+            wants.fit.as_ref().filter(|fit| fit.multiscatter).map(|_| "wants.fit.multiscatter".into()),
+            wants.fit.as_ref().filter(|fit| fit.average).map(|_| "wants.fit.average".into()),
             of_table(Layout::AreaLights),
             of_table(Layout::PathTracer),
         ];

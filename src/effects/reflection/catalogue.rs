@@ -66,4 +66,11 @@ pub const BECKMANN_NORMALISATIONS: [Entry; 11] = own![
 ];
 
 /// f0 A + B of Beckmann's distribution with free parameters, by rising cost.
-pub const BECKMANN_BLENDS: [Entry; 1] = own!["beckmann_blend_16"];
+pub const BECKMANN_BLENDS: [Entry; 6] = own![
+    "beckmann_blend_12",
+    "beckmann_blend_14",
+    "beckmann_blend_18",
+    "beckmann_blend_21",
+    "beckmann_blend_22",
+    "beckmann_blend_24",
+];

@@ -153,7 +153,7 @@ impl Reflection {
         let own = scene.materials.iter().filter(|m| m.distribution == self.ndf);
         let (rough, smooth): (Vec<&Material>, Vec<&Material>) = own.partition(|m| is_rough(scene, m));
         if rough.is_empty() && smooth.is_empty() {
-            return no_distribution(self.ndf);
+            return no_distribution(self.ndf, "material");
         }
         if rough.is_empty() {
             return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));

@@ -10,6 +10,7 @@
 //! Ends: s = alpha/sqrt(pi) at grazing view, s = mu at normal incidence.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use super::distribution::{Distribution, Polar};
 use super::ggx::Vec3;
@@ -52,6 +53,41 @@ fn ierfc(c: f64) -> f64 {
     }
     let rest = (1..=TERMS).rev().fold(0.0, |rest, k| 0.5 * f64::from(k) / (c + rest));
     gauss * rest / (c + rest)
+}
+
+/// Cells of [`ierfc_near`], each an eighth wide, and its terms.
+const CELLS: usize = 48;
+const POWERS: usize = 8;
+
+/// Taylor's polynomials of ierfc about the middles of the cells: f' = -erfc, and the further derivatives
+/// are those of 2/sqrt(pi) exp(-c^2), (-1)^n H_n of it.
+static NEAR: LazyLock<[[f64; POWERS]; CELLS]> = LazyLock::new(|| {
+    std::array::from_fn(|cell| {
+        let c = (cell as f64 + 0.5) / 8.0;
+        let mut terms = [0.0; POWERS];
+        (terms[0], terms[1]) = (ierfc(c), -ops::erfc(c));
+        let (mut hermite, mut next, mut factorial) = (2.0 * INVERSE_ROOT_PI * ops::exp(-c * c), 0.0, 1.0);
+        for (n, term) in terms.iter_mut().enumerate().skip(2) {
+            factorial *= n as f64;
+            *term = hermite / factorial;
+            // H_(n+1) = 2 c H_n - 2 n H_(n-1), with the sign of the derivative.
+            let k = (n - 2) as f64;
+            (hermite, next) = (-2.0 * c * hermite - 2.0 * k * next, hermite);
+        }
+        terms
+    })
+});
+
+/// ierfc of c >= 0 within 1e-12, 0 from c = 6 on, where it is 1e-17: for loops.
+#[inline(always)]
+pub(crate) fn ierfc_near(c: f64) -> f64 {
+    let place = 8.0 * c;
+    if place.is_nan() || place >= CELLS as f64 {
+        return 0.0;
+    }
+    let cell = place as usize;
+    let x = c - (cell as f64 + 0.5) / 8.0;
+    NEAR[cell].iter().rev().fold(0.0, |sum, term| sum * x + term)
 }
 
 impl Distribution for Beckmann {

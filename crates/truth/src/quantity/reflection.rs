@@ -6,10 +6,10 @@ use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Vari
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
+use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
 use crate::optics::schlick_smith::SchlickSmith;
-use crate::optics::{Ndf, Smith};
 
 /// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts
 /// for f0 A + B, and 1 - E.
@@ -61,14 +61,6 @@ pub trait Lobe: Quantity {
 
     /// E, and B where `split` says so, at millions of points.
     fn known(&self, smith: Smith, split: bool) -> &dyn Known;
-}
-
-/// The reflection of a distribution of normals.
-pub fn reflection_by(ndf: Ndf) -> &'static dyn Lobe {
-    match ndf {
-        Ndf::Ggx => &GGX_REFLECTION,
-        Ndf::Beckmann => &BECKMANN_REFLECTION,
-    }
 }
 
 /// The rule of the ladder by which truths at many points are made, texels by the one after it. A
