@@ -2,9 +2,8 @@
 
 use super::lobe::Lobe;
 use crate::integrate::glass::facets::Facets;
-use crate::optics::beckmann::{Beckmann, ierfc_near};
+use crate::optics::beckmann::{Beckmann, falling, ierfc_near};
 use crate::optics::distribution::Ggx;
-use lobefit_math::lanes;
 
 /// A distribution of which glass has tables.
 pub trait Tabled: Facets {
@@ -69,8 +68,8 @@ impl Tabled for Ggx {
 
 impl Tabled for Beckmann {
     const QUANTITY: &'static str = "beckmann-glass";
-    const PANEL: f64 = 0.4;
-    const AZIMUTH: f64 = 6.0;
+    const PANEL: f64 = 0.35;
+    const AZIMUTH: f64 = 7.0;
 
     #[inline(always)]
     fn area_far(lobe: &Lobe<Beckmann>, cosine: f64) -> f64 {
@@ -102,15 +101,6 @@ impl Tabled for Beckmann {
     fn of_light([exponent, rise, scale]: [f64; 3], q2: f64, l2: f64) -> [f64; 2] {
         [l2, scale * falling(exponent + rise * q2 / l2)]
     }
-}
-
-/// exp(-x), 0 where that is next to nothing.
-#[inline(always)]
-fn falling(x: f64) -> f64 {
-    // Beyond, and of what is no number.
-    let inside = x < 80.0;
-    let value = lanes::exp_of(if inside { -x } else { -80.0 });
-    if inside { value } else { 0.0 }
 }
 
 /// Keeps divisors above 0.
