@@ -21,7 +21,7 @@ pub use container::Container;
 pub use decode::{Decode, Values};
 pub use layout::{Layout, Serves};
 pub use lobefit_fit::Norm;
-pub use lobefit_truth::optics::{AlphaMap, LOG_FROM, LOG_SCALE, MipChain, MipMap, Smith};
+pub use lobefit_truth::optics::{AlphaMap, LOG_FROM, LOG_SCALE, MipChain, MipMap, Ndf, Smith};
 pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};

@@ -42,15 +42,17 @@ pub use deviation::{Deviation, Rounding};
 pub use effect::{Effect, Note};
 pub use error::BakeError;
 pub use made::{Limited, Made, Part};
-use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx};
+use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx, lobe_of};
 pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {
-    &[
-        &reflection::Reflection,
+    static ALL: [&dyn Effect; 14] = [
+        &reflection::GGX,
+        &reflection::BECKMANN,
         &anisotropy::Anisotropy,
-        &glass::Glass,
+        &glass::GGX,
+        &glass::BECKMANN,
         &dielectric::Dielectric,
         &width::Width,
         &coupling::DiffuseCoupling,
@@ -60,7 +62,8 @@ pub fn catalogue() -> &'static [&'static dyn Effect] {
         &ltc::Ltc,
         &parallax::Parallax,
         &occlusion::Occlusion,
-    ]
+    ];
+    &ALL
 }
 
 /// The effect of a name.

@@ -1,6 +1,7 @@
 //! What several effects say at the head of the include files.
 
 use super::Note;
+use crate::data::Ndf;
 use crate::scene::Scene;
 
 /// How the names of functions of tables in the path tracer's layout begin.
@@ -21,5 +22,10 @@ pub(super) const NOTE_LOOKUP: Note =
 
 /// The GGX lobe in the scene's conventions.
 pub(super) fn ggx(scene: &Scene) -> String {
-    format!("GGX lobe, smith: {}; alpha = {}", scene.smith.name(), scene.alpha.name())
+    lobe_of(Ndf::Ggx, scene)
+}
+
+/// The lobe of a distribution in the scene's conventions.
+pub(super) fn lobe_of(ndf: Ndf, scene: &Scene) -> String {
+    format!("{} lobe, smith: {}; alpha = {}", ndf.name(), scene.smith.name(), scene.alpha.name())
 }

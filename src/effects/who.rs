@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::demand::Demand;
+use crate::data::Ndf;
 use crate::scene::{Lobe, Material, Scene};
 
 /// Most materials that a reason names; the rest are counted.
@@ -17,6 +18,14 @@ pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f
 /// Whether a material's lobe is rough somewhere.
 pub(super) fn is_rough(scene: &Scene, material: &Material) -> bool {
     material.rough_range(scene.alpha).is_some()
+}
+
+/// Why a scene leaves out what is of a distribution of normals.
+pub(super) fn no_distribution(ndf: Ndf, noun: &str) -> String {
+    match ndf {
+        Ndf::Ggx => format!("every {noun} has Beckmann's distribution"),
+        Ndf::Beckmann => format!("no {noun} has Beckmann's distribution"),
+    }
 }
 
 /// What an isotropic approximation leaves out of a material's lobe.

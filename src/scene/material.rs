@@ -10,7 +10,7 @@ use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::value::{Maybe, Text, Word, about, from_file};
 use super::wants::{OpenWants, Wants};
-use crate::data::{AlphaMap, Layout};
+use crate::data::{AlphaMap, Layout, Ndf};
 use lobefit_truth::optics::fresnel::f0_of_ior;
 use lobefit_truth::quantity::Specular;
 
@@ -71,6 +71,10 @@ pub struct Material {
     pub ior: Option<[f64; 2]>,
     /// Roughness range in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
+    /// The distribution of its facets' normals.
+    // Absent at its default: the hash of a scene of GGX is that of the versions before it.
+    #[serde(skip_serializing_if = "ggx")]
+    pub distribution: Ndf,
     /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy),
     /// alpha_x = alpha / aspect, alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at
     /// Disney"). 0 to 0: isotropic.
@@ -91,6 +95,10 @@ pub struct Material {
     pub base: Option<Base>,
     /// What is wanted of its specular lobe.
     pub wants: Wants,
+}
+
+fn ggx(distribution: &Ndf) -> bool {
+    *distribution == Ndf::Ggx
 }
 
 fn isotropic(anisotropy: &[f64; 2]) -> bool {
@@ -203,6 +211,17 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         },
     ],
     "allOf" = [{ "anyOf": [
+        { "properties": { "distribution": { "const": "ggx" } } },
+        { "properties": {
+            "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "coat": false,
+            "base": { "anyOf": [{ "required": ["roughness"] }, { "properties": { "albedo": { "const": 0.0 } } }] },
+            "wants": { "properties": {
+                "exact_fresnel": false, "refracted_width": false, "widened": false,
+                "fit": { "properties": { "average": { "const": false }, "multiscatter": { "const": false } } },
+                "tables": { "items": { "properties": { "layout": { "enum": ["homogeneous", "plain", "plain-squared", "optimised"] } } } },
+            } },
+        } },
+    ] }, { "anyOf": [
         { "required": ["coat"] },
         { "properties": { "wants": { "properties": { "widened": { "properties": { "coat": { "const": false } } } } } } },
     ] }, {
@@ -249,6 +268,10 @@ struct MaterialFile {
     /// Roughness: a number, or the range [lo, hi] that the material's texture spans. Where alpha is
     /// below 0.0001 the surface counts as smooth and calls for no rough specular.
     roughness: Span<Unit, true>,
+    /// The distribution of the normals of its facets: `ggx` (the default) or `beckmann`, which has tables
+    /// and fits of isotropic lobes that reflect, and tables of glass.
+    #[serde(default)]
+    distribution: Maybe<Word<Ndf>>,
     /// Anisotropy of a metal or a dielectric: a number, or the range [lo, hi] that the material's
     /// texture spans; default 0. aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect,
     /// alpha_y = alpha aspect.
@@ -309,7 +332,41 @@ impl TryFrom<MaterialFile> for Material {
                 return Err(format!("`{layer}` is for dielectrics; leave it out of {}", of_kind(kind)));
             }
         }
-        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, coat, base, wants })
+        let distribution = file.distribution.0.map_or_else(Ndf::default, |word| word.0);
+        let material =
+            Material { name, kind, f0, ior, roughness, distribution, anisotropy, sheen, coat, base, wants };
+        match distribution {
+            Ndf::Ggx => Ok(material),
+            Ndf::Beckmann => material.of_beckmann(),
+        }
+    }
+}
+
+impl Material {
+    /// The material, unless it asks for what is known of the GGX lobe alone.
+    fn of_beckmann(self) -> Result<Material, String> {
+        let wants = &self.wants;
+        let table = |layout| wants.tables.iter().position(|want| want.layout == layout);
+        let of_table = |layout| table(layout).map(|i| format!("wants.tables[{i}].layout"));
+        let asked = [
+            (self.anisotropy[1] > 0.0).then(|| "anisotropy".into()),
+            self.coat.is_some().then(|| "coat".into()),
+            self.lit_base().map(|_| "base".into()),
+            wants.exact_fresnel.as_ref().map(|_| "wants.exact_fresnel".into()),
+            wants.refracted_width.as_ref().map(|_| "wants.refracted_width".into()),
+            wants.widened.as_ref().map(|_| "wants.widened".into()),
+            wants.fit.as_ref().filter(|fit| fit.multiscatter).map(|_| "wants.fit.multiscatter".into()),
+            wants.fit.as_ref().filter(|fit| fit.average).map(|_| "wants.fit.average".into()),
+            of_table(Layout::AreaLights),
+            of_table(Layout::PathTracer),
+        ];
+        match asked.into_iter().flatten().next() {
+            Some(field) => Err(about(
+                field,
+                "it is of the distribution `ggx`; with `beckmann` ask for tables of isotropic lobes and of glass, and for fits",
+            )),
+            None => Ok(self),
+        }
     }
 }
 

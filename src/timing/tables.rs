@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::seconds;
 use crate::data::Smith;
 use crate::effects::anisotropy::{self, Anisotropy};
-use crate::effects::glass::{self, Glass};
+use crate::effects::glass;
 use crate::effects::table::{DRAWN, PATH_TRACER_SAMPLES, Sliced, estimate};
 use crate::report::{TimedEstimator, TimedTableRun, TimedTables};
 use lobefit_truth::integrate::{IntegrateError, Path};
@@ -71,7 +71,7 @@ fn fastest<T>(work: impl Fn() -> Result<T, IntegrateError>) -> Result<(T, f64), 
 
 /// The path tracer's method on the same threads; seconds are extrapolated from its rate.
 fn estimator() -> Result<TimedEstimator, IntegrateError> {
-    let (one, two) = (drawn(&Anisotropy)?, drawn(&Glass)?);
+    let (one, two) = (drawn(&Anisotropy)?, drawn(&glass::GGX)?);
     let (rates, deviation) = ([one.0, two.0], [one.1, two.1]);
     Ok(TimedEstimator {
         samples_per_second: rates,

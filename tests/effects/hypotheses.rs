@@ -18,7 +18,24 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 155] = [
+const COSTS: [(&str, u32); 172] = [
+    ("beckmann_norm_2", 2),
+    ("beckmann_norm_3", 3),
+    ("beckmann_norm_4", 4),
+    ("beckmann_norm_6", 6),
+    ("beckmann_norm_9", 9),
+    ("beckmann_norm_12", 12),
+    ("beckmann_norm_14", 14),
+    ("beckmann_norm_15", 15),
+    ("beckmann_norm_16", 16),
+    ("beckmann_norm_18", 18),
+    ("beckmann_norm_20", 20),
+    ("beckmann_blend_12", 12),
+    ("beckmann_blend_14", 14),
+    ("beckmann_blend_18", 18),
+    ("beckmann_blend_21", 21),
+    ("beckmann_blend_22", 22),
+    ("beckmann_blend_24", 24),
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),

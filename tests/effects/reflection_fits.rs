@@ -4,7 +4,7 @@
 use crate::baked_support::assert_promised;
 use lobefit::approximate::{Emission, Fit, Memo, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Source};
-use lobefit::effects::reflection::{FitSpec, fit_all};
+use lobefit::effects::reflection::{FitSpec, GGX, fit_all};
 
 fn spec() -> FitSpec {
     FitSpec {
@@ -22,7 +22,7 @@ fn spec() -> FitSpec {
 
 #[test]
 fn bars() {
-    let fits = fit_all(&spec(), &Memo::default()).expect("fits");
+    let fits = fit_all(&GGX, &spec(), &Memo::default()).expect("fits");
     assert!(fits.dropped.is_empty(), "{:?}", fits.dropped);
     let fits = fits.fits;
     let named = |name: &str| -> &Fit {

@@ -4,7 +4,7 @@
 use lobefit::approximate::{Memo, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat};
 use lobefit::effects::Albedo;
-use lobefit::effects::reflection::{build, sampled};
+use lobefit::effects::reflection::{GGX, build, sampled};
 use lobefit::effects::table::{BuildError, Errors, Lookup, LookupPoints, Point, Spec, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::TRUTH_ERROR;
@@ -24,7 +24,7 @@ fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> Spe
 
 fn errors(spec: &Spec) -> Errors {
     let memo = Memo::default();
-    let table = build(spec, &memo).expect("a table").remove(0);
+    let table = build(&GGX, spec, &memo).expect("a table").remove(0);
     let points = certification(&spec.region.flat(), 16);
     let truth = Albedo::new(spec.smith, &points, true, &memo).expect("a truth");
     let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
@@ -57,7 +57,7 @@ fn plain_layouts_are_what_engines_have() {
 #[test]
 fn plain_texels_are_balanced_where_the_lookup_clamps() {
     let spec = spec(32, Layout::Plain, Serves::Albedo, TexelFormat::F16);
-    let (optimised, sampled) = (build(&spec, &Memo::default()), sampled(&spec, &Memo::default()));
+    let (optimised, sampled) = (build(&GGX, &spec, &Memo::default()), sampled(&GGX, &spec, &Memo::default()));
     let worst = |tables: Result<Vec<Table>, BuildError>| {
         let table = tables.expect("a table").remove(0).quantised();
         let lookup = Lookup::new(&table, Decode::Albedo).expect("a table");

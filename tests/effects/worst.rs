@@ -4,7 +4,7 @@
 use crate::baked_support::bake_scene;
 use lobefit::approximate::Memo;
 use lobefit::effects::anisotropy::Anisotropy;
-use lobefit::effects::glass::Glass;
+use lobefit::effects::glass;
 use lobefit::effects::table::{Family, Judged, Lookup, Point, SliceAxis, Truth, error_map};
 use lobefit::scene::Scene;
 use rand::{RngExt, SeedableRng};
@@ -54,7 +54,7 @@ fn no_place_has_a_larger_error_than_the_certificate() {
     let mut rng = Pcg64::seed_from_u64(0x5eed);
     for (i, baked) in baked.tables.iter().enumerate() {
         let (family, axis): (&dyn Family, _) = if baked.side.is_some() {
-            (&Glass, SliceAxis::Ior)
+            (&glass::GGX, SliceAxis::Ior)
         } else {
             (&Anisotropy, SliceAxis::Anisotropy)
         };

@@ -20,7 +20,7 @@ use lobefit::bake::{Baked, Silent, bake};
 use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
-use lobefit::effects::reflection::build;
+use lobefit::effects::reflection::{GGX, build};
 use lobefit::effects::table::{self, Lookup, Spec, Truth, measure};
 use lobefit::emit::lookup::{Readable, TableNames};
 use lobefit::plan::plan;
@@ -213,7 +213,7 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
         serves,
         region: region.into(),
     };
-    let table = build(&spec, &Memo::default()).expect("a table").remove(0).quantised();
+    let table = build(&GGX, &spec, &Memo::default()).expect("a table").remove(0).quantised();
     let points = certification(&region, LOG2_POINTS);
     let truth = Albedo::new(spec.smith, &points, true, &Memo::default()).expect("a truth");
     let (decode, points) = (Decode::of(layout, serves), table::LookupPoints::isotropic(&points));

@@ -351,6 +351,7 @@ fn it_names_and_describes_every_field() {
             "cost",
             "count",
             "culling",
+            "distribution",
             "edges",
             "exact_fresnel",
             "f0",

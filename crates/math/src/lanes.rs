@@ -21,13 +21,19 @@ const LN2_LO: f64 = 1.908_214_929_270_588e-10;
 pub fn exp(x: &F8) -> F8 {
     let mut out = [0.0; LANES];
     for i in 0..LANES {
-        let shifted = x[i] * std::f64::consts::LOG2_E + ROUND;
-        let k = shifted - ROUND;
-        let r = (x[i] - k * LN2_HI) - k * LN2_LO;
-        let scale = f64::from_bits(shifted.to_bits() << 52);
-        out[i] = taylor(r) * scale;
+        out[i] = exp_of(x[i]);
     }
     out
+}
+
+/// [`exp`] of one value, for a loop over lanes.
+#[inline(always)]
+pub fn exp_of(x: f64) -> f64 {
+    let shifted = x * std::f64::consts::LOG2_E + ROUND;
+    let k = shifted - ROUND;
+    let r = (x - k * LN2_HI) - k * LN2_LO;
+    let scale = f64::from_bits(shifted.to_bits() << 52);
+    taylor(r) * scale
 }
 
 /// exp(r) for |r| <= ln(2)/2 by its Taylor series to degree 13 (remainder 4e-18), Estrin's

@@ -10,7 +10,7 @@ use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo::sobol;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, GgxCoat, GgxGlass, Quantity, Variant};
+use lobefit_truth::quantity::{GGX_GLASS, GGX_REFLECTION, GgxCoat, Quantity, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -38,7 +38,7 @@ fn coat(smith: Smith, x: [f64; 2]) -> [f64; 6] {
 /// R and T of a coat from outside.
 fn outside(smith: Smith, [alpha, ior, mu]: [f64; 3]) -> [f64; 2] {
     let variant = Variant { side: Some(Side::Outside), ..smith.into() };
-    let v = GgxGlass.at(&variant, &[alpha, mu, ior], 1e-6).expect("values");
+    let v = GGX_GLASS.at(&variant, &[alpha, mu, ior], 1e-6).expect("values");
     [v[0], v[1]]
 }
 
@@ -327,7 +327,7 @@ fn the_error_holds_and_transmission_is_reciprocal() {
             average(&[0.0, critical, 1.0], 0.03 * alpha, |mu| {
                 let all = |x: f64| vec![x; mu.len()];
                 let points = Points::new([("alpha", all(alpha)), ("mu", mu.clone()), ("ior", all(ior))]);
-                let truth = GgxGlass.truth(&variant, &points, &[output], 2e-8).expect("values");
+                let truth = GGX_GLASS.truth(&variant, &points, &[output], 2e-8).expect("values");
                 truth.columns.concat()
             })
         };

@@ -14,7 +14,7 @@ use crate::effects::context::Context;
 use crate::effects::coupling::CouplingSpec;
 use crate::effects::coupling::emitted::exact_ops;
 use crate::effects::coupling::results::AnyF0Finding;
-use crate::effects::reflection::sampled;
+use crate::effects::reflection::{GGX, sampled};
 use crate::effects::table::{Lookup, LookupError, LookupPoints, Spec};
 use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
@@ -49,7 +49,7 @@ pub fn of_published(
         serves: Serves::SplitSum,
         region: (*region).into(),
     };
-    let [table] = <[Table; 1]>::try_from(sampled(&spec, &context.memo)?)
+    let [table] = <[Table; 1]>::try_from(sampled(&GGX, &spec, &context.memo)?)
         .map_err(|tables| BakeError::Internal(format!("{} tables of one name", tables.len())))?;
     let quantised = table.quantised();
     let measured = Measured::new(lobe, &quantised, context)?;

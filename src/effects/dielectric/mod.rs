@@ -14,7 +14,7 @@ use crate::emit::call::Call;
 use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Kind, Material, Scene};
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::{GgxGlass, Quantity};
+use lobefit_truth::quantity::{GGX_GLASS, Quantity};
 
 /// The effect.
 pub struct Dielectric;
@@ -40,7 +40,7 @@ const MU_QUICK: f64 = 2e-4;
 const SLOW_S: f64 = 60.0;
 
 const FITS: ValueFits = ValueFits {
-    quantity: &GgxGlass,
+    quantity: &GGX_GLASS,
     side: Some(Side::Outside),
     column: "R",
     own: &HYPOTHESES,
@@ -119,7 +119,7 @@ impl Effect for Dielectric {
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == GgxGlass.name()
+        let suits = target.quantity.name() == GGX_GLASS.name()
             && (target.column, target.used_as) == (FITS.column, Use::VALUE)
             && target.variant.side == FITS.side;
         HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()

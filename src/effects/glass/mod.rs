@@ -1,4 +1,4 @@
-//! The effect `glass`: tables of R + T of a rough dielectric interface over mu, roughness and index
+//! The effects `glass` and `beckmann-glass`, of either distribution of normals: tables of R + T of a rough dielectric interface over mu, roughness and index
 //! of refraction, one for rays from outside and one for rays from inside.
 //!
 //! | table | size | columns | rows | slices | texel |
@@ -12,26 +12,44 @@ use super::effect::Note;
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
 };
-use super::who::stay_smooth;
+use super::who::{no_distribution, stay_smooth};
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Memo;
-use crate::data::{Layout, Serves, Smith, Table};
+use crate::data::{Layout, Ndf, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::integrate::monte_carlo;
 use lobefit_truth::points;
-use lobefit_truth::quantity::GgxGlass;
+use lobefit_truth::quantity::{BECKMANN_GLASS, GGX_GLASS, Sided};
 
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
 
-/// The quantity of this effect.
-pub const QUANTITY: &str = "ggx-glass";
+/// The effect, of one distribution of normals.
+pub struct Glass {
+    ndf: Ndf,
+    /// Names of the effect and, but in the path tracer's layout, of its functions.
+    names: [&'static str; 2],
+    quantity: &'static dyn Sided,
+    prefixes: &'static [&'static str],
+}
 
-/// The effect.
-pub struct Glass;
+/// Of GGX.
+pub static GGX: Glass = Glass {
+    ndf: Ndf::Ggx,
+    names: ["glass", "ggx_glass_albedo"],
+    quantity: &GGX_GLASS,
+    prefixes: &["ggx_glass_", "path_tracer_"],
+};
+
+/// Of Beckmann's distribution, in our layout.
+pub static BECKMANN: Glass = Glass {
+    ndf: Ndf::Beckmann,
+    names: ["beckmann-glass", "beckmann_glass_albedo"],
+    quantity: &BECKMANN_GLASS,
+    prefixes: &["beckmann_glass_"],
+};
 
 /// Seconds on one core of a sampled and of an optimised texel of one side, and of the truth at the
 /// points where a table is measured.
@@ -48,11 +66,11 @@ const JUDGED: f64 = 1e-6;
 
 impl Family for Glass {
     fn prefix(&self, layout: Layout) -> &'static str {
-        if layout == Layout::PathTracer { "path-tracer-glass" } else { "ggx-glass" }
+        if layout == Layout::PathTracer { "path-tracer-glass" } else { self.quantity.name() }
     }
 
     fn role(&self, layout: Layout, _: Serves) -> &'static str {
-        if layout == Layout::PathTracer { "path_tracer_glass_albedo" } else { "ggx_glass_albedo" }
+        if layout == Layout::PathTracer { "path_tracer_glass_albedo" } else { self.names[1] }
     }
 
     fn sides(&self) -> &'static [Option<Side>] {
@@ -74,7 +92,7 @@ impl Family for Glass {
 
     fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
         memo.add(spec.names.len() * spec.size.iter().product::<usize>());
-        table::build(spec)
+        table::build(self.quantity, spec)
     }
 
     fn points(&self, region: &Region, _: bool) -> Result<LookupPoints, BuildError> {
@@ -88,12 +106,13 @@ impl Family for Glass {
         _: bool,
         memo: &Memo,
     ) -> Result<Truths, IntegrateError> {
-        let (sides, evaluations) = truths(smith, points)?;
+        let quantity = self.quantity;
+        let (sides, evaluations) = truths(quantity, smith, points)?;
         memo.add(sides.len() * points.len());
         let sides = sides.map(|e| Albedo { e, b: Vec::new() }).to_vec();
         let further = Further::new(move |i, points, memo| {
             memo.add(points.len());
-            let e = GgxGlass.one_side(smith, Side::ALL[i], &inputs(places(points)), JUDGED)?;
+            let e = quantity.one_side((smith, Side::ALL[i]), &inputs(places(points)), JUDGED)?;
             Ok(Albedo { e, b: Vec::new() })
         });
         Ok(Truths { sides, made: Made { evaluations, integration: JUDGED }, further })
@@ -102,11 +121,15 @@ impl Family for Glass {
 
 impl Sliced for Glass {
     fn name(&self) -> &'static str {
-        "glass"
+        self.names[0]
     }
 
     fn lobe(&self) -> Lobe {
         Lobe::Glass
+    }
+
+    fn ndf(&self) -> Ndf {
+        self.ndf
     }
 
     fn lobe_text(&self) -> &'static str {
@@ -114,9 +137,11 @@ impl Sliced for Glass {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let glass = || scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
+        let all = || scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
+        let glass = || all().filter(|m| m.distribution == self.ndf);
         let wanting: Vec<&Material> = glass().filter(|m| !m.wants.tables.is_empty()).collect();
         match (glass().next(), wanting.is_empty()) {
+            (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
             (None, _) => "no material transmits light".into(),
             (_, true) => "no glass wants tables".into(),
             _ => format!("no glass is rough: {}", stay_smooth(&wanting)),
@@ -124,7 +149,7 @@ impl Sliced for Glass {
     }
 
     fn function_prefixes(&self) -> &'static [&'static str] {
-        &["ggx_glass_", "path_tracer_"]
+        self.prefixes
     }
 
     fn head_notes(&self) -> &'static [Note] {
@@ -154,7 +179,7 @@ impl Sliced for Glass {
 
     fn path_tracer_error(&self, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
         let side = if z < 0.5 { Side::Outside } else { Side::Inside };
-        let [_, _, loss] = monte_carlo::glass(Smith::Separable, alpha, x * x, 1.0 + z, side, RUN)?;
+        let [_, _, loss] = self.quantity.drawn(Smith::Separable, [alpha, x * x, 1.0 + z], side, RUN)?;
         Ok(loss.standard_error)
     }
 }
@@ -164,7 +189,7 @@ fn places(points: &LookupPoints) -> impl Iterator<Item = [f64; 3]> {
     points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from))
 }
 
-/// The inputs of `ggx-glass`.
+/// The inputs of the quantity.
 fn inputs(places: impl Iterator<Item = [f64; 3]>) -> points::Points {
     let places: Vec<[f64; 3]> = places.collect();
     let column = |k: usize| places.iter().map(|place| place[k]).collect::<Vec<f64>>();
@@ -173,17 +198,21 @@ fn inputs(places: impl Iterator<Item = [f64; 3]>) -> points::Points {
 
 /// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
-pub fn truths(smith: Smith, points: &LookupPoints) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
-    energies(smith, places(points), JUDGED)
+pub fn truths(
+    glass: &dyn Sided,
+    smith: Smith,
+    points: &LookupPoints,
+) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
+    energies((glass, smith), places(points), JUDGED)
 }
 
 /// E of both sides at (alpha, mu, ior), and the evaluations that they took.
 fn energies(
-    smith: Smith,
+    (glass, smith): (&dyn Sided, Smith),
     places: impl Iterator<Item = [f64; 3]>,
     tolerance: f64,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
-    let sides = GgxGlass.both_sides(smith, &inputs(places), tolerance)?;
+    let sides = glass.both_sides(smith, &inputs(places), tolerance)?;
     let evaluations = sides[0].evaluations;
     Ok((sides.map(|side| side.arrays::<3>()).map(|[_, _, e]| e), evaluations))
 }

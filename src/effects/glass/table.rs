@@ -1,11 +1,12 @@
 //! The tables of this effect, in both layouts.
 
 use super::path_tracer::{axes, grid};
-use super::{JUDGED, QUANTITY, energies};
+use super::{JUDGED, energies};
 use crate::data::{Axis, Channel, Layout, Smith, Table, Warp};
 use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, check};
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
+use lobefit_truth::quantity::Sided;
 
 /// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
@@ -44,10 +45,10 @@ pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis
 /// rounded.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
-pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+pub fn build(glass: &dyn Sided, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     match spec.layout {
-        Layout::Optimised => optimised(spec),
-        Layout::PathTracer => sampled(spec),
+        Layout::Optimised => optimised(glass, spec),
+        Layout::PathTracer => sampled(glass, spec),
         _ => Err(spec.no_layout()),
     }
 }
@@ -60,30 +61,31 @@ pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated
     tabulate_on(path, &grid)
 }
 
-fn sampled(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+fn sampled(glass: &dyn Sided, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let texels = path_tracer(Path::Best, spec.smith, SAMPLED)?;
     let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
     let channels = [texels.outside, texels.inside].map(|e| vec![Channel::new("E", e)]);
-    Ok((spec.tables(QUANTITY, &axes(), channels.to_vec())?, made))
+    Ok((spec.tables(glass.name(), &axes(), channels.to_vec())?, made))
 }
 
-fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+fn optimised(glass: &dyn Sided, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let Spec { smith, region, .. } = spec;
     let axes = glass_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
     let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
     let places = plan.points().into_iter().map(|p| [p.alpha, p.mu, p.slice]);
-    let (sides, evaluations) = energies(*smith, places, TARGETS)?;
+    let (sides, evaluations) = energies((glass, *smith), places, TARGETS)?;
     let wanted = sides.map(|e| plan.targets(&e.iter().map(|e| 1.0 - e).collect::<Vec<f64>>()));
-    let checked = check(QUANTITY, &plan, CHECKED, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
+    let checked =
+        check(glass.name(), &plan, CHECKED, wanted.each_ref(), |nodes| direct((glass, *smith), nodes))?;
     let channels = wanted.map(|wanted| vec![Channel::new("loss", plan.optimised(&wanted, ROUNDS).0)]);
     let made = Made { evaluations: evaluations + checked.evaluations, integration: checked.worst + JUDGED };
-    Ok((spec.tables(QUANTITY, &axes, channels.to_vec())?, made))
+    Ok((spec.tables(glass.name(), &axes, channels.to_vec())?, made))
 }
 
 /// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.
-fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
+fn direct(of: (&dyn Sided, Smith), nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
     let ([outside, inside], evaluations) =
-        energies(smith, nodes.iter().map(|p| [p.alpha, p.mu, p.slice]), JUDGED)?;
+        energies(of, nodes.iter().map(|p| [p.alpha, p.mu, p.slice]), JUDGED)?;
     Ok((outside.into_iter().zip(inside).map(|(o, i)| [1.0 - o, 1.0 - i]).collect(), evaluations))
 }

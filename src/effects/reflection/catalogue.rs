@@ -1,7 +1,6 @@
 //! The hypotheses of this effect and the published formulas that are emitted beside them; the
 //! others stand in `published`.
 
-use super::published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 use crate::approximate::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
@@ -51,8 +50,27 @@ pub const SEEDS: [Entry; 2] = published![
     "ggx_norm_pesce_n1" by "A. Pesce, Misunderstanding Multiscattering, 2019",
 ];
 
-/// Every file of the catalogue, in a fixed order.
-pub fn entries() -> impl Iterator<Item = &'static Entry> {
-    let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
-    ours.chain(&PUBLISHED).chain(&PUBLISHED_BLENDS).chain(&PUBLISHED_AVERAGES)
-}
+/// N(alpha, mu) of Beckmann's distribution with free parameters, by rising cost.
+pub const BECKMANN_NORMALISATIONS: [Entry; 11] = own![
+    "beckmann_norm_2",
+    "beckmann_norm_3",
+    "beckmann_norm_4",
+    "beckmann_norm_6",
+    "beckmann_norm_9",
+    "beckmann_norm_12",
+    "beckmann_norm_14",
+    "beckmann_norm_15",
+    "beckmann_norm_16",
+    "beckmann_norm_18",
+    "beckmann_norm_20",
+];
+
+/// f0 A + B of Beckmann's distribution with free parameters, by rising cost.
+pub const BECKMANN_BLENDS: [Entry; 6] = own![
+    "beckmann_blend_12",
+    "beckmann_blend_14",
+    "beckmann_blend_18",
+    "beckmann_blend_21",
+    "beckmann_blend_22",
+    "beckmann_blend_24",
+];

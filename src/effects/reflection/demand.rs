@@ -2,14 +2,15 @@
 
 use std::cell::LazyCell;
 
-use super::table::Dfg;
-use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
+use super::Reflection;
 use crate::approximate::{CallOps, Emission};
 use crate::data::{AlphaMap, Pick, Smith};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Budget, Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
-use crate::effects::who::{about, anisotropy, is_rough, named, reasons, rough, stay_smooth, verb};
+use crate::effects::who::{
+    about, anisotropy, is_rough, named, no_distribution, reasons, rough, stay_smooth, verb,
+};
 use crate::emit::compensation;
 use crate::scene::{Lobe, Material, Scene, Serves};
 use lobefit_math::ops::log;
@@ -47,8 +48,6 @@ const UNSHOWN: f64 = 0.25;
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
 const BLEND_TRUTH_S: f64 = 0.9;
 const BLEND_FIT_S: f64 = 0.1;
-/// The emitted normalisation, by its role.
-pub const NORMALISATION: &str = "ggx_energy_compensation";
 
 /// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges
 /// holds in each of them.
@@ -91,33 +90,36 @@ pub struct FitJob {
     pub hypotheses: Vec<String>,
 }
 
-/// Demands for tables and for fits, of each material that is rough.
-pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
-    // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does not
-    // parse is a defect, which the bake names.
-    let coloured = LazyCell::new(|| compensation::coloured_ops().unwrap_or(0));
-    let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
-        let beside = if is_coloured(material) { *coloured } else { 0 };
-        let roughness = Span::roughness(range, scene.alpha);
-        let because = because(material, roughness);
-        let tables = table::wanted(material, 2)
-            .filter_map(|want| table::demand(&Dfg, scene, (of, material), want, because.clone()));
-        let fit = material.wants.fit.as_ref().map(|want| Demand {
-            job: FITS.into(),
-            rank: 1,
-            of,
-            item: 0,
-            name: material.name.clone(),
-            field: format!("materials[{of}].wants.fit"),
-            because: because.clone(),
-            spans: vec![("mu", Span::new(scene.mu)), ("roughness", roughness)],
-            goals: want.goals.clone(),
-            layer: None,
-            call: CallOps { beside, ..CallOps::default() },
-        });
-        tables.chain(fit).collect::<Vec<Demand>>()
-    };
-    rough(scene).flat_map(of_material).collect()
+impl Reflection {
+    /// Demands for tables and for fits, of each material of the distribution that is rough.
+    pub(super) fn wanted(&self, scene: &Scene) -> Vec<Demand> {
+        // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does not
+        // parse is a defect, which the bake names.
+        let coloured = LazyCell::new(|| compensation::coloured_ops().unwrap_or(0));
+        let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
+            let beside = if is_coloured(material) { *coloured } else { 0 };
+            let roughness = Span::roughness(range, scene.alpha);
+            let because = because(material, roughness);
+            let tables = table::wanted(material, 2)
+                .filter_map(|want| table::demand(self, scene, (of, material), want, because.clone()));
+            let fit = material.wants.fit.as_ref().map(|want| Demand {
+                job: FITS.into(),
+                rank: 1,
+                of,
+                item: 0,
+                name: material.name.clone(),
+                field: format!("materials[{of}].wants.fit"),
+                because: because.clone(),
+                spans: vec![("mu", Span::new(scene.mu)), ("roughness", roughness)],
+                goals: want.goals.clone(),
+                layer: None,
+                call: CallOps { beside, ..CallOps::default() },
+            });
+            tables.chain(fit).collect::<Vec<Demand>>()
+        };
+        let own = rough(scene).filter(|(_, material, _)| material.distribution == self.ndf);
+        own.flat_map(of_material).collect()
+    }
 }
 
 fn because(material: &Material, roughness: Span) -> String {
@@ -142,31 +144,36 @@ fn forms(material: &Material) -> &'static str {
     }
 }
 
-/// Why no material calls for it.
-pub(super) fn left_out(scene: &Scene) -> String {
-    if scene.materials.is_empty() {
-        return "the scene has no materials".into();
+impl Reflection {
+    /// Why no material calls for it.
+    pub(super) fn why_not(&self, scene: &Scene) -> String {
+        if scene.materials.is_empty() {
+            return "the scene has no materials".into();
+        }
+        let own = scene.materials.iter().filter(|m| m.distribution == self.ndf);
+        let (rough, smooth): (Vec<&Material>, Vec<&Material>) = own.partition(|m| is_rough(scene, m));
+        if rough.is_empty() && smooth.is_empty() {
+            return no_distribution(self.ndf, "material");
+        }
+        if rough.is_empty() {
+            return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
+        }
+        // What is rough and wants neither table nor fits is anisotropic, glass, or has the exact term.
+        let (glass, others): (Vec<&Material>, Vec<&Material>) =
+            rough.into_iter().partition(|m| m.lobe() == Lobe::Glass);
+        let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
+            others.into_iter().partition(|m| m.lobe() == Lobe::Isotropic);
+        let unwanted = |m: &[&Material]| {
+            format!("{} {} anisotropic and {} tables of that", named(m), verb(m, "are"), verb(m, "want"))
+        };
+        let why = reasons([
+            about(&anisotropic, unwanted),
+            about(&exact, |m| format!("{} {} the exact Fresnel term alone", named(m), verb(m, "want"))),
+            about(&glass, |m| format!("{} {} light", named(m), verb(m, "transmit"))),
+            about(&smooth, stay_smooth),
+        ]);
+        format!("no material wants a table or fits of a lobe that only reflects: {}", why.unwrap_or_default())
     }
-    let (rough, smooth): (Vec<&Material>, Vec<&Material>) =
-        scene.materials.iter().partition(|m| is_rough(scene, m));
-    if rough.is_empty() {
-        return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
-    }
-    // What is rough and wants neither table nor fits is anisotropic, glass, or has the exact term.
-    let (glass, others): (Vec<&Material>, Vec<&Material>) =
-        rough.into_iter().partition(|m| m.lobe() == Lobe::Glass);
-    let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
-        others.into_iter().partition(|m| m.lobe() == Lobe::Isotropic);
-    let unwanted = |m: &[&Material]| {
-        format!("{} {} anisotropic and {} tables of that", named(m), verb(m, "are"), verb(m, "want"))
-    };
-    let why = reasons([
-        about(&anisotropic, unwanted),
-        about(&exact, |m| format!("{} {} the exact Fresnel term alone", named(m), verb(m, "want"))),
-        about(&glass, |m| format!("{} {} light", named(m), verb(m, "transmit"))),
-        about(&smooth, stay_smooth),
-    ]);
-    format!("no material wants a table or fits of a lobe that only reflects: {}", why.unwrap_or_default())
 }
 
 /// The jobs of tables, and that of fits.
@@ -200,52 +207,55 @@ impl FitJob {
     }
 }
 
-/// What a plan says of the tables and of the fits.
-pub(super) fn summaries(scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-    let (tables, fits) = parted(jobs);
-    let tables = table::summaries(&Dfg, scene, tables);
-    tables.into_iter().chain(fits.map(|job| fit_summary(scene, job))).collect()
-}
-
-fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
-    let wants = FitJob::of(scene, job);
-    let more = match (wants.average, wants.blend) {
-        (true, true) => ", of the average albedo and of f0 A + B",
-        (true, false) => " and of the average albedo",
-        (false, true) => " and of f0 A + B",
-        (false, false) => "",
-    };
-    let summary = JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(scene, job, &wants));
-    if !wants.hypotheses.is_empty() {
-        return summary;
+impl Reflection {
+    /// What a plan says of the tables and of the fits.
+    pub(super) fn summaries(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        let (tables, fits) = parted(jobs);
+        let tables = table::summaries(self, scene, tables);
+        tables.into_iter().chain(fits.map(|job| self.fit_summary(scene, job))).collect()
     }
-    let doubt = doubt(scene, job).unwrap_or_default();
-    let summary = summary.doubting(job, &NORMALISATIONS);
-    JobSummary { approximation: summary.approximation + &doubt, ..summary }
-}
 
-/// What the errors [`REACHED`] say against the goals of a job of normalisations in their domain: what is
-/// reached within the budget, and which budget reaches the limit. `bake` knows: it fits them over the
-/// job's own region.
-fn doubt(scene: &Scene, job: &Job) -> Option<String> {
-    let [roughness, mu] = [job.range("roughness").ok()?, job.range("mu").ok()?];
-    let is_known = scene.smith == Smith::Correlated && scene.alpha == AlphaMap::RoughnessSquared;
-    if !is_known || roughness[0] < 0.02 || mu[0] < 0.01 {
-        return None;
+    fn fit_summary(&self, scene: &Scene, job: &Job) -> JobSummary {
+        let wants = FitJob::of(scene, job);
+        let more = match (wants.average, wants.blend) {
+            (true, true) => ", of the average albedo and of f0 A + B",
+            (true, false) => " and of the average albedo",
+            (false, true) => " and of f0 A + B",
+            (false, false) => "",
+        };
+        let summary =
+            JobSummary::fits(job, &format!("the normalisation{more}"), self.fit_seconds(scene, job, &wants));
+        if !wants.hypotheses.is_empty() {
+            return summary;
+        }
+        let doubt = self.doubt(scene, job).unwrap_or_default();
+        let summary = summary.doubting(job, self.normalisations);
+        JobSummary { approximation: summary.approximation + &doubt, ..summary }
     }
-    let Budget { max_ops, call } = job.budget();
-    let most = max_ops.unwrap_or(u32::MAX);
-    let (ops, least) = REACHED.iter().rfind(|(ops, _)| call.ops(*ops) <= most)?;
-    let limit = job.goals.max_error.filter(|limit| limit < least)?;
-    let keeps = REACHED.iter().find(|(_, error)| *error <= limit);
-    let instead = keeps
-        .map_or(", and no formula less: `bake` ends with the table that keeps it".into(), |(ops, error)| {
-            format!(", {} reach {error}", call.ops(*ops))
-        });
-    Some(format!(
-        "; max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
-        call.ops(*ops)
-    ))
+
+    /// What the errors [`REACHED`] say against the goals of a job of normalisations in their domain: what is
+    /// reached within the budget, and which budget reaches the limit. `bake` knows: it fits them over the
+    /// job's own region.
+    fn doubt(&self, scene: &Scene, job: &Job) -> Option<String> {
+        let [roughness, mu] = [job.range("roughness").ok()?, job.range("mu").ok()?];
+        let is_known = scene.smith == Smith::Correlated && scene.alpha == AlphaMap::RoughnessSquared;
+        if !is_known || roughness[0] < 0.02 || mu[0] < 0.01 {
+            return None;
+        }
+        let Budget { max_ops, call } = job.budget();
+        let most = max_ops.unwrap_or(u32::MAX);
+        let (ops, least) = self.reached.iter().rfind(|(ops, _)| call.ops(*ops) <= most)?;
+        let limit = job.goals.max_error.filter(|limit| limit < least)?;
+        let keeps = self.reached.iter().find(|(_, error)| *error <= limit);
+        let instead = keeps.map_or(
+            ", and no formula less: `bake` ends with the table that keeps it".into(),
+            |(ops, error)| format!(", {} reach {error}", call.ops(*ops)),
+        );
+        Some(format!(
+            "; max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
+            call.ops(*ops)
+        ))
+    }
 }
 
 /// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for
@@ -269,18 +279,21 @@ fn texel_seconds(job: &TableJob) -> f64 {
     }
 }
 
-/// Seconds of a fit job on one core: the truth at the points of the certificates, which all
-/// normalisations share; the searches; a certificate for every fit and for the published formulas.
-fn fit_seconds(scene: &Scene, job: &Job, wants: &FitJob) -> f64 {
-    let norms = job.goals.norms.len();
-    let normalisations = NORMALISATIONS.len() + wants.hypotheses.len();
-    let averages = if wants.average { AVERAGES.len() } else { 0 };
-    let searches = ((normalisations + averages) * norms) as f64;
-    let certificates = searches + (SEEDS.len() + PUBLISHED.len()) as f64;
-    let blends = if wants.blend { BLEND_TRUTH_S + (BLENDS.len() * norms) as f64 * BLEND_FIT_S } else { 0.0 };
-    let width = job.range("roughness").map_or(NARROW.0, |[low, high]| high - low);
-    let search = OPTIMISE_S * (1.0 + NARROW.1 * log(NARROW.0 / width).max(0.0));
-    let Emission { pick, shown, .. } = job.emission(scene, NORMALISATION);
-    let made = if shown || pick != Pick::Best { 1.0 } else { UNSHOWN };
-    CERTIFIED * E_S + made * (searches * search + certificates * CERTIFIED * EVALUATION_S) + blends
+impl Reflection {
+    /// Seconds of a fit job on one core: the truth at the points of the certificates, which all
+    /// normalisations share; the searches; a certificate for every fit and for the published formulas.
+    fn fit_seconds(&self, scene: &Scene, job: &Job, wants: &FitJob) -> f64 {
+        let norms = job.goals.norms.len();
+        let normalisations = self.normalisations.len() + wants.hypotheses.len();
+        let averages = if wants.average { self.averages.len() } else { 0 };
+        let searches = ((normalisations + averages) * norms) as f64;
+        let certificates = searches + (self.seeds.len() + self.published.len()) as f64;
+        let blends =
+            if wants.blend { BLEND_TRUTH_S + (self.blends.len() * norms) as f64 * BLEND_FIT_S } else { 0.0 };
+        let width = job.range("roughness").map_or(NARROW.0, |[low, high]| high - low);
+        let search = OPTIMISE_S * (1.0 + NARROW.1 * log(NARROW.0 / width).max(0.0));
+        let Emission { pick, shown, .. } = job.emission(scene, self.roles[0]);
+        let made = if shown || pick != Pick::Best { 1.0 } else { UNSHOWN };
+        CERTIFIED * E_S + made * (searches * search + certificates * CERTIFIED * EVALUATION_S) + blends
+    }
 }

@@ -1,12 +1,11 @@
 //! The fits of this effect: normalisations, averages, and blends f0 A + B.
 
-use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
-use super::{PUBLISHED, PUBLISHED_BLENDS};
+use super::Reflection;
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, CallOps, Emission, FitSet, FitStageError, Memo, Region, Wanted};
 use crate::data::{Norm, Pick, Smith, Source, Use};
 use lobefit_shade::Hypothesis;
-use lobefit_truth::quantity::{GGX_REFLECTION, GgxAverage, Quantity, Variant};
+use lobefit_truth::quantity::{GgxAverage, Quantity, Variant};
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,21 +35,21 @@ pub struct FitSpec {
 ///
 /// # Errors
 /// A region outside of the quantities' domain; a hypothesis of the user's that cannot be fitted.
-pub fn fit_all(spec: &FitSpec, memo: &Memo) -> Result<FitSet, FitStageError> {
-    let wanted = spec.normalisations();
+pub fn fit_all(of: &Reflection, spec: &FitSpec, memo: &Memo) -> Result<FitSet, FitStageError> {
+    let wanted = spec.normalisations(of);
     let mut set = approximate::fit_all(&wanted, memo)?;
     let ours = set.fits.iter().take_while(|fit| fit.approximation.source == Source::Fitted).count();
     let mut published = set.fits.split_off(ours);
     for fit in &mut published {
-        let seed = SEEDS.iter().any(|seed| seed.name() == fit.approximation.name);
+        let seed = of.seeds.iter().any(|seed| seed.name() == fit.approximation.name);
         let affordable = wanted.too_dear(&fit.hypothesis)?.is_none();
         fit.emitted = spec.emission.pick == Pick::All && seed && affordable;
     }
     if spec.average {
-        set.join(&spec.averages(), memo)?;
+        set.join(&spec.averages(of), memo)?;
     }
     if spec.blend {
-        set.join(&spec.blends(), memo)?;
+        set.join(&spec.blends(of), memo)?;
     }
     set.fits.extend(published);
     Ok(set)
@@ -73,21 +72,21 @@ impl FitSet {
 }
 
 impl FitSpec {
-    fn normalisations(&self) -> Wanted<'_> {
+    fn normalisations(&self, of: &Reflection) -> Wanted<'_> {
         Wanted {
-            own: &NORMALISATIONS,
+            own: of.normalisations,
             user: &self.hypotheses,
-            published: SEEDS.iter().chain(&PUBLISHED).collect(),
+            published: of.seeds.iter().chain(of.published).collect(),
             emission: self.emission.clone(),
-            ..self.of(&GGX_REFLECTION, "E", Use::NORMALISATION)
+            ..self.of(of.lobe, "E", Use::NORMALISATION)
         }
     }
 
-    fn averages(&self) -> Wanted<'_> {
+    fn averages(&self, of: &Reflection) -> Wanted<'_> {
         let mut wanted = Wanted {
-            own: &AVERAGES,
+            own: of.averages,
             // What it is for divides by 1 - E_avg.
-            emission: Emission { most_accurate: true, ..self.emission_as("ggx_average_albedo") },
+            emission: Emission { most_accurate: true, ..self.emission_as(of.roles[1]) },
             ..self.of(&GgxAverage, "E_avg", Use::VALUE)
         };
         wanted.max_ops = self.average_ops;
@@ -95,10 +94,10 @@ impl FitSpec {
         wanted
     }
 
-    fn blends(&self) -> Wanted<'_> {
-        let published = PUBLISHED_BLENDS.iter().collect();
-        let emission = self.emission_as("ggx_directional_albedo");
-        Wanted { own: &BLENDS, published, emission, ..self.of(&GGX_REFLECTION, "E", Use::F0_BLEND) }
+    fn blends(&self, of: &Reflection) -> Wanted<'_> {
+        let published = of.published_blends.iter().collect();
+        let emission = self.emission_as(of.roles[2]);
+        Wanted { own: of.blends, published, emission, ..self.of(of.lobe, "E", Use::F0_BLEND) }
     }
 
     /// What is emitted of fits for another use: the limit on the error is not theirs, and nothing

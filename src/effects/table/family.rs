@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Region, Spec, TableJob};
 use crate::approximate::Memo;
-use crate::data::{Layout, Serves, Smith, Table};
+use crate::data::{Layout, Ndf, Serves, Smith, Table};
 use crate::effects::effect::Note;
 use crate::effects::table::results::WaysFinding;
 use crate::effects::table::{BakedTable, BuildError, LookupPoints, Made};
@@ -125,6 +125,11 @@ pub trait Sliced: Family {
 
     /// The lobe whose materials call for it.
     fn lobe(&self) -> Lobe;
+
+    /// The distribution of normals that they have.
+    fn ndf(&self) -> Ndf {
+        Ndf::Ggx
+    }
 
     /// The lobe in words: `a rough anisotropic lobe`.
     fn lobe_text(&self) -> &'static str;

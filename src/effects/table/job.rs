@@ -73,7 +73,8 @@ pub struct TableJob {
 
 /// What the materials of an effect's lobe want in the layouts that have slices.
 pub fn demands<F: Sliced>(family: &F, scene: &Scene) -> Vec<Demand> {
-    let materials = rough(scene).filter(|(_, material, _)| material.lobe() == family.lobe());
+    let own = |m: &Material| m.lobe() == family.lobe() && m.distribution == family.ndf();
+    let materials = rough(scene).filter(|(_, material, _)| own(material));
     let of_material = |(of, material, _): (usize, &Material, [f64; 2])| {
         let because = because(family.lobe_text(), scene, material).unwrap_or_default();
         let one = |item| demand(family, scene, (of, material), item, because.clone());

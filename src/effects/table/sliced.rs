@@ -5,7 +5,7 @@ use crate::data::Layout;
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job};
 use crate::effects::effect::Note;
-use crate::effects::{BakeError, Called, Effect, JobSummary, Made, ggx};
+use crate::effects::{BakeError, Called, Effect, JobSummary, Made, lobe_of};
 use crate::scene::Scene;
 
 /// Seconds of the page of one of these effects on one core.
@@ -37,7 +37,7 @@ impl<F: Sliced> Effect for F {
     }
 
     fn lobe(&self, scene: &Scene) -> String {
-        ggx(scene)
+        lobe_of(self.ndf(), scene)
     }
 
     fn notes(&self) -> &'static [Note] {

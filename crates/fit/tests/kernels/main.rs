@@ -17,7 +17,7 @@ use lobefit_truth::integrate::aniso::fast::{Place, many as aniso};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, GgxGlass, Quantity, Variant};
+use lobefit_truth::quantity::{GGX_GLASS, GGX_REFLECTION, Quantity, Variant};
 use serde::{Deserialize, Serialize};
 
 /// How far a count may be from the record's.
@@ -76,7 +76,7 @@ fn reflection_at_many() -> f64 {
 
 #[inline(never)]
 fn glass_at_many() -> f64 {
-    many(&GgxGlass, &[("alpha", &[0.1, 0.5]), ("mu", &[0.1, 0.6]), ("ior", &[1.3, 1.6])])
+    many(&GGX_GLASS, &[("alpha", &[0.1, 0.5]), ("mu", &[0.1, 0.6]), ("ior", &[1.3, 1.6])])
 }
 
 #[inline(never)]

@@ -9,7 +9,7 @@
 mod lobes;
 
 pub use lobes::{aniso, coat, glass, sobol};
-pub(crate) use lobes::{check_positive, refract, shadowing};
+pub(crate) use lobes::{check_positive, glass_of, refract, shadowing};
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

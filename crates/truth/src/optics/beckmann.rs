@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 
 use super::distribution::{Distribution, Polar};
 use super::ggx::Vec3;
-use lobefit_math::ops;
+use lobefit_math::{lanes, ops};
 
 /// Beckmann's distribution of a width alpha above 0.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +52,46 @@ fn ierfc(c: f64) -> f64 {
     }
     let rest = (1..=TERMS).rev().fold(0.0, |rest, k| 0.5 * f64::from(k) / (c + rest));
     gauss * rest / (c + rest)
+}
+
+/// exp(c^2) ierfc(c) as a polynomial in y = 2/(1 + 0.4 c) - 1, interpolated at Chebyshev's 400 nodes and cut
+/// off where 1e-11 is left.
+const SCALED: [f64; 16] = [
+    0.037173673387425714,
+    0.12468998538065962,
+    0.17536886737820243,
+    0.14133148824509295,
+    0.07144477618369896,
+    0.01837726128348369,
+    -0.0017869501825390267,
+    -0.002628768469369131,
+    -0.00013249460249299412,
+    0.00037972809474339045,
+    2.891742673437387e-05,
+    -6.457856168534894e-05,
+    -1.8060752383530468e-06,
+    1.0851864506441467e-05,
+    -1.9174804991082562e-07,
+    -1.1760664695079435e-06,
+];
+
+/// ierfc of c >= 0 within 1e-11, without a branch: for loops over lanes.
+#[inline(always)]
+pub(crate) fn ierfc_near(c: f64) -> f64 {
+    let y = 2.0 / (1.0 + 0.4 * c) - 1.0;
+    let mut sum = 0.0;
+    for term in SCALED.iter().rev() {
+        sum = sum * y + term;
+    }
+    sum * falling(c * c)
+}
+
+/// exp(-x) for x >= 0, and 0 where that is below 1e-34, without a branch.
+#[inline(always)]
+pub(crate) fn falling(x: f64) -> f64 {
+    let inside = x < 80.0;
+    let value = lanes::exp_of(if inside { -x } else { -80.0 });
+    if inside { value } else { 0.0 }
 }
 
 impl Distribution for Beckmann {
@@ -133,4 +173,19 @@ fn slope(tangent: f64, u: f64) -> f64 {
         x = next;
     }
     x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_short_form_is_near_the_long_one() {
+        for i in 0..2000 {
+            let c = f64::from(i) * 0.01;
+            let (short, long) = (ierfc_near(c), ierfc(c));
+            assert!((short - long).abs() < 1e-11, "{c}: {short} {long}");
+        }
+        assert_eq!((ierfc_near(f64::INFINITY), falling(f64::INFINITY)), (0.0, 0.0));
+    }
 }

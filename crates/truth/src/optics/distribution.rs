@@ -65,10 +65,21 @@ pub trait Distribution: Copy + Sync {
     /// s - mu = 2 mu Lambda, without cancellation; `area` is s.
     fn lift(self, cosine: f64, sine: f64, area: f64) -> f64;
 
+    /// The same of a cosine alone.
+    #[inline(always)]
+    fn lift_at(self, cosine: f64, area: f64) -> f64 {
+        self.lift(cosine, ((1.0 - cosine) * (1.0 + cosine)).sqrt(), area)
+    }
+
     /// Smith's Lambda of a cosine in (0, 1].
     fn lambda(self, cosine: f64) -> f64 {
         let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
         self.lift(cosine, sine, self.area(cosine, sine)) / (2.0 * cosine)
+    }
+
+    /// Smith's Lambda of a direction on either side.
+    fn lambda_towards(self, direction: Vec3) -> f64 {
+        self.lambda(direction[2].abs())
     }
 
     /// A normal visible from `view` (of unit length, above the surface), drawn by two numbers in
@@ -149,8 +160,17 @@ impl Distribution for Ggx {
     }
 
     #[inline(always)]
+    fn lift_at(self, cosine: f64, area: f64) -> f64 {
+        self.0 * self.0 * ((1.0 - cosine) * (1.0 + cosine)) / (area + cosine)
+    }
+
+    #[inline(always)]
     fn lambda(self, cosine: f64) -> f64 {
         ggx::lambda(self.0, cosine)
+    }
+
+    fn lambda_towards(self, direction: Vec3) -> f64 {
+        ggx::lambda_towards([self.0; 2], direction)
     }
 
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {

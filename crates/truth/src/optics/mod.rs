@@ -11,9 +11,11 @@ pub mod ggx;
 pub mod kernel;
 mod mips;
 pub mod multiscatter;
+mod ndf;
 pub mod schlick_smith;
 mod smith;
 
 pub use alpha_map::AlphaMap;
 pub use mips::{LOG_FROM, LOG_SCALE, MipChain, MipMap};
+pub use ndf::Ndf;
 pub use smith::Smith;

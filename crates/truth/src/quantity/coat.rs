@@ -22,7 +22,7 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::{ops, panels};
 use rayon::prelude::*;
 
-use super::glass::GgxGlass;
+use super::glass::GGX_GLASS;
 use super::{ALPHA, Asked, Choice, Input, Quantity, Residual, Truth, Use, Variant, check_domain, check_unit};
 use crate::integrate::glass::{self, Side, table};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
@@ -122,9 +122,9 @@ fn cuts(alpha: f64, ior: f64, side: Side) -> Vec<f64> {
 fn by(smith: Smith, [alpha, ior]: [f64; 2], nodes: usize) -> Result<[f64; 3], IntegrateError> {
     let outside = Average::new(alpha, ior, Side::Outside, nodes);
     let points = outside.points(alpha, ior);
-    let entering = GgxGlass.energies(smith, Some(Side::Outside), &points, INNER)?.0;
+    let entering = GGX_GLASS.energies(smith, Some(Side::Outside), &points, INNER)?.0;
     let inside = Average::new(alpha, ior, Side::Inside, nodes);
-    let back = GgxGlass.reflected((smith, Side::Inside), &inside.points(alpha, ior), INNER)?.0;
+    let back = GGX_GLASS.reflected((smith, Side::Inside), &inside.points(alpha, ior), INNER)?.0;
     Ok([
         outside.of(entering.iter().map(|energies| energies.r[0])),
         outside.of(entering.iter().map(|energies| energies.t[0])),
@@ -155,7 +155,7 @@ impl Averages {
             let alpha = ops::exp(*x).clamp(SMALLEST_ALPHA, 1.0);
             let average = Average::new(alpha, ior[1], Side::Outside, NODES[0]);
             let points = Points::product(&[("ior", &excess), ("mu", &average.cosines), ("alpha", &[alpha])]);
-            let (r, _) = GgxGlass.reflected((smith, Side::Outside), &points, INNER)?;
+            let (r, _) = GGX_GLASS.reflected((smith, Side::Outside), &points, INNER)?;
             Ok((0..GRID).map(|k| average.of(r.iter().skip(k).step_by(GRID).copied())).collect())
         };
         let nodes = chebyshev::nodes(low, high, GRID);

@@ -1,13 +1,15 @@
-//! `ggx-glass`: energies of a rough dielectric interface.
+//! `ggx-glass`, `beckmann-glass`: energies of a rough dielectric interface.
 
 use rayon::prelude::*;
 
 use super::{ALPHA, Asked, Choice, Fresnel, Input, Quantity, Truth, Variant};
 use crate::integrate::glass::Side;
-use crate::integrate::glass::table::{self, Energies, Kernel};
+use crate::integrate::glass::table::{self, Energies, Kernel, Tabled};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, glass};
 use crate::optics::Smith;
+use crate::optics::beckmann::Beckmann;
+use crate::optics::distribution::Ggx;
 use crate::points::Points;
 
 /// Points of one task: work is cut by index alone.
@@ -16,7 +18,89 @@ const CHUNK: usize = 256;
 /// Finest tolerance of the rings that neighbours share.
 const FINEST: f64 = 1e-8;
 
-impl GgxGlass {
+/// Reflected and transmitted energy, their sum and 1 less the sum, from either side.
+#[derive(Clone, Copy, Debug)]
+pub struct Glass<D> {
+    name: &'static str,
+    /// The distribution of a width.
+    lobe: fn(f64) -> D,
+}
+
+/// `ggx-glass`.
+pub static GGX_GLASS: Glass<Ggx> = Glass { name: "ggx-glass", lobe: Ggx };
+
+/// `beckmann-glass`.
+pub static BECKMANN_GLASS: Glass<Beckmann> = Glass { name: "beckmann-glass", lobe: Beckmann };
+
+/// The glass of either distribution, as makers of tables ask for it.
+pub trait Sided: Quantity {
+    /// As [`Glass::both_sides`].
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    fn both_sides(&self, smith: Smith, points: &Points, tolerance: f64)
+    -> Result<[Truth; 2], IntegrateError>;
+
+    /// As [`Glass::one_side`].
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    fn one_side(
+        &self,
+        at: (Smith, Side),
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<Vec<f64>, IntegrateError>;
+
+    /// As [`monte_carlo::glass`].
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    fn drawn(&self, smith: Smith, x: [f64; 3], side: Side, run: Run) -> Result<[Sampled; 3], IntegrateError>;
+}
+
+impl<D: Tabled> Sided for Glass<D> {
+    fn both_sides(
+        &self,
+        smith: Smith,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<[Truth; 2], IntegrateError> {
+        Glass::both_sides(self, smith, points, tolerance)
+    }
+
+    fn one_side(
+        &self,
+        (smith, side): (Smith, Side),
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<Vec<f64>, IntegrateError> {
+        Glass::one_side(self, smith, side, points, tolerance)
+    }
+
+    fn drawn(
+        &self,
+        smith: Smith,
+        [alpha, mu, ior]: [f64; 3],
+        side: Side,
+        run: Run,
+    ) -> Result<[Sampled; 3], IntegrateError> {
+        monte_carlo::glass_of(self.name, (smith, (self.lobe)(alpha)), mu, (ior, side), run)
+    }
+}
+
+impl<D: Tabled> Glass<D> {
+    /// The energies at a point by the truth's own sweep.
+    fn exactly(
+        &self,
+        smith: Smith,
+        [alpha, mu, ior]: [f64; 3],
+        side: Side,
+        tolerance: f64,
+    ) -> Result<glass::Glass, IntegrateError> {
+        glass::glass_of(self.name, (smith, (self.lobe)(alpha)), mu, (ior, side), tolerance)
+    }
+
     /// R, T and E at points from outside and from inside, which share their work as neighbours of
     /// one alpha and mu do; E is within a tolerance in [1e-8, 1e-2], R and T within twice as much.
     ///
@@ -62,7 +146,7 @@ impl GgxGlass {
     ) -> Result<(Vec<f64>, u64), IntegrateError> {
         let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
         let [alpha, mu, ior] = asked.columns(self)?;
-        let kernel = Kernel::new(smith, tolerance)?;
+        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
         in_groups([alpha, mu, ior], |same, out: &mut Vec<f64>| {
             let ([alpha, mu, _], start) = (same[0], out.len());
             let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
@@ -71,7 +155,7 @@ impl GgxGlass {
                 return kernel.reflected([alpha, mu], &iors, side, &mut out[start..]);
             }
             for (ior, r) in iors.iter().zip(&mut out[start..]) {
-                *r = glass::glass(smith, alpha, mu, *ior, side, tolerance)?.r;
+                *r = self.exactly(smith, [alpha, mu, *ior], side, tolerance)?.r;
             }
             Ok(iors.len() as u64)
         })
@@ -87,12 +171,37 @@ impl GgxGlass {
     ) -> Result<(Vec<Energies>, u64), IntegrateError> {
         let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
         let [alpha, mu, ior] = asked.columns(self)?;
-        let kernel = Kernel::new(smith, tolerance)?;
+        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
         let kernel = match only {
             Some(side) => kernel.only(side),
             None => kernel,
         };
-        in_groups([alpha, mu, ior], |same, out| group(&kernel, smith, same, tolerance, out))
+        in_groups([alpha, mu, ior], |same, out| self.group((&kernel, smith), same, tolerance, out))
+    }
+
+    /// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the
+    /// domain of the rings each is integrated.
+    fn group(
+        &self,
+        (kernel, smith): (&Kernel<D>, Smith),
+        points: &[[f64; 3]],
+        tolerance: f64,
+        out: &mut Vec<Energies>,
+    ) -> Result<u64, IntegrateError> {
+        let [alpha, mu, _] = points[0];
+        let iors: Vec<f64> = points.iter().map(|point| point[2]).collect();
+        let start = out.len();
+        out.resize(start + iors.len(), Energies::default());
+        if table::covers(alpha, mu, &iors) {
+            return kernel.energies(alpha, mu, &iors, &mut out[start..]);
+        }
+        for (ior, energies) in iors.iter().zip(&mut out[start..]) {
+            for (k, side) in Side::ALL.into_iter().enumerate() {
+                let value = self.exactly(smith, [alpha, mu, *ior], side, tolerance)?;
+                (energies.r[k], energies.t[k]) = (value.r, value.t);
+            }
+        }
+        Ok(2 * iors.len() as u64)
     }
 }
 
@@ -115,38 +224,9 @@ fn in_groups<T: Send>(
     Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
 }
 
-/// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the
-/// domain of the rings each is integrated.
-fn group(
-    kernel: &Kernel,
-    smith: Smith,
-    points: &[[f64; 3]],
-    tolerance: f64,
-    out: &mut Vec<Energies>,
-) -> Result<u64, IntegrateError> {
-    let [alpha, mu, _] = points[0];
-    let iors: Vec<f64> = points.iter().map(|point| point[2]).collect();
-    let start = out.len();
-    out.resize(start + iors.len(), Energies::default());
-    if table::covers(alpha, mu, &iors) {
-        return kernel.energies(alpha, mu, &iors, &mut out[start..]);
-    }
-    for (ior, energies) in iors.iter().zip(&mut out[start..]) {
-        for (k, side) in Side::ALL.into_iter().enumerate() {
-            let value = glass::glass(smith, alpha, mu, *ior, side, tolerance)?;
-            (energies.r[k], energies.t[k]) = (value.r, value.t);
-        }
-    }
-    Ok(2 * iors.len() as u64)
-}
-
-/// `ggx-glass`: reflected and transmitted energy, their sum and 1 less the sum, from either side.
-#[derive(Clone, Copy, Debug)]
-pub struct GgxGlass;
-
-impl Quantity for GgxGlass {
+impl<D: Tabled> Quantity for Glass<D> {
     fn name(&self) -> &'static str {
-        "ggx-glass"
+        self.name
     }
 
     fn inputs(&self) -> &'static [Input] {
@@ -181,7 +261,7 @@ impl Quantity for GgxGlass {
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
-        let v = glass::glass(smith, x[0], x[1], x[2], side, tolerance)?;
+        let v = self.exactly(smith, [x[0], x[1], x[2]], side, tolerance)?;
         Ok(vec![v.r, v.t, v.e, v.loss, v.error])
     }
 
@@ -208,7 +288,7 @@ impl Quantity for GgxGlass {
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
-        let [r, t, loss] = monte_carlo::glass(smith, x[0], x[1], x[2], side, run)?;
+        let [r, t, loss] = self.drawn(smith, [x[0], x[1], x[2]], side, run)?;
         // The replicas of R and T are correlated: the sum's error is that of its complement.
         let e = Sampled { value: r.value + t.value, ..loss };
         Ok(vec![r, t, e, loss])

@@ -24,10 +24,10 @@ pub use average::GgxAverage;
 pub use coat::{ESCAPE, GgxCoat};
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
 pub use eon::EonSingle;
-pub use glass::GgxGlass;
+pub use glass::{BECKMANN_GLASS, GGX_GLASS, Glass, Sided};
 pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
-pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
+pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Lobe, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
 pub use refracted::RefractedWidth;
 pub use sheen::SheenCharlie;
 pub use used::{Residual, Use};
@@ -384,15 +384,16 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 14] = [
+pub static QUANTITIES: [&dyn Quantity; 15] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
-    &GgxGlass,
+    &GGX_GLASS,
     &SheenCharlie,
     &DiffuseCoupling,
     &ParallaxAlpha,
     &BECKMANN_REFLECTION,
+    &BECKMANN_GLASS,
     &EonSingle,
     &RefractedWidth,
     &GgxCoat,

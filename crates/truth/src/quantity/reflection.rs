@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
-use crate::integrate::reflection::{Effort, Interpolant, albedo_of, split_of};
+use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
@@ -54,6 +54,35 @@ const RULE_FROM: f64 = 1e-4 * (1.0 - 1e-6);
 /// integrals.
 const MANY: usize = 30_000;
 
+/// The reflection of either distribution, as makers of tables ask for it.
+pub trait Lobe: Quantity {
+    /// E and B at a texel, of rules with room to spare; B is 0 without `split`.
+    fn texel(&self, smith: Smith, place: (f64, f64), split: bool) -> (f64, f64);
+
+    /// E, and B where `split` says so, at millions of points.
+    fn known(&self, smith: Smith, split: bool) -> &dyn Known;
+}
+
+/// The rule of the ladder by which truths at many points are made, texels by the one after it. A
+/// Gaussian tail takes twice the nodes: with eight B is off by 2e-6.
+const fn first<D: Distribution>() -> usize {
+    D::REACH.is_finite() as usize
+}
+
+impl<D: Distribution> Lobe for Reflection<D> {
+    fn texel(&self, smith: Smith, (alpha, mu): (f64, f64), split: bool) -> (f64, f64) {
+        let effort = &Effort::ladder()[1 + first::<D>()];
+        match split {
+            true => split_of(smith, (self.lobe)(alpha), mu, effort),
+            false => (albedo_of(smith, (self.lobe)(alpha), mu, &effort.outer), 0.0),
+        }
+    }
+
+    fn known(&self, smith: Smith, split: bool) -> &dyn Known {
+        self.interpolant(smith, split)
+    }
+}
+
 impl<D: Distribution> Reflection<D> {
     const fn new(name: &'static str, lobe: fn(f64) -> D) -> Reflection<D> {
         let known = [
@@ -94,8 +123,7 @@ impl<'a, D: Distribution> Fast<'a, D> {
         if let Some(known) = self.known.and_then(|known| known.at(alpha, mu)) {
             return Some(known);
         }
-        // Twice the nodes for a Gaussian tail: with eight B is off by 2e-6.
-        let effort = &Effort::ladder()[usize::from(D::REACH.is_finite())];
+        let effort = &Effort::ladder()[first::<D>()];
         match self.split {
             _ if alpha != 0.0 && alpha.min(mu) < RULE_FROM => self.bounded(alpha, mu, tolerance),
             true => Some(split_of(self.smith, (self.lobe)(alpha), mu, effort)),

@@ -2,23 +2,23 @@
 //! dielectric.
 
 use crate::approximate::{Fit, Region};
-use crate::data::Use;
+use crate::data::{Ndf, Use};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::explore::Exploring;
+use crate::effects::reflection::Reflection;
 use crate::effects::table::BakedTable;
 use crate::effects::{BakeError, Made};
 use crate::report::explore::Drawn;
-use lobefit_truth::quantity::GGX_REFLECTION;
 
 /// f0 of glass and plastic.
 const DIELECTRIC: f64 = 0.04;
 
 /// Adds both, as far as fits or tables stand for them.
 pub(super) fn explored(
+    reflection: &Reflection,
     made: &mut Made,
-    job: Option<&Job>,
-    fits: &[Fit],
+    (job, fits): (Option<&Job>, &[Fit]),
     context: &Context,
 ) -> Result<(), BakeError> {
     let region = job.map(|job| job.region(context.scene.alpha)).transpose()?;
@@ -27,22 +27,26 @@ pub(super) fn explored(
         return Ok(());
     };
     let of = |used_as: Use| fits.iter().filter(move |fit| fit.approximation.used_as == used_as).collect();
+    let (of_lobe, in_words) = match reflection.ndf {
+        Ndf::Ggx => ("", ""),
+        Ndf::Beckmann => ("beckmann-", "Beckmann, "),
+    };
     let metal = Exploring {
-        name: "metal".into(),
-        title: "metal: energy compensation".into(),
+        name: format!("{of_lobe}metal"),
+        title: format!("{in_words}metal: energy compensation"),
         lead: "A metal's lobe, multiplied by 1 + f0 (N \u{2212} 1). A white metal returns all light.".into(),
         drawn: Drawn::Compensation,
         f0: 1.0,
         fits: of(Use::NORMALISATION),
-        ..lobe(region, &tables, context)
+        ..lobe(reflection, region, &tables, context)
     };
     let dielectric = Exploring {
-        name: "dielectric".into(),
-        title: "dielectric: f0 A + B".into(),
+        name: format!("{of_lobe}dielectric"),
+        title: format!("{in_words}dielectric: f0 A + B"),
         lead: "Brightness is f0 A + B, the light that the lobe of a dielectric sends back.".into(),
         drawn: Drawn::Albedo,
         fits: of(Use::F0_BLEND),
-        ..lobe(region, &tables, context)
+        ..lobe(reflection, region, &tables, context)
     };
     let filled = |one: &Exploring| !one.fits.is_empty() || one.tables.iter().any(|t| t.decode.has_bias());
     let mut exploring = vec![metal];
@@ -51,13 +55,18 @@ pub(super) fn explored(
 }
 
 /// The lobe, with its tables over the same roughness map.
-fn lobe<'a>(region: Region, tables: &'a [BakedTable], context: &Context) -> Exploring<'a> {
+fn lobe<'a>(
+    reflection: &Reflection,
+    region: Region,
+    tables: &'a [BakedTable],
+    context: &Context,
+) -> Exploring<'a> {
     Exploring {
         name: String::new(),
         title: String::new(),
         lead: String::new(),
         drawn: Drawn::Value,
-        quantity: &GGX_REFLECTION,
+        quantity: reflection.lobe,
         outputs: &["E", "B"],
         variant: context.scene.smith.into(),
         region,

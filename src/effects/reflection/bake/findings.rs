@@ -4,7 +4,7 @@ use super::pictures::Exact;
 use crate::approximate::{Dropped, Fit, Memo, Region};
 use crate::data::{Smith, Source, Use};
 use crate::effects::context::Context;
-use crate::effects::reflection::{Study, studies};
+use crate::effects::reflection::{Reflection, Study, studies};
 use crate::effects::selection::{Selected, selected};
 use crate::effects::table::{BakedTable, finding};
 use crate::effects::{BakeError, Made, Part, page};
@@ -25,18 +25,19 @@ const DIELECTRIC: f64 = 0.04;
 
 /// The findings of the effect; `region` is that of the fits.
 pub fn findings(
-    made: &Made,
-    region: Option<Region>,
+    of: &Reflection,
+    (made, region): (&Made, Option<Region>),
     (fits, dropped): (&[Fit], &[Dropped]),
     context: &Context,
 ) -> Result<Findings, BakeError> {
     let (smith, tables, effect) = (context.scene.smith, &made.tables[..], &made.part.finding);
+    let lobe = (of.lobe, smith);
     let shown = selected(fits, "E", Use::NORMALISATION, context);
     let blends = selected(fits, "E", Use::F0_BLEND, context);
     let mut found = Findings::new(context.origin());
     if let Some(region) = &region {
-        let map = Exact::map(smith, region, false, context)?;
-        let curves = Exact::curves(smith, region, context)?;
+        let map = Exact::map(lobe, region, false, context)?;
+        let curves = Exact::curves(lobe, region, context)?;
         found.truths.push(map.albedo());
         for one in &shown {
             found.fits.push(page::fit(
@@ -57,32 +58,34 @@ pub fn findings(
         }
         found.averages = average_finding(smith, region, fits, context)?;
     } else if let Some(baked) = tables.first() {
-        found.truths.push(Exact::map(smith, &baked.region.flat(), false, context)?.albedo());
+        found.truths.push(Exact::map(lobe, &baked.region.flat(), false, context)?.albedo());
     }
-    found.caption = found.truths.first().map_or_else(String::new, landscape);
+    found.caption = found.truths.first().map_or_else(String::new, |field| landscape(of.ndf.name(), field));
     if let Some(region) = region.or_else(|| tables.first().map(|t| t.region.flat())) {
-        found.furnace = Some(furnace_of(&Exact::furnace(smith, &region, context)?, tables, &shown)?);
+        found.furnace = Some(furnace_of(&Exact::furnace(lobe, &region, context)?, tables, &shown)?);
     }
     found.effects = vec![effect.clone()];
     found.left_out = page::left_out(dropped);
-    found.tables =
-        tables.iter().filter_map(|t| table(t, &made.part, context).transpose()).collect::<Result<_, _>>()?;
+    found.tables = tables
+        .iter()
+        .filter_map(|t| table(of, t, &made.part, context).transpose())
+        .collect::<Result<_, _>>()?;
     found.approximations = approximations(tables, fits);
     found.studies = reported(smith, &context.memo)?;
     Ok(found)
 }
 
 /// What to see in the maps of the truth; a part of the domain need not show it.
-fn landscape(field: &Field) -> String {
+fn landscape(ndf: &str, field: &Field) -> String {
     let ends = |r: &Ruler| [r.values[0], r.values[r.values.len() - 1]];
     let (roughness, mu) = (ends(&field.x), ends(&field.y));
     let valley = "1 for a smooth surface and at grazing view; between the two lies a valley along the diagonal where mu is \
                   about alpha, which never closes however smooth the surface. Polynomials cannot follow it.";
     if roughness[0] <= 0.1 && roughness[1] >= 0.9 && mu[0] <= 0.05 && mu[1] >= 0.9 {
-        return format!("For the GGX lobe: E is {valley}");
+        return format!("For the {ndf} lobe: E is {valley}");
     }
     format!(
-        "The part of the domain that the scene spans: {} {} to {}, {} {} to {}. Over the whole domain E of the GGX lobe is \
+        "The part of the domain that the scene spans: {} {} to {}, {} {} to {}. Over the whole domain E of the {ndf} lobe is \
          {valley} How much of that is seen here depends on the part.",
         words::symbol(&field.x.name),
         brief(roughness[0], 3),
@@ -95,9 +98,9 @@ fn landscape(field: &Field) -> String {
 
 /// Spheres of everything that compensates the lobe and is ours.
 pub fn furnaces(
+    of: &Reflection,
     tables: &[BakedTable],
-    region: Option<Region>,
-    fits: &[Fit],
+    (region, fits): (Option<Region>, &[Fit]),
     context: &Context,
 ) -> Result<Vec<Furnace>, BakeError> {
     let Some(region) = region.or_else(|| tables.first().map(|t| t.region.flat())) else {
@@ -106,7 +109,7 @@ pub fn furnaces(
     let ours =
         |f: &&Fit| f.approximation.used_as == Use::NORMALISATION && f.approximation.source == Source::Fitted;
     let all: Vec<Selected> = fits.iter().filter(ours).map(|fit| Selected { fit, because: "" }).collect();
-    Ok(vec![furnace_of(&Exact::furnace(context.scene.smith, &region, context)?, tables, &all)?])
+    Ok(vec![furnace_of(&Exact::furnace((of.lobe, context.scene.smith), &region, context)?, tables, &all)?])
 }
 
 fn furnace_of(grid: &Exact, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {
@@ -145,8 +148,14 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
     tables.iter().map(|t| &t.approximation).chain(fits).map(ApproximationFinding::from).collect()
 }
 
-fn table(baked: &BakedTable, part: &Part, context: &Context) -> Result<Option<TableFinding>, BakeError> {
-    let map = Exact::map(context.scene.smith, &baked.region.flat(), baked.decode.has_bias(), context)?;
+fn table(
+    of: &Reflection,
+    baked: &BakedTable,
+    part: &Part,
+    context: &Context,
+) -> Result<Option<TableFinding>, BakeError> {
+    let map =
+        Exact::map((of.lobe, context.scene.smith), &baked.region.flat(), baked.decode.has_bias(), context)?;
     Ok(finding(baked, part, map.lookup_errors(baked)?))
 }
 

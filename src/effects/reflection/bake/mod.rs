@@ -5,7 +5,7 @@ pub mod findings;
 mod pictures;
 
 use super::demand::parted;
-use super::{Dfg, FitJob, FitSpec, NORMALISATION, fit_all};
+use super::{FitJob, FitSpec, Reflection, fit_all};
 use crate::approximate::{Emission, Fit, FitSet, FitStageError};
 use crate::data::{Use, Vendor};
 use crate::effects::code::{functions, rgb};
@@ -39,25 +39,25 @@ fn printed(language: Language) -> Result<String, BakeError> {
 }
 
 /// Bakes the effect.
-pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
+pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Result<Made, BakeError> {
     // Tables first: they take less time than fits, and a limit that none keeps ends the bake.
     let (jobs, fit) = parted(&called.work);
     let jobs = TableJob::all(context.scene, jobs)?;
-    let (tables, broken) = table::bake(&Dfg, &jobs, context)?;
+    let (tables, broken) = table::bake(of, &jobs, context)?;
     let mut made = Made::new(called, None, "");
     made.broken = broken;
     if !made.broken.is_empty() {
         return Ok(made);
     }
     let FitSet { fits, dropped, nearest, unserved } = match fit {
-        Some(job) => bake_fits(job, context)?,
+        Some(job) => bake_fits(of, job, context)?,
         None => FitSet::default(),
     };
     if let Some(job) = fit {
         made.promised(job, (&fits, &nearest), "fit", Use::NORMALISATION);
         if let (Some(last), Some(limit)) = (made.broken.last_mut(), job.goals.max_error) {
             let table = TableJob::open(context.scene, job.range("roughness")?, job.range("mu")?);
-            *last += &format!("\n{}", table::table_instead(&Dfg, &table, limit, context)?);
+            *last += &format!("\n{}", table::table_instead(of, &table, limit, context)?);
         }
         made.broken.extend(unserved);
         if !made.broken.is_empty() {
@@ -75,11 +75,11 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     made.tables(context, tables)?;
     if context.reports(called.effect) {
         let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;
-        let findings = findings::findings(&made, region, (&fits, &dropped), context)?;
-        made.furnaces = findings::furnaces(&made.tables, region, &fits, context)?;
+        let findings = findings::findings(of, (&made, region), (&fits, &dropped), context)?;
+        made.furnaces = findings::furnaces(of, &made.tables, (region, &fits), context)?;
         made.findings(&findings)?;
     }
-    explore::explored(&mut made, fit, &fits, context)?;
+    explore::explored(of, &mut made, (fit, &fits), context)?;
     if let Some(job) = fit {
         fits_called(&mut made, job, &fits, context)?;
     }
@@ -138,12 +138,13 @@ fn coloured_price(vendor: Vendor) -> Result<f64, BakeError> {
 }
 
 /// Fits all that the job asks for.
-fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
+fn bake_fits(of: &Reflection, job: &Job, context: &Context) -> Result<FitSet, BakeError> {
     context.progress.stage("fits");
     let wants = FitJob::of(context.scene, job);
     let Budget { max_ops, call } = job.budget();
     let vendor = context.scene.output.cost.filter(|_| call.beside > 0);
     let beside_price = vendor.map(coloured_price).transpose()?.unwrap_or_default();
+    let own = context.hypotheses.iter().filter(|h| wants.hypotheses.contains(&h.file));
     let spec = FitSpec {
         smith: context.scene.smith,
         region: job.region(context.scene.alpha)?,
@@ -153,8 +154,8 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
         // The lobe divides by 1 - E_avg, of which few operations leave nothing that is right.
         average_ops: max_ops.filter(|_| !wants.multiscatter),
         blend: wants.blend,
-        hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
-        emission: Emission { beside_price, ..job.emission(context.scene, NORMALISATION) },
+        hypotheses: own.map(|h| (h.file.clone(), h.source.clone())).collect(),
+        emission: Emission { beside_price, ..job.emission(context.scene, of.roles[0]) },
     };
-    Ok(fit_all(&spec, &context.memo)?)
+    Ok(fit_all(of, &spec, &context.memo)?)
 }

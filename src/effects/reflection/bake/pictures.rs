@@ -9,6 +9,10 @@ use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, Looku
 use crate::effects::{Albedo, BakeError};
 use crate::report::{Field, FitCurve, FurnaceRow};
 use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::quantity::Lobe;
+
+/// A lobe in a shadowing form.
+pub type Shadowed = (&'static dyn Lobe, Smith);
 
 /// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];
@@ -21,38 +25,38 @@ pub struct Exact {
     /// The grid.
     pub grid: Grid,
     truth: Albedo,
-    smith: Smith,
+    lobe: Shadowed,
 }
 
 impl Exact {
     /// The grid of the maps.
     pub fn map(
-        smith: Smith,
+        lobe: Shadowed,
         region: &Region,
         split: bool,
         context: &Context,
     ) -> Result<Exact, IntegrateError> {
-        Exact::new(smith, Grid::map(region), split, context)
+        Exact::new(lobe, Grid::map(region), split, context)
     }
 
     /// The grid of the curves.
-    pub fn curves(smith: Smith, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
-        Exact::new(smith, Grid::curves(region, &CURVES), false, context)
+    pub fn curves(lobe: Shadowed, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
+        Exact::new(lobe, Grid::curves(region, &CURVES), false, context)
     }
 
     /// The grid of the furnace.
-    pub fn furnace(smith: Smith, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
-        Exact::new(smith, Grid::curves(region, &SPHERES), false, context)
+    pub fn furnace(lobe: Shadowed, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
+        Exact::new(lobe, Grid::curves(region, &SPHERES), false, context)
     }
 
-    fn new(smith: Smith, grid: Grid, split: bool, context: &Context) -> Result<Exact, IntegrateError> {
-        let truth = Albedo::new(smith, &grid.points, split, &context.memo)?;
-        Ok(Exact { grid, truth, smith })
+    fn new(lobe: Shadowed, grid: Grid, split: bool, context: &Context) -> Result<Exact, IntegrateError> {
+        let truth = Albedo::of(lobe, &grid.points, split, &context.memo)?;
+        Ok(Exact { grid, truth, lobe })
     }
 
     /// The same grid with B beside E.
     pub fn split_map(exact: &Exact, context: &Context) -> Result<Exact, IntegrateError> {
-        Exact::new(exact.smith, exact.grid.clone(), true, context)
+        Exact::new(exact.lobe, exact.grid.clone(), true, context)
     }
 
     /// The truth of E.

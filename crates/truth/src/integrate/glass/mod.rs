@@ -1,6 +1,5 @@
-//! `ggx-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from
-//! either side, with exact Fresnel and total internal reflection. Isotropic GGX; energy, so no
-//! 1/eta^2; a ray that leaves on the wrong side counts 0.
+//! `ggx-glass`, `beckmann-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from
+//! either side, with exact Fresnel and total internal reflection. Isotropic; energy, so no 1/eta^2; a ray that leaves on the wrong side counts 0.
 //!
 //! Facets are swept in polar coordinates about the view: the angle theta_d between view and facet
 //! normal, on which Fresnel, the half angle of the reflection and the deviation of the refraction
@@ -11,15 +10,18 @@
 //! R = 0 and T = G2/G1 of the straight-through direction: (1 + L)/(1 + 2 L) for the correlated form
 //! and 1/(1 + L) for the separable one, not 1.
 
+mod facets;
 mod interface;
 mod ring;
 mod sweep;
 pub mod table;
 
+pub use facets::Facets;
 pub use interface::Side;
 
 use super::{Estimate, IntegrateError, PanelRule};
 use crate::optics::Smith;
+use crate::optics::distribution::Ggx;
 use interface::Interface;
 
 /// Range of alpha, beside 0.
@@ -64,30 +66,41 @@ pub fn glass(
     side: Side,
     tolerance: f64,
 ) -> Result<Glass, IntegrateError> {
-    check(alpha, mu, ior)?;
+    glass_of(QUANTITY, (smith, Ggx(alpha)), mu, (ior, side), tolerance)
+}
+
+/// [`glass`] of any distribution of normals.
+pub(crate) fn glass_of<D: Facets>(
+    quantity: &'static str,
+    (smith, lobe): (Smith, D),
+    mu: f64,
+    (ior, side): (f64, Side),
+    tolerance: f64,
+) -> Result<Glass, IntegrateError> {
+    let alpha = lobe.alpha();
+    check(quantity, alpha, mu, ior)?;
     let interface = Interface::new(ior, side);
     if alpha == 0.0 {
         let r = interface.fresnel(mu);
         return Ok(Glass { r, t: 1.0 - r, e: 1.0, loss: 0.0, error: f64::EPSILON, loss_error: 0.0 });
     }
-    let values = |n| sweep::energies(smith, alpha, mu, interface, &PanelRule::new(n));
+    let values = |n| sweep::energies(smith, lobe, mu, interface, &PanelRule::new(n));
     let (mut coarse, mut reached) = (values(8), f64::INFINITY);
     for n in [16, 32] {
         let fine = values(n);
-        let value = bounded(coarse, fine).ok_or_else(|| not_finite(alpha, mu, ior))?;
+        let value = bounded(coarse, fine).ok_or_else(|| not_finite(quantity, alpha, mu, ior))?;
         if value.error <= tolerance {
             return Ok(value);
         }
         (coarse, reached) = (fine, value.error);
     }
     let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}, {}", side.name());
-    Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
+    Err(IntegrateError::Tolerance { quantity, place, reached, tolerance })
 }
 
 /// Refuses inputs outside the domain.
-pub(super) fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
-    let refuse =
-        |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
+pub(super) fn check(quantity: &'static str, alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
+    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     // A roughness rounded to f32 may make an alpha just below the least.
     let least = ALPHA[0] * (1.0 - 1e-6);
     if !(alpha == 0.0 || (least..=ALPHA[1]).contains(&alpha)) {
@@ -111,9 +124,9 @@ pub fn with_nodes(
     side: Side,
     n: usize,
 ) -> Result<Glass, IntegrateError> {
-    check(alpha, mu, ior)?;
-    let values = sweep::energies(smith, alpha, mu, Interface::new(ior, side), &PanelRule::new(n));
-    bounded(values, values).ok_or_else(|| not_finite(alpha, mu, ior))
+    check(QUANTITY, alpha, mu, ior)?;
+    let values = sweep::energies(smith, Ggx(alpha), mu, Interface::new(ior, side), &PanelRule::new(n));
+    bounded(values, values).ok_or_else(|| not_finite(QUANTITY, alpha, mu, ior))
 }
 
 /// Values of the finer rule with bounds from the pair, where they are finite.
@@ -134,7 +147,7 @@ fn bounded(coarse: [f64; 3], fine: [f64; 3]) -> Option<Glass> {
     [value.e, value.loss, value.error].iter().all(|x| x.is_finite()).then_some(value)
 }
 
-fn not_finite(alpha: f64, mu: f64, ior: f64) -> IntegrateError {
+fn not_finite(quantity: &'static str, alpha: f64, mu: f64, ior: f64) -> IntegrateError {
     let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}");
-    IntegrateError::NotFinite { quantity: QUANTITY, place }
+    IntegrateError::NotFinite { quantity, place }
 }

@@ -10,10 +10,10 @@
 
 use multiversion::multiversion;
 
+use super::facets::Facets;
 use super::interface::Facet;
 use crate::integrate::PanelRule;
 use crate::optics::Smith;
-use crate::optics::ggx;
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::{ops, panels};
 
@@ -22,9 +22,9 @@ const LONGEST: f64 = 2.0;
 
 /// A view onto the lobe.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct View<D> {
     pub smith: Smith,
-    pub alpha: f64,
+    pub lobe: D,
     pub mu: f64,
     pub sine: f64,
     pub s_v: f64,
@@ -38,8 +38,8 @@ struct Height {
 }
 
 /// A ring of facets.
-pub(super) struct Ring<'a> {
-    view: &'a View,
+pub(super) struct Ring<'a, D> {
+    view: &'a View<D>,
     /// 1 - h_z at psi = 0, and the coefficient of 2 sin^2(psi/2).
     low: f64,
     reach: f64,
@@ -48,19 +48,18 @@ pub(super) struct Ring<'a> {
     end: f64,
 }
 
-impl<'a> Ring<'a> {
+impl<'a, D: Facets> Ring<'a, D> {
     /// The ring at cos, sin of theta_d, with `half` = sin^2((theta_d - theta)/2).
-    pub fn new(view: &'a View, cosine: f64, sine: f64, half: f64) -> Ring<'a> {
+    pub fn new(view: &'a View<D>, cosine: f64, sine: f64, half: f64) -> Ring<'a, D> {
         let reach = view.sine * sine;
         let low = 2.0 * half;
-        // D has its pole at h_z = 1/sqrt(1 - a^2); at psi, 1 - h_z = low + 2 reach sin^2(psi/2).
-        let rest = (1.0 - view.alpha) * (1.0 + view.alpha);
-        let pole = view.alpha * view.alpha / (rest + rest.sqrt());
-        let kappa = ((pole + low) / (2.0 * reach)).sqrt();
+        // At psi, 1 - h_z = low + 2 reach sin^2(psi/2).
+        let kappa = (view.lobe.width(low) / (2.0 * reach)).sqrt();
         let r = if kappa.is_finite() { kappa / (1.0 + (1.0 + kappa * kappa).sqrt()) } else { 1.0 };
         let facets = Height { middle: view.mu * cosine, swing: reach };
         let mut ring = Ring { view, low, reach, r, end: 0.0 };
-        ring.end = ring.v_at(facets.ends_below());
+        let deepest = (view.lobe.deepest(low) - low) / (2.0 * reach);
+        ring.end = ring.v_at(facets.ends_below().min(deepest));
         ring
     }
 
@@ -128,8 +127,8 @@ impl<'a> Ring<'a> {
         let length2 = 1.0 + tau * tau;
         let half = 4.0 * tau * tau / (length2 * length2);
         let mu_l = height.at(half).abs().min(1.0);
-        let s_l = ggx::stretched_length(view.alpha, mu_l);
-        let layer = (view.mu * s_l / view.s_v).min(view.alpha) + mu_l;
+        let s_l = view.lobe.area_at(mu_l);
+        let layer = (view.mu * s_l / view.s_v).min(view.lobe.alpha()) + mu_l;
         // d height / d psi = -swing sin(psi), sin(psi) = 2 sin(psi/2) cos(psi/2); d psi = 4 d
         // tau/(1 + tau^2)
         let sin_psi = 2.0 * (half * (1.0 - half).max(0.0)).sqrt();
@@ -140,7 +139,6 @@ impl<'a> Ring<'a> {
     /// D times geometry factors of sin^2(psi/2), over both halves of the ring, in v.
     #[inline(always)]
     fn along<const N: usize>(&self, v: &F8, geometry: impl Fn(f64) -> [f64; N]) -> [F8; N] {
-        let a2 = self.view.alpha * self.view.alpha;
         let e = lanes::exp(v);
         let mut out = [[0.0; LANES]; N];
         for i in 0..LANES {
@@ -151,9 +149,7 @@ impl<'a> Ring<'a> {
             let sine = 2.0 * tau * length2;
             let half = sine * sine;
             let depth = self.low + 2.0 * self.reach * half;
-            let sin2 = depth * (2.0 - depth);
-            let d = sin2 + a2 * (1.0 - sin2);
-            let lobe = 2.0 * a2 / (std::f64::consts::PI * d * d);
+            let lobe = self.view.lobe.twice(depth);
             let factors = geometry(half);
             for k in 0..N {
                 out[k][i] = lobe * factors[k] * 4.0 * slope * length2;
@@ -169,14 +165,14 @@ impl<'a> Ring<'a> {
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
 ))]
-fn lit(ring: &Ring, height: Height, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
+fn lit<D: Facets>(ring: &Ring<D>, height: Height, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
     let view = ring.view;
     rule.panels_of_both(cuts, &|v| {
         ring.along(v, |half| {
             let above = height.at(half).max(0.0);
             let mu_l = above.min(1.0);
-            let s_l = ggx::stretched_length(view.alpha, mu_l);
-            let lift = view.alpha * view.alpha * ((1.0 - mu_l) * (1.0 + mu_l)) / (s_l + mu_l);
+            let s_l = view.lobe.area_at(mu_l);
+            let lift = view.lobe.lift_at(mu_l, s_l);
             [
                 view.smith.shadowing_over_cosine(view.mu, view.s_v, above, s_l),
                 view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, lift),
@@ -190,7 +186,7 @@ fn lit(ring: &Ring, height: Height, cuts: &[f64], rule: &PanelRule) -> [f64; 2] 
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
 ))]
-fn dark(ring: &Ring, cuts: &[f64], rule: &PanelRule) -> f64 {
+fn dark<D: Facets>(ring: &Ring<D>, cuts: &[f64], rule: &PanelRule) -> f64 {
     let masking = 2.0 / (ring.view.mu + ring.view.s_v);
     rule.panels(cuts, &|v| ring.along(v, |_| [masking])[0])
 }

@@ -6,6 +6,7 @@ use crate::integrate::IntegrateError;
 use crate::integrate::aniso::check as check_aniso;
 use crate::integrate::glass::{SMALLEST_MU, Side, check as check_glass};
 use crate::optics::Smith;
+use crate::optics::distribution::{Distribution, Ggx};
 use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
 use lobefit_math::sobol::DIMENSIONS;
@@ -45,41 +46,59 @@ pub fn glass(
     side: Side,
     run: Run,
 ) -> Result<[Sampled; 3], IntegrateError> {
-    check_glass(alpha, mu, ior)?;
-    check_positive("ggx-glass", &[("alpha", alpha)])?;
+    glass_of("ggx-glass", (smith, Ggx(alpha)), mu, (ior, side), run)
+}
+
+/// [`glass`] of any distribution of normals.
+pub(crate) fn glass_of<D: Distribution>(
+    quantity: &'static str,
+    (smith, lobe): (Smith, D),
+    mu: f64,
+    (ior, side): (f64, Side),
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
+    check_glass(quantity, lobe.alpha(), mu, ior)?;
+    check_positive(quantity, &[("alpha", lobe.alpha())])?;
     check_samples(run)?;
     let eta = match side {
         Side::Outside => 1.0 / ior,
         Side::Inside => ior,
     };
     let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-    let means = replicas(run, |x| one_of_glass(smith, alpha, eta, view, x));
+    let means = replicas(run, |x| one_of_glass(smith, lobe, eta, view, x));
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
 /// Averages of `ggx-coat` at alpha in [1e-4, 1] and ior in [1, 4]: what is reflected from outside, what
 /// is transmitted, what is reflected from inside. The third coordinate draws the cosine, mu^2 uniform.
 pub fn coat(smith: Smith, alpha: f64, ior: f64, run: Run) -> Result<[Sampled; 3], IntegrateError> {
-    check_glass(alpha, 1.0, ior)?;
+    check_glass("ggx-coat", alpha, 1.0, ior)?;
     check_positive("ggx-coat", &[("alpha", alpha)])?;
     check_samples(run)?;
     let means = replicas(run, |x| {
         let mu = x[2].sqrt().max(SMALLEST_MU);
         let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-        let [r, t, _] = one_of_glass(smith, alpha, 1.0 / ior, view, x);
-        [r, t, one_of_glass(smith, alpha, ior, view, x)[0]]
+        let [r, t, _] = one_of_glass(smith, Ggx(alpha), 1.0 / ior, view, x);
+        [r, t, one_of_glass(smith, Ggx(alpha), ior, view, x)[0]]
     });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
 /// Reflected, transmitted and lost energy of one visible normal.
-fn one_of_glass(smith: Smith, alpha: f64, eta: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
-    let normal = ggx::visible_normal([alpha; 2], view, x[0], x[1]);
+fn one_of_glass<D: Distribution>(
+    smith: Smith,
+    lobe: D,
+    eta: f64,
+    view: Vec3,
+    x: [f64; DIMENSIONS],
+) -> Weights {
+    let normal = lobe.visible_normal(view, x[0], x[1]);
+    let of_view = lobe.lambda_towards(view);
     let mirrored = ggx::mirror(view, normal).0;
     let (reflectance, refracted) = refract(eta, view, normal);
     let (mut kept_r, mut kept_t, mut lost) = (0.0, 0.0, 0.0);
     if mirrored[2] > 0.0 {
-        let (kept, shadowed) = shadowing(smith, [alpha; 2], view, mirrored);
+        let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(mirrored));
         kept_r = reflectance * kept;
         lost += reflectance * shadowed;
     } else {
@@ -87,7 +106,7 @@ fn one_of_glass(smith: Smith, alpha: f64, eta: f64, view: Vec3, x: [f64; DIMENSI
     }
     match refracted {
         Some(light) if light[2] < 0.0 => {
-            let (kept, shadowed) = shadowing(smith, [alpha; 2], view, light);
+            let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(light));
             kept_t = (1.0 - reflectance) * kept;
             lost += (1.0 - reflectance) * shadowed;
         }
@@ -113,7 +132,11 @@ pub(crate) fn refract(eta: f64, view: Vec3, normal: Vec3) -> (f64, Option<Vec3>)
 
 /// G2/G1(v) and its complement for a direction on either side of the surface.
 pub(crate) fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f64) {
-    let (of_view, of_light) = (ggx::lambda_towards(alpha, view), ggx::lambda_towards(alpha, light));
+    shadowing_of(smith, ggx::lambda_towards(alpha, view), ggx::lambda_towards(alpha, light))
+}
+
+/// The same of both Lambdas.
+fn shadowing_of(smith: Smith, of_view: f64, of_light: f64) -> (f64, f64) {
     match smith {
         Smith::Correlated => {
             let total = 1.0 + of_view + of_light;

@@ -33,6 +33,24 @@ pub struct Interpolant<D> {
     tiles: [[OnceLock<Option<Patches>>; TILES[0]]; TILES[1]],
 }
 
+/// An [`Interpolant`] of some distribution.
+pub trait Known: Sync {
+    /// As [`Interpolant::cover`].
+    fn cover(&self, places: &[(f64, f64)]);
+    /// As [`Interpolant::at`].
+    fn at(&self, alpha: f64, mu: f64) -> Option<(f64, f64)>;
+}
+
+impl<D: Distribution> Known for Interpolant<D> {
+    fn cover(&self, places: &[(f64, f64)]) {
+        Interpolant::cover(self, places);
+    }
+
+    fn at(&self, alpha: f64, mu: f64) -> Option<(f64, f64)> {
+        Interpolant::at(self, alpha, mu)
+    }
+}
+
 impl<D: Distribution> Interpolant<D> {
     /// Smallest alpha and mu.
     pub const SMALLEST: f64 = 1e-4;

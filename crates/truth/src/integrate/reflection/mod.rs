@@ -22,7 +22,7 @@ mod schlick;
 pub use albedo::{Work, albedo, albedo_work, loss};
 pub use average::{Average, average};
 pub use effort::Effort;
-pub use interpolant::Interpolant;
+pub use interpolant::{Interpolant, Known};
 pub use schlick::reflected;
 
 use super::{Estimate, IntegrateError, PanelRule};

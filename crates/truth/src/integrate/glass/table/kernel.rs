@@ -5,11 +5,12 @@ use super::lobe::Lobe;
 use super::reflect::Reflection;
 use super::rules::Rules;
 use super::stretch::{self, Seen};
+use super::tabled::Tabled;
 use super::transmit::Sweep;
 use crate::integrate::glass::Side;
 use crate::integrate::{IntegrateError, Path};
 use crate::optics::Smith;
-use crate::optics::ggx;
+use crate::optics::distribution::Ggx;
 
 /// Range of a cosine. The lower end leaves room below 1e-3, where lookups are judged, for the texel
 /// that a lookup at that edge blends with.
@@ -35,9 +36,10 @@ impl Energies {
     }
 }
 
-/// The integrals for one shadowing form and one tolerance.
+/// The integrals for one distribution, one shadowing form and one tolerance.
 #[derive(Debug)]
-pub struct Kernel {
+pub struct Kernel<D = Ggx> {
+    lobe: fn(f64) -> D,
     smith: Smith,
     effort: Effort,
     path: Path,
@@ -49,12 +51,10 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in
+    /// A kernel of GGX of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in
     /// [`MU`] and ior in [1, 3].
     pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
-        let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
-        let series = rules.series(effort.ring_panel);
-        Ok(Kernel { smith, effort, path: Path::Best, only: None, rules, series })
+        Kernel::of(Ggx, smith, tolerance)
     }
 
     /// A kernel with more nodes on shorter panels than [`Kernel::new`]: for checks.
@@ -63,14 +63,27 @@ impl Kernel {
         let finer = kernel.effort.finer();
         kernel.with(finer)
     }
+}
+
+impl<D: Tabled> Kernel<D> {
+    /// [`Kernel::new`] of a distribution.
+    ///
+    /// # Errors
+    /// A tolerance outside [1e-8, 1e-2].
+    pub fn of(lobe: fn(f64) -> D, smith: Smith, tolerance: f64) -> Result<Kernel<D>, IntegrateError> {
+        let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
+        let effort = Effort { longest: D::PANEL * effort.longest, ..effort };
+        let series = rules.series(effort.ring_panel);
+        Ok(Kernel { lobe, smith, effort, path: Path::Best, only: None, rules, series })
+    }
 
     /// The same kernel on another compiled form of its loops: the results are the same bits.
-    pub fn on(self, path: Path) -> Kernel {
+    pub fn on(self, path: Path) -> Kernel<D> {
         Kernel { path, ..self }
     }
 
     /// The same kernel for one side; the energies of the other are NaN.
-    pub fn only(self, side: Side) -> Kernel {
+    pub fn only(self, side: Side) -> Kernel<D> {
         Kernel { only: Some(side), ..self }
     }
 
@@ -83,7 +96,7 @@ impl Kernel {
     ///
     /// # Errors
     /// [`IntegrateError::Option`] for an effort outside what [`Effort`] states.
-    pub fn with(self, effort: Effort) -> Result<Kernel, IntegrateError> {
+    pub fn with(self, effort: Effort) -> Result<Kernel<D>, IntegrateError> {
         effort.check()?;
         let series = self.rules.series(effort.ring_panel);
         Ok(Kernel { effort, series, ..self })
@@ -98,8 +111,8 @@ impl Kernel {
         iors: &[f64],
         out: &mut [Energies],
     ) -> Result<u64, IntegrateError> {
-        check(alpha, mu, iors)?;
-        let lobe = Lobe::new(self.smith, alpha, mu);
+        check(D::QUANTITY, alpha, mu, iors)?;
+        let lobe = Lobe::new(self.smith, (self.lobe)(alpha), mu);
         let Kernel { effort, path, rules, series, .. } = self;
         let rings = Reflection::new(&lobe, effort, rules, series, *path);
         let mut sweep = Sweep::with_capacity(6 * effort.panel * iors.len());
@@ -124,13 +137,14 @@ impl Kernel {
                 [values[start..ends[0]].iter().sum::<f64>(), values[ends[0]..ends[1]].iter().sum()];
             start = ends[1];
             if ior - 1.0 < STRAIGHT {
-                *e = Energies { r: [0.0; 2], t: [ggx::lit_given_visible(self.smith, alpha, mu, mu); 2] };
+                let lambda = lobe.facets.lambda(mu);
+                *e = Energies { r: [0.0; 2], t: [self.smith.lit_given_visible(lambda, lambda); 2] };
                 continue;
             }
             let passed = |side: Side| match side {
                 _ if !is_wanted(side) => f64::NAN,
                 Side::Outside => rings.passed_outside(Seen::outside(*ior), *path),
-                Side::Inside => rings.passed_inside(&lobe, Seen::inside(*ior), effort, rules, *path),
+                Side::Inside => rings.passed_inside(&lobe, Seen::inside(*ior), (effort, rules), *path),
             };
             *e = Energies { r: Side::ALL.map(|side| rings.whole - passed(side)), t: transmitted };
         }
@@ -138,7 +152,7 @@ impl Kernel {
     }
 }
 
-impl Kernel {
+impl<D: Tabled> Kernel<D> {
     /// R alone, from one side, for every index of refraction into `out`, of the same length: the rings
     /// without the transmitted energy, in a twentieth of the time. Returns the number of integrand
     /// evaluations.
@@ -152,8 +166,8 @@ impl Kernel {
         side: Side,
         out: &mut [f64],
     ) -> Result<u64, IntegrateError> {
-        check(alpha, mu, iors)?;
-        let lobe = Lobe::new(self.smith, alpha, mu);
+        check(D::QUANTITY, alpha, mu, iors)?;
+        let lobe = Lobe::new(self.smith, (self.lobe)(alpha), mu);
         let Kernel { effort, path, rules, series, .. } = self;
         let rings = Reflection::new(&lobe, effort, rules, series, *path);
         for (ior, r) in iors.iter().zip(out) {
@@ -162,7 +176,7 @@ impl Kernel {
                 Side::Outside => rings.whole - rings.passed_outside(Seen::outside(*ior), *path),
                 Side::Inside => {
                     let seen = Seen::inside(*ior);
-                    rings.whole - rings.passed_inside(&lobe, seen, effort, rules, *path)
+                    rings.whole - rings.passed_inside(&lobe, seen, (effort, rules), *path)
                 }
             };
         }
@@ -172,13 +186,12 @@ impl Kernel {
 
 /// Whether a kernel's domain holds these.
 pub fn covers(alpha: f64, mu: f64, iors: &[f64]) -> bool {
-    check(alpha, mu, iors).is_ok()
+    check("", alpha, mu, iors).is_ok()
 }
 
 /// Refuses inputs outside the domain.
-fn check(alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
-    let refuse =
-        |input, value, domain| Err(IntegrateError::Domain { quantity: "ggx-glass", input, value, domain });
+fn check(quantity: &'static str, alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
+    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     // A roughness rounded to f32 may make an alpha just below 4e-4.
     if !(3.99e-4..=1.0).contains(&alpha) {
         return refuse("alpha", alpha, "is outside [4e-4, 1] of a table");

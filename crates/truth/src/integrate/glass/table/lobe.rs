@@ -1,34 +1,36 @@
 //! What a kernel needs of the lobe seen from one direction, and the azimuth map that its two inner
 //! integrals share.
 
+use super::tabled::Tabled;
 use crate::optics::Smith;
-use crate::optics::ggx;
 use lobefit_math::lanes::{self, F8, LANES};
 
 /// A lobe and its view.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lobe {
+pub struct Lobe<D> {
+    pub facets: D,
     pub alpha: f64,
     /// alpha^2 and 1 - alpha^2.
     pub a2: f64,
     pub rest: f64,
     pub mu: f64,
     pub sine: f64,
-    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l = [`ggx::stretched_length`]: both Smith
+    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l = [`Distribution::area`](crate::optics::distribution::Distribution::area): both Smith
     /// forms.
     pub own: f64,
     pub other: f64,
     pub factor: f64,
 }
 
-impl Lobe {
-    pub fn new(smith: Smith, alpha: f64, mu: f64) -> Lobe {
-        let s_v = ggx::stretched_length(alpha, mu);
+impl<D: Tabled> Lobe<D> {
+    pub fn new(smith: Smith, facets: D, mu: f64) -> Lobe<D> {
+        let (alpha, s_v) = (facets.alpha(), facets.area_at(mu));
         let (own, other, factor) = match smith {
             Smith::Correlated => (s_v, mu, 2.0),
             Smith::Separable => (1.0, 1.0, 4.0 / (mu + s_v)),
         };
         Lobe {
+            facets,
             alpha,
             a2: alpha * alpha,
             rest: (1.0 - alpha) * (1.0 + alpha),
@@ -38,6 +40,12 @@ impl Lobe {
             other,
             factor,
         }
+    }
+
+    /// The largest u at which anything is left.
+    pub fn span(&self) -> f64 {
+        let tan = D::SPAN * self.alpha;
+        if tan.is_finite() { self.u(tan / (1.0 + (1.0 + tan * tan).sqrt())) } else { f64::INFINITY }
     }
 
     /// tan(w/2) of a facet angle as the sweep's variable u: tan(w/2) = (alpha/2) sinh(u) makes the

@@ -1,4 +1,4 @@
-//! Tables of `ggx-glass`: R and T for hundreds of thousands of texels, in microseconds each where
+//! Tables of `ggx-glass` and `beckmann-glass`: R and T for hundreds of thousands of texels, in microseconds each where
 //! the truth (`super::glass`) takes milliseconds.
 //!
 //! The kernel shares with the truth nothing but Fresnel's formula. Transmission is swept over the
@@ -19,8 +19,10 @@ mod reflect;
 mod rings;
 mod rules;
 mod stretch;
+mod tabled;
 mod transmit;
 
 pub use effort::Effort;
 pub use grid::{Checked, GlassGrid, Tabulated, tabulate, tabulate_on};
 pub use kernel::{Energies, Kernel, MU, covers};
+pub use tabled::Tabled;

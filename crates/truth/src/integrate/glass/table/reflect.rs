@@ -12,6 +12,7 @@ use super::effort::Effort;
 use super::lobe::{Angles, Lobe};
 use super::rules::{Grade, MOST, Rules};
 use super::stretch::Seen;
+use super::tabled::Tabled;
 use crate::integrate::Path;
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::ops;
@@ -45,7 +46,13 @@ pub(super) struct Reflection {
 }
 
 impl Reflection {
-    pub fn new(lobe: &Lobe, effort: &Effort, rules: &Rules, matrix: &[Vec<f64>], path: Path) -> Reflection {
+    pub fn new<D: Tabled>(
+        lobe: &Lobe<D>,
+        effort: &Effort,
+        rules: &Rules,
+        matrix: &[Vec<f64>],
+        path: Path,
+    ) -> Reflection {
         let n = effort.ring_panel;
         let (mut nodes, mut panels) = (Vec::new(), Vec::new());
         for (from, to, grade) in cut(lobe, effort.longest) {
@@ -77,7 +84,13 @@ impl Reflection {
     }
 
     /// The same from the denser side; panels at the critical angle on nodes of their own.
-    pub fn passed_inside(&self, lobe: &Lobe, seen: Seen, effort: &Effort, rules: &Rules, path: Path) -> f64 {
+    pub fn passed_inside<D: Tabled>(
+        &self,
+        lobe: &Lobe<D>,
+        seen: Seen,
+        (effort, rules): (&Effort, &Rules),
+        path: Path,
+    ) -> f64 {
         let critical = seen.critical(lobe);
         let far = |p: &Panel| critical - p.to > NEAR * (p.to - p.from);
         let count = self.panels.iter().take_while(|p| far(p)).count();
@@ -103,9 +116,10 @@ impl Reflection {
 }
 
 /// Panels of u: from, to, grade.
-fn cut(lobe: &Lobe, longest: f64) -> Vec<(f64, f64, Grade)> {
+fn cut<D: Tabled>(lobe: &Lobe<D>, longest: f64) -> Vec<(f64, f64, Grade)> {
     let theta = ops::atan2(lobe.sine, lobe.mu);
-    let u = |w: f64| lobe.u(ops::tan(0.5 * w));
+    let span = lobe.span();
+    let u = |w: f64| lobe.u(ops::tan(0.5 * w)).clamp(-span, span);
     let (start, turn, end) = (u(-theta), u(FRAC_PI_4 - 1.5 * theta), u(FRAC_PI_4 - 0.5 * theta));
     let mut panels = Vec::new();
     let count = ((turn - start) / longest).ceil() as usize;
@@ -130,7 +144,7 @@ fn split(panels: &mut Vec<(f64, f64, Grade)>, from: f64, to: f64, count: usize, 
 }
 
 #[inline(always)]
-fn cosines(lobe: &Lobe, u: &F8) -> F8 {
+fn cosines<D: Tabled>(lobe: &Lobe<D>, u: &F8) -> F8 {
     let angles = Angles::new(lobe.alpha, u);
     let mut out = [0.0; LANES];
     for i in 0..LANES {
@@ -171,7 +185,12 @@ pub(super) fn passed(seen: Seen, cosine: &[F8], share: &[F8]) -> f64 {
 /// Weighted sum of (1 - F) W at nodes of a panel (a multiple of eight, at most [`MOST`]), given by
 /// u, by the series' variable z in [-1, 1], and by weight.
 #[inline(always)]
-pub(super) fn near(lobe: &Lobe, seen: Seen, series: &[f64], [u, z, weight]: [&[f64]; 3]) -> f64 {
+pub(super) fn near<D: Tabled>(
+    lobe: &Lobe<D>,
+    seen: Seen,
+    series: &[f64],
+    [u, z, weight]: [&[f64]; 3],
+) -> f64 {
     let mut rings = [0.0; MOST];
     let (wide, rest) = z.as_chunks::<WIDE>();
     for (z, out) in wide.iter().zip(rings.as_chunks_mut::<WIDE>().0) {

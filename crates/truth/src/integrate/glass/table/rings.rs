@@ -7,6 +7,7 @@
 
 use super::lobe::{Angles, Azimuth, Lobe};
 use super::rules::{Grade, Rules};
+use super::tabled::Tabled;
 use lobefit_math::lanes::{F8, LANES};
 
 /// Eight rings.
@@ -21,7 +22,13 @@ struct Rings {
 /// cos(theta_d) sin(theta_d) W/mu du-density at every u into `values`; returns the number of
 /// evaluations. `u` is a whole number of blocks.
 #[inline(always)]
-pub(super) fn rings(lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>) -> u64 {
+pub(super) fn rings<D: Tabled>(
+    lobe: &Lobe<D>,
+    rules: &Rules,
+    nodes: usize,
+    u: &[f64],
+    values: &mut Vec<f64>,
+) -> u64 {
     values.clear();
     // Shadowing has a layer at the light's horizon: of width mu (correlated) or alpha (separable).
     let rule = rules.rule(nodes, Grade::High);
@@ -43,7 +50,7 @@ pub(super) fn rings(lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values:
 
 /// Adds the azimuth node t, heights multiplied by L^2 = (1 + q^2)^2, q = tan(psi/4): S = 4 q^2/L^2.
 #[inline(always)]
-fn add(lobe: &Lobe, rings: &Rings, t: f64, w: f64, sum: &mut F8) {
+fn add<D: Tabled>(lobe: &Lobe<D>, rings: &Rings, t: f64, w: f64, sum: &mut F8) {
     let Rings { low, swing, azimuth, .. } = rings;
     for i in 0..LANES {
         let [q, slope] = Azimuth::at(azimuth.top[i] * t);
@@ -53,25 +60,22 @@ fn add(lobe: &Lobe, rings: &Rings, t: f64, w: f64, sum: &mut F8) {
         let l2 = length * length;
         let l4 = l2 * l2;
         let depth = low[0][i] * l2 + swing[0][i] * q2;
-        // a^2 + (1 - a^2) (1 - h_z^2)
-        let d = lobe.a2 * l4 + lobe.rest * depth * (2.0 * l2 - depth);
+        let [d, more] = D::of_ring(lobe, depth, l2, l4);
         let light = low[1][i] * l2 - swing[1][i] * q2;
         let light = if light > 0.0 { light } else { 0.0 };
-        let stretched = (lobe.a2 * l4 + lobe.rest * light * light).sqrt();
+        let stretched = D::area_over(lobe, light, l2, l4);
         let shadowing = lobe.own * light + lobe.other * stretched;
-        sum[i] += w * slope * light * l4 * l4 / (d * d * shadowing * length);
+        sum[i] += w * slope * light * l4 * l4 / (d * d * shadowing * length) * more;
     }
 }
 
 #[inline(always)]
-fn prepare(lobe: &Lobe, u: &F8) -> Rings {
+fn prepare<D: Tabled>(lobe: &Lobe<D>, u: &F8) -> Rings {
     let angles = Angles::new(lobe.alpha, u);
     let zero = [0.0; LANES];
     let (mut low, mut swing) = ([zero; 2], [zero; 2]);
     let (mut end, mut peak, mut factor) = (zero, zero, zero);
     let (mu, s) = (lobe.mu, lobe.sine);
-    // 1 - h_z at the pole of D: 1 - 1/sqrt(1 - a^2) = -a^2/(1 - a^2 + sqrt(1 - a^2)).
-    let pole = lobe.a2 / positive(lobe.rest + lobe.rest.sqrt());
     for i in 0..LANES {
         let (cos_w, sin_w) = (angles.cosine[i], angles.sine[i]);
         let cosine = positive(mu * cos_w - s * sin_w);
@@ -86,7 +90,11 @@ fn prepare(lobe: &Lobe, u: &F8) -> Rings {
         swing[1][i] = 8.0 * s * sin2;
         let fall = highest / positive(2.0 * s * sin2);
         end[i] = if fall < 1.0 { fall } else { 1.0 };
-        let p = (pole + 2.0 * half) / positive(2.0 * reach);
+        if D::SPAN.is_finite() {
+            let cut = (lobe.facets.deepest(low[0][i]) - low[0][i]) / positive(2.0 * reach);
+            end[i] = if cut < end[i] { cut } else { end[i] };
+        }
+        let p = lobe.facets.width(2.0 * half) / positive(2.0 * reach);
         peak[i] = if p < 1e16 { p } else { 1e16 };
         factor[i] = cosine * sine;
     }

@@ -8,6 +8,7 @@
 use super::effort::Effort;
 use super::lobe::Lobe;
 use super::rules::{self, Grade, Rule, Rules};
+use super::tabled::Tabled;
 use super::transmit::Sweep;
 
 /// An interface seen from one side.
@@ -28,13 +29,13 @@ impl Seen {
     }
 
     /// u of the critical angle, from inside: w = theta_c - theta.
-    pub fn critical(&self, lobe: &Lobe) -> f64 {
+    pub fn critical<D: Tabled>(&self, lobe: &Lobe<D>) -> f64 {
         let root = (-self.contrast).sqrt();
         lobe.u(half_tangent(lobe.mu - root * lobe.sine, root * lobe.mu + lobe.sine))
     }
 
     /// u of the critical angle on the other side of the view: w = -theta_c - theta.
-    fn mirrored_critical(&self, lobe: &Lobe) -> f64 {
+    fn mirrored_critical<D: Tabled>(&self, lobe: &Lobe<D>) -> f64 {
         let root = (-self.contrast).sqrt();
         lobe.u(half_tangent(-lobe.mu - root * lobe.sine, root * lobe.mu - lobe.sine))
     }
@@ -59,13 +60,16 @@ fn half_tangent(sine: f64, cosine: f64) -> f64 {
 }
 
 /// The one or two stretches of the sweep.
-pub(super) fn stretches(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
-    if seen.contrast > 0.0 { outside(lobe, seen) } else { inside(lobe, seen) }
+pub(super) fn stretches<D: Tabled>(lobe: &Lobe<D>, seen: Seen) -> [Option<Stretch>; 2] {
+    let all = if seen.contrast > 0.0 { outside(lobe, seen) } else { inside(lobe, seen) };
+    let span = lobe.span();
+    let within = |s: Stretch| Stretch { from: s.from.clamp(-span, span), to: s.to.clamp(-span, span), ..s };
+    all.map(|stretch| stretch.map(within))
 }
 
 /// From the thinner side: from w = -pi/2 (the facet's own horizon) to light straight down, or to
 /// grazing incidence (theta beyond acos(kappa)).
-fn outside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
+fn outside<D: Tabled>(lobe: &Lobe<D>, seen: Seen) -> [Option<Stretch>; 2] {
     let (mu, s, eta) = (lobe.mu, lobe.sine, seen.eta);
     // The light ends at mu_t = eta mu there. The correlated G2 has its pole at mu_t = -mu; the
     // separable one its branch points at mu_t^2 = -alpha^2/(1 - alpha^2), which the same map
@@ -88,7 +92,7 @@ fn outside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
 
 /// From the denser side: from light straight down, or the facet's horizon, to grazing light or to
 /// total reflection.
-fn inside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
+fn inside<D: Tabled>(lobe: &Lobe<D>, seen: Seen) -> [Option<Stretch>; 2] {
     let (mu, s, eta) = (lobe.mu, lobe.sine, seen.eta);
     let critical = seen.critical(lobe);
     let before = Some(seen.mirrored_critical(lobe));

@@ -16,6 +16,7 @@
 
 use super::lobe::{Angles, Azimuth, Lobe};
 use super::rules::{Grade, Rules};
+use super::tabled::Tabled;
 use lobefit_math::lanes::{F8, LANES};
 
 /// Nodes of the sweep of one lobe, for any number of interfaces: node, weight, and the interface's
@@ -52,6 +53,8 @@ struct Nodes {
     /// v.h, l.h, den and x at phi = 0, and their coefficients of 4 tan^2(phi/4) in S.
     low: [F8; 4],
     swing: [F8; 4],
+    /// The third number of [`Tabled::of_facet`].
+    scale: F8,
     azimuth: Azimuth,
     /// Weight of the azimuth's integral.
     weight: F8,
@@ -60,8 +63,8 @@ struct Nodes {
 /// Weighted integrands of every node of the sweep into `values`; returns the number of evaluations.
 /// `inner` = nodes of the azimuth at v = 0 and their increase with v.
 #[inline(always)]
-pub(super) fn transmit(
-    lobe: &Lobe,
+pub(super) fn transmit<D: Tabled>(
+    lobe: &Lobe<D>,
     rules: &Rules,
     inner: [f64; 2],
     sweep: &Sweep,
@@ -78,11 +81,11 @@ pub(super) fn transmit(
         let [u, weight, eta, contrast, over] =
             [&sweep.u, &sweep.weight, &sweep.eta, &sweep.contrast, &sweep.over].map(|list| block(list));
         let nodes = prepare(lobe, [&u, &weight, &eta, &contrast, &over]);
-        let n = (inner[0] + inner[1] * nodes.azimuth.reach) as usize;
+        let n = (inner[0] + D::AZIMUTH + inner[1] * nodes.azimuth.reach) as usize;
         let rule = rules.rule(n, Grade::Plain);
         let mut sum = [0.0; LANES];
         for (t, w) in rule.nodes.iter().zip(&rule.weights) {
-            add(&nodes, *t, *w, &mut sum);
+            add::<D>(&nodes, *t, *w, &mut sum);
         }
         for i in 0..LANES {
             sum[i] *= nodes.weight[i];
@@ -96,7 +99,7 @@ pub(super) fn transmit(
 /// Adds the azimuth node t: with q = tan(phi/4), S = 4 q^2/(1 + q^2)^2, and every factor of the
 /// integrand multiplied by (1 + q^2)^2.
 #[inline(always)]
-fn add(nodes: &Nodes, t: f64, w: f64, sum: &mut F8) {
+fn add<D: Tabled>(nodes: &Nodes, t: f64, w: f64, sum: &mut F8) {
     let Nodes { low, swing, azimuth, .. } = nodes;
     for i in 0..LANES {
         let [q, slope] = Azimuth::at(azimuth.top[i] * t);
@@ -106,20 +109,20 @@ fn add(nodes: &Nodes, t: f64, w: f64, sum: &mut F8) {
         let l2 = length * length;
         let view = low[0][i] * l2 + swing[0][i] * q2;
         let light = low[1][i] * l2 + swing[1][i] * q2;
-        let den = low[2][i] * l2 + swing[2][i] * q2;
+        let [den, more] = D::of_light([low[2][i], swing[2][i], nodes.scale[i]], q2, l2);
         let x = low[3][i] * l2 + swing[3][i] * q2;
         let above = view * light;
         let below = den * x * l2;
-        sum[i] += w * slope * (above * above) * (x * x + l2 * l2) / (below * below * length);
+        sum[i] += w * slope * (above * above) * (x * x + l2 * l2) / (below * below * length) * more;
     }
 }
 
 #[inline(always)]
-fn prepare(lobe: &Lobe, [u, weight, eta, contrast, over]: [&F8; 5]) -> Nodes {
+fn prepare<D: Tabled>(lobe: &Lobe<D>, [u, weight, eta, contrast, over]: [&F8; 5]) -> Nodes {
     let angles = Angles::new(lobe.alpha, u);
     let zero = [0.0; LANES];
     let (mut low, mut swing) = ([zero; 4], [zero; 4]);
-    let (mut end, mut peak, mut factor) = (zero, zero, zero);
+    let (mut end, mut peak, mut factor, mut scale) = (zero, zero, zero, zero);
     let (mu, s, a2) = (lobe.mu, lobe.sine, lobe.a2);
     for i in 0..LANES {
         let (cos_w, sin_w) = (angles.cosine[i], angles.sine[i]);
@@ -136,22 +139,26 @@ fn prepare(lobe: &Lobe, [u, weight, eta, contrast, over]: [&F8; 5]) -> Nodes {
         let mu_t = positive(mu * cos_d + s * sin_d);
         let c = 2.0 * s * s_t * over_h;
         let thinner = if contrast[i] > 0.0 { 1.0 } else { -1.0 };
-        let den = sin_w * sin_w + a2 * cos_w * cos_w;
         let rise = 2.0 * eta[i] * c * over_h;
+        let (facet, p) = D::of_facet(lobe, sin_w, cos_w, rise);
         low[0][i] = c_i;
         low[1][i] = c_t;
-        low[2][i] = den;
+        low[2][i] = facet[0];
         low[3][i] = cos_d;
         swing[0][i] = -4.0 * thinner * c;
         swing[1][i] = 4.0 * thinner * eta[i] * c;
-        swing[2][i] = 4.0 * rise;
+        swing[2][i] = facet[1];
+        scale[i] = facet[2];
         swing[3][i] = -8.0 * s * s_t;
         let (first, steep) = if contrast[i] > 0.0 { (c_i, c) } else { (c_t, eta[i] * c) };
         let fall = first / positive(steep);
         end[i] = if fall < 1.0 { fall } else { 1.0 };
-        let p = den / positive(rise);
+        if D::SPAN.is_finite() {
+            let cut = D::SPAN * D::SPAN * p;
+            end[i] = if cut < end[i] { cut } else { end[i] };
+        }
         peak[i] = if p < 1e16 { p } else { 1e16 };
-        let s_l = (mu_t * mu_t + a2 * ((1.0 - mu_t) * (1.0 + mu_t))).sqrt();
+        let s_l = D::area_far(lobe, mu_t);
         let shadowing = lobe.own * mu_t + lobe.other * s_l;
         factor[i] = lobe.factor * mu_t * eta[i] * s_t * h * over[i] * over[i] / (shadowing * c_t);
     }
@@ -162,7 +169,7 @@ fn prepare(lobe: &Lobe, [u, weight, eta, contrast, over]: [&F8; 5]) -> Nodes {
         let constant = 16.0 * a2 / std::f64::consts::PI;
         total[i] = constant * weight[i] * angles.slope[i] * factor[i] * azimuth.scale[i] * azimuth.top[i];
     }
-    Nodes { low, swing, azimuth, weight: total }
+    Nodes { low, swing, scale, azimuth, weight: total }
 }
 
 /// Keeps a quantity that is positive but for rounding, and divisors, above 0.
