@@ -79,6 +79,22 @@ fn a_square_lights_the_lobe_within_the_stated_error() {
         }
     }
     assert!(worst > 0.2 * stated, "{stated} is stated, {worst} found");
+    // Each table has figures of its own: of squares, and of E and B at texels and between them.
+    let [of_matrix, of_light] = [&entry, &light].map(|table| &table.error.lookup);
+    assert_ne!(of_matrix.rms, of_light.rms);
+    let headers = [name, "ggx-ltc-correlated-9x9-f32-light"].map(|name| {
+        let sidecar =
+            LIT.files.iter().find(|(path, _)| path.contains(&format!("/{name}.")) && path.ends_with("json"));
+        String::from_utf8_lossy(sidecar.expect("a sidecar").1).into_owned()
+    });
+    println!("{headers:?}");
+    let [matrix, light] = headers.map(|text| serde_json::from_str::<serde_json::Value>(&text).expect("JSON"));
+    let figures =
+        |of: &serde_json::Value| ["max_abs", "max_rel", "points"].map(|key| of["certificate"][key].as_f64());
+    let ([shape, _, squares], [most, relative, places]) = (figures(&matrix), figures(&light));
+    assert_eq!((shape, most), (Some(stated), Some(of_e)));
+    assert!(relative > most && places != squares, "{light}");
+    assert!(light.to_string().contains("the share of a sphere by"), "{light}");
     assert!(stated < 0.1 && of_e < 0.05, "{stated} {of_e}");
 }
 

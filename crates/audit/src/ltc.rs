@@ -138,7 +138,7 @@ impl LtcFindings {
 
     /// Whether it is within the limit, if there is one.
     pub fn passed(&self) -> bool {
-        self.grade != Some(Grade::Fail.word())
+        self.grade.is_none_or(|grade| grade == Grade::Pass.word())
     }
 
     /// In lines.

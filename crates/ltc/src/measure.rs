@@ -5,9 +5,9 @@ use crate::fit::misplaced;
 use crate::lobe::{Lobe, View};
 use crate::matrix::Matrix;
 use crate::pair::Pair;
-use crate::polygon::{cosine_share, proxy_share, vector_share};
+use crate::polygon::{cosine_share, proxy_share, sphere_share, vector_share};
 use crate::quad::{QUAD, Quad};
-use crate::square::{PER_PLACE, squares};
+use crate::square::squares;
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
 use rayon::prelude::*;
 
@@ -35,6 +35,11 @@ pub struct Deviation {
     pub mean: f64,
     /// Roughness and mu of the largest.
     pub at: [f64; 2],
+    /// The largest as a part of the light that it is in: of E, also where the error is B's, which falls to 1e-8
+    /// itself.
+    pub relative: f64,
+    /// Values that were looked at.
+    pub count: usize,
 }
 
 /// What was measured.
@@ -50,10 +55,14 @@ pub struct Measured {
     pub misplaced: Deviation,
     /// E.
     pub amplitude: Deviation,
-    /// E, by coarse weights.
-    pub amplitude_8_bit: Deviation,
     /// B.
     pub bias: Deviation,
+    /// E and B together.
+    pub light: Deviation,
+    /// The same by coarse weights.
+    pub light_8_bit: Deviation,
+    /// The share of a sphere, by cosine and length in place of roughness and mu.
+    pub sphere: Deviation,
     /// A square's light by the emitted function in f32, from that of the closed form.
     pub code: Deviation,
     /// A square's light with the horizon by the formula of shaders that do not clip, from the same.
@@ -62,8 +71,6 @@ pub struct Measured {
     pub map: Vec<f64>,
     /// Roughness along the map's columns, mu along its rows.
     pub axes: [Vec<f64>; 2],
-    /// Squares that were looked at.
-    pub squares: usize,
 }
 
 /// Errors at a place.
@@ -143,28 +150,43 @@ impl Setting {
     }
 }
 
-/// What the lobe's albedo is off by: E, by coarse weights, and B.
+/// What the lobe's albedo is off by: E, B, both, and both by coarse weights.
 fn scales(
     pair: &Pair,
     setting: &Setting,
     alpha: &(impl Fn(f64) -> f64 + Sync),
-) -> Result<[Deviation; 3], LtcError> {
+) -> Result<[Deviation; 4], LtcError> {
     let (lobe, places) = (setting.lobe, setting.everywhere(pair.side));
     let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
-    let mut found = [const { Vec::new() }; 3];
+    let mut found = [const { Vec::new() }; 4];
     for (&at, [e, b]) in places.iter().zip(lobe.albedo(&widths)?) {
-        let [[_, [own_e, own_b, ..]], [_, [coarse, ..]]] =
+        let [[_, [own_e, own_b, ..]], [_, [coarse_e, coarse_b, ..]]] =
             [false, true].map(|coarse| pair.at(at[0], at[1], coarse));
         for (what, value) in [("E", own_e), ("B", own_b)] {
             if !value.is_finite() {
                 return Err(LtcError::NotFinite { what, value, roughness: at[0], mu: at[1] });
             }
         }
-        for (list, error) in found.iter_mut().zip([own_e - e, coarse - e, own_b - b]) {
-            list.push((at, error));
+        let errors = [[own_e - e, own_b - b], [coarse_e - e, coarse_b - b]];
+        let [[own_e, own_b], _] = errors;
+        let lists: [&[f64]; 4] = [&[own_e], &[own_b], &errors[0], &errors[1]];
+        for (all, errors) in found.iter_mut().zip(lists) {
+            all.extend(errors.iter().map(|error| (at, *error, e)));
         }
     }
     Ok(found.map(|errors| Deviation::of(errors.into_iter())))
+}
+
+/// What the share of a sphere is off by, at texels and at thirds between them.
+fn spheres(pair: &Pair) -> Deviation {
+    let last = 3 * (pair.side - 1);
+    let one = |i: usize| {
+        let [u, length] = [i % (last + 1), i / (last + 1)].map(|i| i as f64 / last as f64);
+        let cosine = 2.0 * u - 1.0;
+        let share = Pair::between(pair.side, &pair.amplitudes, [u, length], false)[3] * length;
+        ([cosine, length], share - sphere_share(cosine, length), 1.0)
+    };
+    Deviation::of((0..(last + 1) * (last + 1)).map(one))
 }
 
 /// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
@@ -179,7 +201,7 @@ pub fn measured(
 ) -> Result<Measured, LtcError> {
     pair.check()?;
     let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
-    let [amplitude, amplitude_8_bit, bias] = scales(pair, setting, &alpha)?;
+    let [amplitude, bias, light, light_8_bit] = scales(pair, setting, &alpha)?;
     let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
     let one = |&[roughness, mu]: &[f64; 2]| -> Result<Place, LtcError> {
         let texels = [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse)[0]);
@@ -196,7 +218,7 @@ pub fn measured(
     let all: Vec<Place> = places.par_iter().map(one).collect::<Result<_, _>>()?;
     let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
     let over = |errors: fn(&Place) -> &Vec<f64>| {
-        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error))))
+        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error, 1.0))))
     };
     Ok(Measured {
         shape: over(|place| &place.shape),
@@ -204,28 +226,31 @@ pub fn measured(
         integration: over(|place| &place.integration),
         misplaced: over(|place| &place.misplaced),
         amplitude,
-        amplitude_8_bit,
         bias,
+        light,
+        light_8_bit,
+        sphere: spheres(pair),
         code: over(|place| &place.code),
         horizon: over(|place| &place.horizon),
         map: all.iter().map(|place| largest(&place.shape)).collect(),
         axes,
-        squares: all.len() * PER_PLACE,
     })
 }
 
 impl Deviation {
-    fn of(errors: impl Iterator<Item = ([f64; 2], f64)>) -> Deviation {
-        let (mut found, mut count, mut square) = (Deviation::default(), 0_u32, 0.0);
-        for (at, error) in errors {
-            count += 1;
+    /// Of places, errors there, and the light that each is in.
+    fn of(errors: impl Iterator<Item = ([f64; 2], f64, f64)>) -> Deviation {
+        let (mut found, mut square) = (Deviation::default(), 0.0);
+        for (at, error, light) in errors {
+            found.count += 1;
             square += error * error;
             found.mean += error;
+            found.relative = found.relative.max(error.abs() / light);
             if error.abs() > found.max {
                 (found.max, found.at) = (error.abs(), at);
             }
         }
-        let count = f64::from(count.max(1));
+        let count = found.count.max(1) as f64;
         Deviation { rms: (square / count).sqrt(), mean: found.mean / count, ..found }
     }
 }
