@@ -183,6 +183,11 @@ fn a_sphere_sends_what_a_rule_finds() {
 fn no_matrix_beside_a_fitted_one_is_better() {
     for (lobe, alpha, mu) in [(GGX, 0.1, 0.7), (GGX, 0.6, 0.2), (Lobe::Charlie, 0.4, 0.5)] {
         let view = View::new(lobe, alpha, mu).expect("in the domain");
+        let refused = fitted(&view, &[]).expect_err("no start").to_string();
+        assert!(
+            refused.contains("`starts` is empty") && refused.contains(&format!("alpha {alpha}")),
+            "{refused}"
+        );
         let start = Matrix { m33: alpha, ..Matrix::IDENTITY };
         let found = fitted(&view, &[start, Matrix::IDENTITY]).expect("a fit");
         let best = misplaced(&view, found);
