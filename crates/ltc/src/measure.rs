@@ -24,6 +24,10 @@ pub struct Setting {
     pub places: usize,
 }
 
+/// Places about which a largest error is looked for, and half texels to either side.
+const WORST: usize = 3;
+const NEAR: i32 = 3;
+
 /// Errors over places.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
@@ -138,6 +142,23 @@ impl Setting {
         [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
     }
 
+    /// The places by half texels about some, those beyond an end of the ranges on it.
+    fn about(&self, side: usize, some: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let (last, ranges) = (2 * (side - 1), self.ranges());
+        let near = |at: f64, [low, high]: [f64; 2]| {
+            let middle = (at * last as f64).round();
+            (-NEAR..=NEAR).map(move |k| ((middle + f64::from(k)) / last as f64).clamp(low, high))
+        };
+        let each = some.iter().flat_map(|[roughness, mu]| {
+            let roots = near((1.0 - mu).max(0.0).sqrt(), ranges[1]);
+            roots.flat_map(move |v| near(*roughness, ranges[0]).map(move |r| [r, self.mu(v)]))
+        });
+        let mut all: Vec<[f64; 2]> = each.collect();
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        all.dedup();
+        all
+    }
+
     /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges, and
     /// the ends.
     fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
@@ -190,7 +211,7 @@ fn spheres(pair: &Pair) -> Deviation {
 }
 
 /// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
-/// between them, E and B at all texels and at thirds between them. `alpha` is that of a roughness.
+/// between them, and by half texels about the worst of those; E and B at all texels and at thirds between them. `alpha` is that of a roughness.
 ///
 /// # Errors
 /// A truth that cannot be integrated; a texel with a value that is no number.
@@ -217,8 +238,15 @@ pub fn measured(
     };
     let all: Vec<Place> = places.par_iter().map(one).collect::<Result<_, _>>()?;
     let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
+    let near = setting.about(pair.side, &worst(&all, pair.side, |place| largest(&place.shape)));
+    let near: Vec<Place> = near.par_iter().map(one).collect::<Result<_, _>>()?;
     let over = |errors: fn(&Place) -> &Vec<f64>| {
-        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error, 1.0))))
+        let of = |places: &[Place]| {
+            let each =
+                places.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error, 1.0)));
+            Deviation::of(each)
+        };
+        of(&all).or_larger(of(&near))
     };
     Ok(Measured {
         shape: over(|place| &place.shape),
@@ -237,7 +265,31 @@ pub fn measured(
     })
 }
 
+/// The places of the largest errors, no two of them within three texels.
+fn worst(places: &[Place], side: usize, error: impl Fn(&Place) -> f64) -> Vec<[f64; 2]> {
+    let mut all: Vec<(f64, [f64; 2])> = places.iter().map(|place| (error(place), place.at)).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for (_, at) in all {
+        let near = |other: &[f64; 2]| {
+            let [a, b] = [at[1], other[1]].map(|mu| (1.0 - mu).max(0.0).sqrt());
+            (at[0] - other[0]).abs().max((a - b).abs()) * ((side - 1) as f64) < 3.0
+        };
+        if found.len() < WORST && !found.iter().any(near) {
+            found.push(at);
+        }
+    }
+    found
+}
+
 impl Deviation {
+    /// With the largest of another, whose places are where errors are large: mean and RMS stay.
+    fn or_larger(self, other: Deviation) -> Deviation {
+        let count = self.count + other.count;
+        let larger = if other.max > self.max { other } else { self };
+        Deviation { rms: self.rms, mean: self.mean, count, ..larger }
+    }
+
     /// Of places, errors there, and the light that each is in.
     fn of(errors: impl Iterator<Item = ([f64; 2], f64, f64)>) -> Deviation {
         let (mut found, mut square) = (Deviation::default(), 0.0);
