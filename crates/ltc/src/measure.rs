@@ -9,6 +9,7 @@ use crate::polygon::{cosine_share, proxy_share, sphere_share, vector_share};
 use crate::quad::{QUAD, Quad};
 use crate::square::squares;
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
+use lobefit_shade::round_up;
 use rayon::prelude::*;
 
 /// What a pair is measured against, and where.
@@ -280,6 +281,22 @@ fn worst(places: &[Place], side: usize, error: impl Fn(&Place) -> f64) -> Vec<[f
         }
     }
     found
+}
+
+impl Measured {
+    /// What headers say of the errors of the two tables, beside the lookup's.
+    pub fn notes(&self) -> [String; 2] {
+        let Measured { shape, misplaced, amplitude, bias, sphere, .. } = self;
+        let [max, rms, e, b, sphere] =
+            [misplaced.max, misplaced.rms, amplitude.max, bias.max, sphere.max].map(|x| round_up(x, 3));
+        let squares = shape.count;
+        [
+            format!(
+                "Errors are shares of the lobe's light over {squares} squares that face the point; of a light of any shape at most {max} (rms {rms})."
+            ),
+            format!("E is off by {e} at most, B by {b}, the share of a sphere by {sphere}."),
+        ]
+    }
 }
 
 impl Deviation {

@@ -9,6 +9,18 @@ use rayon::prelude::*;
 /// Texels along both axes of the tables that engines ship.
 pub const SIDE: usize = 64;
 
+/// Bytes of both textures, of which a value takes `each`.
+pub fn bytes(side: usize, each: u64) -> u64 {
+    8 * (side * side) as u64 * each
+}
+
+/// The side that is stated, or the first half, quarter, ... of which both textures are within so many bytes; as stated where
+/// no half is that small.
+pub fn side_within(stated: usize, each: u64, most: u64) -> usize {
+    let mut halves = std::iter::successors(Some(stated), |n| Some(n / 2).filter(|n| *n > 1));
+    halves.find(|n| bytes(*n, each) <= most).unwrap_or(stated)
+}
+
 /// The tables: matrices, and E, B, 0 and the share of a sphere divided by the length. Texel (i, k)
 /// is of roughness i/(n - 1) with alpha = roughness^2, and of mu = 1 - (k/(n - 1))^2; the sphere's,
 /// of the cosine 2 i/(n - 1) - 1 and the length k/(n - 1).

@@ -29,9 +29,6 @@ const TABLES: [(&str, Decode, [&str; 4]); 2] = [
     ("light", Decode::Light, ["E", "B", "zero", "sphere"]),
 ];
 
-/// What the error of each is of.
-const COLUMNS: [&str; 2] = ["the share of a square light", "E, B"];
-
 /// A pair that was made, with what was measured of it.
 pub(super) struct Baked {
     pub lobe: Lobe,
@@ -90,7 +87,7 @@ pub(super) fn bake(
         let approximation = Approximation {
             name: table.name.clone(),
             quantity: table.quantity.clone(),
-            column: COLUMNS[k].into(),
+            column: ["the share of a square light", "E, B"][k].into(),
             used_as: Use::VALUE,
             smith,
             source: Source::Fitted,
@@ -143,29 +140,15 @@ impl Baked {
         [&self.tables[0].0, &self.tables[1].0]
     }
 
-    /// What a header says of the errors of a table.
-    fn note(&self, k: usize) -> String {
-        let Measured { shape, misplaced, amplitude, bias, sphere, .. } = &self.measured;
-        let [max, rms, e, b, sphere] =
-            [misplaced.max, misplaced.rms, amplitude.max, bias.max, sphere.max].map(|x| round_up(x, 3));
-        if k == 1 {
-            return format!("E is off by {e} at most, B by {b}, the share of a sphere by {sphere}.");
-        }
-        let squares = shape.count;
-        format!(
-            "Errors are shares of the lobe's light over {squares} squares that face the point; of a light of any shape at most {max} (rms {rms})."
-        )
-    }
-
     /// Files, entries, calls and the card.
     pub fn entered(&self, made: &mut Made, job: &Job, context: &Context) -> Result<(), BakeError> {
         let mut offers = Vec::new();
         for (k, (approximation, decode, names, error)) in self.tables.iter().enumerate() {
-            let note = self.note(k);
+            let note = &self.measured.notes()[k];
             let Form::Table(table) = &approximation.form else { continue };
             let part = &mut made.part;
             let files =
-                contained(table, *decode, &approximation.certificate, Some(&note), context, &mut part.files)?;
+                contained(table, *decode, &approximation.certificate, Some(note), context, &mut part.files)?;
             let entry =
                 TableEntry::new(part.by.name(), approximation, table, decode.formulas(), error.clone());
             let inputs = self.readable(context, table, *decode, names, &[]).inputs()?;
@@ -195,7 +178,7 @@ impl Baked {
             name: function.into(),
             about: format!("Table of {} of {}.", a.column, a.quantity),
             caution: String::new(),
-            metric: if a.column == COLUMNS[1] { "lookup error of E and B".into() } else { METRIC.into() },
+            metric: if a.column == "E, B" { "lookup error of E and B".into() } else { METRIC.into() },
             limited: String::new(),
             choices: vec![offer],
             measured: vec![Listed {
@@ -227,8 +210,8 @@ impl Baked {
         let mut text = String::new();
         for (k, (approximation, decode, names, _)) in self.tables.iter().enumerate() {
             let Form::Table(table) = &approximation.form else { continue };
-            let note = self.note(k);
-            let header = header::lookup_lines(table, *decode, &approximation.certificate, Some(&note));
+            let note = &self.measured.notes()[k];
+            let header = header::lookup_lines(table, *decode, &approximation.certificate, Some(note));
             let readable = self.readable(context, table, *decode, names, &header);
             if k == 0 {
                 text += &format!("\n{}", readable.print_parts(language)?);

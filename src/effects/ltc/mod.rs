@@ -70,16 +70,10 @@ fn of_job<'a>(scene: &'a Scene, job: &Job) -> Result<(Lobe, &'a TableWant), Bake
     found.map(|(lobe, _, _, want)| (lobe, want)).ok_or_else(lacks)
 }
 
-/// Texels along both axes: as stated, or the first half, quarter, ... of which both textures are within the bytes.
+/// Texels along both axes.
 fn side(want: &TableWant) -> usize {
     let stated = want.size.as_ref().and_then(|size| size.first()).copied().unwrap_or(lobefit_ltc::SIDE);
-    let within = |n: &usize| bytes(*n, want) <= want.max_bytes.unwrap_or(u64::MAX);
-    std::iter::successors(Some(stated), |n| Some(n / 2).filter(|n| *n > 1)).find(within).unwrap_or(stated)
-}
-
-/// Of both textures.
-fn bytes(n: usize, want: &TableWant) -> u64 {
-    8 * (n * n) as u64 * want.format.bytes()
+    lobefit_ltc::side_within(stated, want.format.bytes(), want.max_bytes.unwrap_or(u64::MAX))
 }
 
 /// `ggx-ltc-correlated-64x64`.
@@ -153,7 +147,7 @@ impl Effect for Ltc {
                     want.format.name()
                 ),
                 ranges: job.ranges.clone(),
-                bytes: bytes(n, want),
+                bytes: lobefit_ltc::bytes(n, want.format.bytes()),
                 bytes_at_most: false,
                 expected_error: job.goals.max_error,
                 recommended: None,
