@@ -15,7 +15,7 @@ use crate::emit::call::{Around, Call, How};
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::emit::{compensation, include};
 use crate::report::explore::Explored;
-use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose};
+use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose, words};
 use crate::scene::Scene;
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -92,12 +92,14 @@ impl Made {
         })
     }
 
-    /// Notes an error that was measured and what error that is; of several the largest counts.
+    /// Notes an error that was measured and what error that is; of several, which have units of their own, the first
+    /// counts and the metric states the others.
     pub fn measured(&mut self, error: Option<f64>, metric: &str) {
         let finding = &mut self.part.finding;
-        finding.measured_error = finding.measured_error.into_iter().chain(error).reduce(f64::max);
-        let more = if finding.metric.is_empty() { metric.into() } else { format!("; {metric}") };
-        finding.metric += &more;
+        match error.filter(|_| !finding.metric.is_empty()) {
+            Some(error) => finding.metric += &format!("; {metric}: {}", words::max(error)),
+            None => (finding.measured_error, finding.metric) = (error, metric.into()),
+        }
     }
 
     /// A part, and nothing beside it.

@@ -9,7 +9,7 @@ use emit_support::example::{baked, compiled, text};
 use lobefit::bake::Baked;
 use lobefit::emit::manifest::Manifest;
 use lobefit::plan::plan;
-use lobefit::scene::Scene;
+use lobefit::scene::{Limits, Scene};
 use lobefit_ltc::{Lobe, View, squares};
 use lobefit_shade::Source;
 use lobefit_shade::code::Language;
@@ -79,6 +79,22 @@ fn a_square_lights_the_lobe_within_the_stated_error() {
         }
     }
     assert!(worst > 0.2 * stated, "{stated} is stated, {worst} found");
+    // Each table has figures of its own: of squares, and of E and B at texels and between them.
+    let [of_matrix, of_light] = [&entry, &light].map(|table| &table.error.lookup);
+    assert_ne!(of_matrix.rms, of_light.rms);
+    let headers = [name, "ggx-ltc-correlated-9x9-f32-light"].map(|name| {
+        let sidecar =
+            LIT.files.iter().find(|(path, _)| path.contains(&format!("/{name}.")) && path.ends_with("json"));
+        String::from_utf8_lossy(sidecar.expect("a sidecar").1).into_owned()
+    });
+    println!("{headers:?}");
+    let [matrix, light] = headers.map(|text| serde_json::from_str::<serde_json::Value>(&text).expect("JSON"));
+    let figures =
+        |of: &serde_json::Value| ["max_abs", "max_rel", "points"].map(|key| of["certificate"][key].as_f64());
+    let ([shape, _, squares], [most, relative, places]) = (figures(&matrix), figures(&light));
+    assert_eq!((shape, most), (Some(stated), Some(of_e)));
+    assert!(relative > most && places != squares, "{light}");
+    assert!(light.to_string().contains("the share of a sphere by"), "{light}");
     assert!(stated < 0.1 && of_e < 0.05, "{stated} {of_e}");
 }
 
@@ -106,6 +122,30 @@ fn what_is_called_is_said() {
     assert_eq!(light.axes[1].warp, "u = sqrt(1 - mu)");
 }
 
+/// Both textures of a pair are what `cost --max-bytes` limits; a half that keeps the limit is taken.
+#[test]
+fn most_bytes_are_of_both_textures() {
+    for (most, pairs) in [
+        (1295, ["ggx-ltc-correlated-4x4-f32", "sheen-ltc-4x4"]),
+        (1296, ["ggx-ltc-correlated-4x4-f32", "sheen-ltc-9x9"]),
+        (2592, ["ggx-ltc-correlated-9x9-f32", "sheen-ltc-9x9"]),
+        (1, ["ggx-ltc-correlated-9x9-f32", "sheen-ltc-9x9"]),
+    ] {
+        let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
+        let scene = scene.limited(&Limits {
+            budget: None,
+            vendor: None,
+            max_error: None,
+            max_bytes: Some(most),
+            language: Language::Wgsl,
+        });
+        let plan = plan(&scene);
+        let called = plan.effects.iter().find(|called| called.effect == "ltc").expect("called");
+        let names: Vec<&str> = called.work.iter().map(|job| job.name.as_str()).collect();
+        assert_eq!(names, pairs, "{most} bytes");
+    }
+}
+
 #[test]
 fn compilers_take_the_files() {
     compiled(&LIT);
@@ -130,6 +170,19 @@ fn a_limit_is_kept_or_the_bake_fails() {
         let refused = Scene::from_json(json.as_bytes(), "scene.json").expect_err("refused").to_string();
         assert!(refused.contains(message), "{refused}");
     }
+    // Below alpha 0.01 a sheen has no matrix: its domain begins there, and a smoother one asks for nothing.
+    let of_sheen = |range: &str| {
+        let json = SCENE
+            .replace(r#""sheen": { "roughness": [0.5, 1]"#, &format!(r#""sheen": {{ "roughness": {range}"#));
+        let plan = plan(&Scene::from_json(json.as_bytes(), "scene.json").expect("a scene"));
+        let work =
+            plan.effects.iter().filter(|called| called.effect == "ltc").flat_map(|called| &called.work);
+        work.filter(|job| job.name.starts_with("sheen"))
+            .map(|job| job.range("roughness").expect("a range"))
+            .next()
+    };
+    assert_eq!(of_sheen("[0, 0.6]"), Some([0.1, 0.6]));
+    assert_eq!(of_sheen("0.05"), None);
     let without = SCENE.replace("area-lights", "plain").replace("[9, 9]", "[8, 8]");
     let scene = Scene::from_json(without.as_bytes(), "scene.json").expect("a scene");
     let left = plan(&scene).left_out.into_iter().find(|left| left.effect == "ltc").expect("left out");

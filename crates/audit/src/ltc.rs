@@ -30,7 +30,7 @@ pub struct LtcFindings {
     /// Largest error that is accepted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
-    /// PASS or FAIL, where there is a limit.
+    /// PASS, FAIL, or where E and B were not given UNKNOWN, if there is a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<&'static str>,
 }
@@ -126,19 +126,24 @@ impl LtcFindings {
             errors.push(error("B", found.bias, true));
         }
         let kept = |limit: f64| errors.iter().all(|error| !error.is_limited || error.max <= limit);
-        let grade = limit.map(|limit| if kept(limit) { Grade::Pass } else { Grade::Fail }.word());
+        let grade = limit.map(|limit| match (kept(limit), has_scales) {
+            (true, true) => Grade::Pass,
+            (true, false) => Grade::Unknown,
+            (false, _) => Grade::Fail,
+        });
+        let grade = grade.map(Grade::word);
         let lobe = match setting.lobe {
             Lobe::Ggx(smith) => format!("GGX, {} Smith", smith.name()),
             Lobe::Charlie => "Charlie with Neubelt's visibility".into(),
         };
         let (roughness, mu) = (setting.roughness, setting.mu);
         let (file, holds) = (table.file.clone(), table.what.clone());
-        Ok(LtcFindings { file, holds, lobe, roughness, mu, squares: found.squares, errors, limit, grade })
+        Ok(LtcFindings { file, holds, lobe, roughness, mu, squares: found.shape.count, errors, limit, grade })
     }
 
-    /// Whether it is within the limit, if there is one.
+    /// Whether all of it is within the limit, if there is one.
     pub fn passed(&self) -> bool {
-        self.grade != Some(Grade::Fail.word())
+        self.grade.is_none_or(|grade| grade == Grade::Pass.word())
     }
 
     /// In lines.
@@ -153,6 +158,9 @@ impl LtcFindings {
         );
         for LtcError { of, max, rms, roughness, mu, .. } in &self.errors {
             text += &format!("  {of}: {max}, RMS {rms}; worst at roughness {roughness:.4}, mu {mu:.4}\n");
+        }
+        if !self.errors.iter().any(|error| error.of == "E") {
+            text += "  E and B: not judged, the file has none; give their table with --scales\n";
         }
         text
     }

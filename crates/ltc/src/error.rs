@@ -28,6 +28,14 @@ pub enum LtcError {
         /// What it says.
         source: FitError,
     },
+    /// A search without a place to begin at.
+    #[error("alpha {alpha}, mu {mu}: `starts` is empty; give a matrix to begin at")]
+    NoStart {
+        /// Width of the lobe.
+        alpha: f64,
+        /// Cosine of the view.
+        mu: f64,
+    },
     /// A pair of tables whose parts contradict one another.
     #[error("{0}")]
     Shape(String),

@@ -153,17 +153,12 @@ pub fn misplaced(view: &View, matrix: Matrix) -> f64 {
 /// 1 one that is round about the normal.
 ///
 /// # Errors
-/// A start from which the solver finds nothing.
+/// No start; a start from which the solver finds nothing.
 pub fn fitted(view: &View, starts: &[Matrix]) -> Result<Matrix, LtcError> {
-    let is_round = view.mu >= 1.0;
-    let mut best = (f64::INFINITY, Matrix::IDENTITY);
-    for &start in starts {
-        let found = from(view, start, is_round)?;
-        if found.0 < best.0 {
-            best = found;
-        }
-    }
-    Ok(best.1)
+    let found: Vec<(f64, Matrix)> =
+        starts.iter().map(|start| from(view, *start, view.mu >= 1.0)).collect::<Result<_, _>>()?;
+    let best = found.into_iter().reduce(|a, b| if b.0 < a.0 { b } else { a });
+    best.map(|(_, matrix)| matrix).ok_or(LtcError::NoStart { alpha: view.alpha, mu: view.mu })
 }
 
 fn from(view: &View, start: Matrix, is_round: bool) -> Result<(f64, Matrix), LtcError> {

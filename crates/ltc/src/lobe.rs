@@ -46,9 +46,14 @@ impl Lobe {
         }
     }
 
+    /// The least alpha at which there is a matrix.
+    pub fn least(self) -> f64 {
+        LEAST[usize::from(self == Lobe::Charlie)]
+    }
+
     /// An alpha within the range of matrices.
     pub fn within(self, alpha: f64) -> f64 {
-        alpha.max(LEAST[usize::from(self == Lobe::Charlie)])
+        alpha.max(self.least())
     }
 
     /// A matrix of about the width of the lobe at mu = 1.

@@ -5,10 +5,11 @@ use crate::fit::misplaced;
 use crate::lobe::{Lobe, View};
 use crate::matrix::Matrix;
 use crate::pair::Pair;
-use crate::polygon::{cosine_share, proxy_share, vector_share};
+use crate::polygon::{cosine_share, proxy_share, sphere_share, vector_share};
 use crate::quad::{QUAD, Quad};
-use crate::square::{PER_PLACE, squares};
+use crate::square::squares;
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
+use lobefit_shade::round_up;
 use rayon::prelude::*;
 
 /// What a pair is measured against, and where.
@@ -24,6 +25,10 @@ pub struct Setting {
     pub places: usize,
 }
 
+/// Places about which a largest error is looked for, and half texels to either side.
+const WORST: usize = 3;
+const NEAR: i32 = 3;
+
 /// Errors over places.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
@@ -35,6 +40,11 @@ pub struct Deviation {
     pub mean: f64,
     /// Roughness and mu of the largest.
     pub at: [f64; 2],
+    /// The largest as a part of the light that it is in: of E, also where the error is B's, which falls to 1e-8
+    /// itself.
+    pub relative: f64,
+    /// Values that were looked at.
+    pub count: usize,
 }
 
 /// What was measured.
@@ -50,10 +60,14 @@ pub struct Measured {
     pub misplaced: Deviation,
     /// E.
     pub amplitude: Deviation,
-    /// E, by coarse weights.
-    pub amplitude_8_bit: Deviation,
     /// B.
     pub bias: Deviation,
+    /// E and B together.
+    pub light: Deviation,
+    /// The same by coarse weights.
+    pub light_8_bit: Deviation,
+    /// The share of a sphere, by cosine and length in place of roughness and mu.
+    pub sphere: Deviation,
     /// A square's light by the emitted function in f32, from that of the closed form.
     pub code: Deviation,
     /// A square's light with the horizon by the formula of shaders that do not clip, from the same.
@@ -62,8 +76,6 @@ pub struct Measured {
     pub map: Vec<f64>,
     /// Roughness along the map's columns, mu along its rows.
     pub axes: [Vec<f64>; 2],
-    /// Squares that were looked at.
-    pub squares: usize,
 }
 
 /// Errors at a place.
@@ -131,6 +143,23 @@ impl Setting {
         [roughness, root.into_iter().map(|root| self.mu(root)).collect()]
     }
 
+    /// The places by half texels about some, those beyond an end of the ranges on it.
+    fn about(&self, side: usize, some: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let (last, ranges) = (2 * (side - 1), self.ranges());
+        let near = |at: f64, [low, high]: [f64; 2]| {
+            let middle = (at * last as f64).round();
+            (-NEAR..=NEAR).map(move |k| ((middle + f64::from(k)) / last as f64).clamp(low, high))
+        };
+        let each = some.iter().flat_map(|[roughness, mu]| {
+            let roots = near((1.0 - mu).max(0.0).sqrt(), ranges[1]);
+            roots.flat_map(move |v| near(*roughness, ranges[0]).map(move |r| [r, self.mu(v)]))
+        });
+        let mut all: Vec<[f64; 2]> = each.collect();
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        all.dedup();
+        all
+    }
+
     /// Every texel's place and the thirds of the way to the next, as far as they lie in the ranges, and
     /// the ends.
     fn everywhere(&self, side: usize) -> Vec<[f64; 2]> {
@@ -143,32 +172,47 @@ impl Setting {
     }
 }
 
-/// What the lobe's albedo is off by: E, by coarse weights, and B.
+/// What the lobe's albedo is off by: E, B, both, and both by coarse weights.
 fn scales(
     pair: &Pair,
     setting: &Setting,
     alpha: &(impl Fn(f64) -> f64 + Sync),
-) -> Result<[Deviation; 3], LtcError> {
+) -> Result<[Deviation; 4], LtcError> {
     let (lobe, places) = (setting.lobe, setting.everywhere(pair.side));
     let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
-    let mut found = [const { Vec::new() }; 3];
+    let mut found = [const { Vec::new() }; 4];
     for (&at, [e, b]) in places.iter().zip(lobe.albedo(&widths)?) {
-        let [[_, [own_e, own_b, ..]], [_, [coarse, ..]]] =
+        let [[_, [own_e, own_b, ..]], [_, [coarse_e, coarse_b, ..]]] =
             [false, true].map(|coarse| pair.at(at[0], at[1], coarse));
         for (what, value) in [("E", own_e), ("B", own_b)] {
             if !value.is_finite() {
                 return Err(LtcError::NotFinite { what, value, roughness: at[0], mu: at[1] });
             }
         }
-        for (list, error) in found.iter_mut().zip([own_e - e, coarse - e, own_b - b]) {
-            list.push((at, error));
+        let errors = [[own_e - e, own_b - b], [coarse_e - e, coarse_b - b]];
+        let [[own_e, own_b], _] = errors;
+        let lists: [&[f64]; 4] = [&[own_e], &[own_b], &errors[0], &errors[1]];
+        for (all, errors) in found.iter_mut().zip(lists) {
+            all.extend(errors.iter().map(|error| (at, *error, e)));
         }
     }
     Ok(found.map(|errors| Deviation::of(errors.into_iter())))
 }
 
+/// What the share of a sphere is off by, at texels and at thirds between them.
+fn spheres(pair: &Pair) -> Deviation {
+    let last = 3 * (pair.side - 1);
+    let one = |i: usize| {
+        let [u, length] = [i % (last + 1), i / (last + 1)].map(|i| i as f64 / last as f64);
+        let cosine = 2.0 * u - 1.0;
+        let share = Pair::between(pair.side, &pair.amplitudes, [u, length], false)[3] * length;
+        ([cosine, length], share - sphere_share(cosine, length), 1.0)
+    };
+    Deviation::of((0..(last + 1) * (last + 1)).map(one))
+}
+
 /// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
-/// between them, E and B at all texels and at thirds between them. `alpha` is that of a roughness.
+/// between them, and by half texels about the worst of those; E and B at all texels and at thirds between them. `alpha` is that of a roughness.
 ///
 /// # Errors
 /// A truth that cannot be integrated; a texel with a value that is no number.
@@ -179,7 +223,7 @@ pub fn measured(
 ) -> Result<Measured, LtcError> {
     pair.check()?;
     let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
-    let [amplitude, amplitude_8_bit, bias] = scales(pair, setting, &alpha)?;
+    let [amplitude, bias, light, light_8_bit] = scales(pair, setting, &alpha)?;
     let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
     let one = |&[roughness, mu]: &[f64; 2]| -> Result<Place, LtcError> {
         let texels = [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse)[0]);
@@ -195,8 +239,15 @@ pub fn measured(
     };
     let all: Vec<Place> = places.par_iter().map(one).collect::<Result<_, _>>()?;
     let largest = |errors: &[f64]| errors.iter().fold(0.0_f64, |all, e| all.max(e.abs()));
+    let near = setting.about(pair.side, &worst(&all, pair.side, |place| largest(&place.shape)));
+    let near: Vec<Place> = near.par_iter().map(one).collect::<Result<_, _>>()?;
     let over = |errors: fn(&Place) -> &Vec<f64>| {
-        Deviation::of(all.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error))))
+        let of = |places: &[Place]| {
+            let each =
+                places.iter().flat_map(|place| errors(place).iter().map(|error| (place.at, *error, 1.0)));
+            Deviation::of(each)
+        };
+        of(&all).or_larger(of(&near))
     };
     Ok(Measured {
         shape: over(|place| &place.shape),
@@ -204,28 +255,71 @@ pub fn measured(
         integration: over(|place| &place.integration),
         misplaced: over(|place| &place.misplaced),
         amplitude,
-        amplitude_8_bit,
         bias,
+        light,
+        light_8_bit,
+        sphere: spheres(pair),
         code: over(|place| &place.code),
         horizon: over(|place| &place.horizon),
         map: all.iter().map(|place| largest(&place.shape)).collect(),
         axes,
-        squares: all.len() * PER_PLACE,
     })
 }
 
+/// The places of the largest errors, no two of them within three texels.
+fn worst(places: &[Place], side: usize, error: impl Fn(&Place) -> f64) -> Vec<[f64; 2]> {
+    let mut all: Vec<(f64, [f64; 2])> = places.iter().map(|place| (error(place), place.at)).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for (_, at) in all {
+        let near = |other: &[f64; 2]| {
+            let [a, b] = [at[1], other[1]].map(|mu| (1.0 - mu).max(0.0).sqrt());
+            (at[0] - other[0]).abs().max((a - b).abs()) * ((side - 1) as f64) < 3.0
+        };
+        if found.len() < WORST && !found.iter().any(near) {
+            found.push(at);
+        }
+    }
+    found
+}
+
+impl Measured {
+    /// What headers say of the errors of the two tables, beside the lookup's.
+    pub fn notes(&self) -> [String; 2] {
+        let Measured { shape, misplaced, amplitude, bias, sphere, .. } = self;
+        let [max, rms, e, b, sphere] =
+            [misplaced.max, misplaced.rms, amplitude.max, bias.max, sphere.max].map(|x| round_up(x, 3));
+        let squares = shape.count;
+        [
+            format!(
+                "Errors are shares of the lobe's light over {squares} squares that face the point; of a light of any shape at most {max} (rms {rms})."
+            ),
+            format!("E is off by {e} at most, B by {b}, the share of a sphere by {sphere}."),
+        ]
+    }
+}
+
 impl Deviation {
-    fn of(errors: impl Iterator<Item = ([f64; 2], f64)>) -> Deviation {
-        let (mut found, mut count, mut square) = (Deviation::default(), 0_u32, 0.0);
-        for (at, error) in errors {
-            count += 1;
+    /// With the largest of another, whose places are where errors are large: mean and RMS stay.
+    fn or_larger(self, other: Deviation) -> Deviation {
+        let count = self.count + other.count;
+        let larger = if other.max > self.max { other } else { self };
+        Deviation { rms: self.rms, mean: self.mean, count, ..larger }
+    }
+
+    /// Of places, errors there, and the light that each is in.
+    fn of(errors: impl Iterator<Item = ([f64; 2], f64, f64)>) -> Deviation {
+        let (mut found, mut square) = (Deviation::default(), 0.0);
+        for (at, error, light) in errors {
+            found.count += 1;
             square += error * error;
             found.mean += error;
+            found.relative = found.relative.max(error.abs() / light);
             if error.abs() > found.max {
                 (found.max, found.at) = (error.abs(), at);
             }
         }
-        let count = f64::from(count.max(1));
+        let count = found.count.max(1) as f64;
         Deviation { rms: (square / count).sqrt(), mean: found.mean / count, ..found }
     }
 }

@@ -9,6 +9,18 @@ use rayon::prelude::*;
 /// Texels along both axes of the tables that engines ship.
 pub const SIDE: usize = 64;
 
+/// Bytes of both textures, of which a value takes `each`.
+pub fn bytes(side: usize, each: u64) -> u64 {
+    8 * (side * side) as u64 * each
+}
+
+/// The side that is stated, or the first half, quarter, ... of which both textures are within so many bytes; as stated where
+/// no half is that small.
+pub fn side_within(stated: usize, each: u64, most: u64) -> usize {
+    let mut halves = std::iter::successors(Some(stated), |n| Some(n / 2).filter(|n| *n > 1));
+    halves.find(|n| bytes(*n, each) <= most).unwrap_or(stated)
+}
+
 /// The tables: matrices, and E, B, 0 and the share of a sphere divided by the length. Texel (i, k)
 /// is of roughness i/(n - 1) with alpha = roughness^2, and of mu = 1 - (k/(n - 1))^2; the sphere's,
 /// of the cosine 2 i/(n - 1) - 1 and the length k/(n - 1).
@@ -86,20 +98,23 @@ impl Pair {
     /// weights are multiples of 2^-8 where `coarse`.
     pub fn at(&self, roughness: f64, mu: f64, coarse: bool) -> [[f64; 4]; 2] {
         let place = [roughness, (1.0 - mu).max(0.0).sqrt()];
-        let last = (self.side - 1) as f64;
+        [&self.matrices, &self.amplitudes].map(|texels| Pair::between(self.side, texels, place, coarse))
+    }
+
+    /// The lookup in a texture at a place in the unit square, whose ends are texels.
+    pub(crate) fn between(side: usize, texels: &[[f64; 4]], place: [f64; 2], coarse: bool) -> [f64; 4] {
+        let last = (side - 1) as f64;
         let [(i, u), (k, v)] = place.map(|at| {
             let at = (at * last).clamp(0.0, last);
             let floor = at.floor().min(last - 1.0);
             let weight = at - floor;
             (floor as usize, if coarse { (weight * 256.0).round() / 256.0 } else { weight })
         });
-        [&self.matrices, &self.amplitudes].map(|texels| {
-            let t = |i: usize, k: usize| texels[k * self.side + i];
-            let mix = |a: [f64; 4], b: [f64; 4], t: f64| -> [f64; 4] {
-                std::array::from_fn(|c| a[c] + t * (b[c] - a[c]))
-            };
-            mix(mix(t(i, k), t(i + 1, k), u), mix(t(i, k + 1), t(i + 1, k + 1), u), v)
-        })
+        let t = |i: usize, k: usize| texels[k * side + i];
+        let mix = |a: [f64; 4], b: [f64; 4], t: f64| -> [f64; 4] {
+            std::array::from_fn(|c| a[c] + t * (b[c] - a[c]))
+        };
+        mix(mix(t(i, k), t(i + 1, k), u), mix(t(i, k + 1), t(i + 1, k + 1), u), v)
     }
 }
 

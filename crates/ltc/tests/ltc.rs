@@ -154,6 +154,35 @@ fn the_emitted_function_is_the_closed_form() {
     assert!((exact - found).abs() < 1e-6, "{found}, not {exact}");
 }
 
+/// An edge that passes near the point, whose ends are nearly opposite as the point sees them: directions of f32 are
+/// off by 6e-8, of the edge's sine of about 2 over its length by the distance.
+#[test]
+fn a_long_thin_light_near_the_point_keeps_its_digits() {
+    let quad = Quad::new().expect("it parses");
+    println!("{} operations", quad.ops());
+    for near in [1e-1_f64, 1e-2, 1e-3, 2e-4] {
+        let mut worst = 0.0_f64;
+        for turn in 0..24 {
+            let (s, c) = ops::sincos(f64::from(turn) * PI / 12.0 + 0.1);
+            for [rise, width, lean] in [[0.3, 0.2, 0.0], [1.0, 0.5, 0.3], [0.05, 1.0, -0.4]] {
+                let corner = |along: f64, across: f64| {
+                    let (x, y) = (along, near * (1.0 + across));
+                    // In the digits of f32, which both are given.
+                    [c * x - s * y, s * x + c * y, near * rise * (1.0 + lean * across)]
+                        .map(|x| f64::from(x as f32))
+                };
+                let corners = [corner(-1.0, 0.0), corner(0.9, 0.0), corner(0.9, width), corner(-1.0, width)];
+                for matrix in [Matrix::IDENTITY, Matrix { m11: 0.75, m13: 0.5, m31: -0.125, m33: 0.25 }] {
+                    let (exact, found) = (matrix.share(&corners), quad.share(matrix.texel(), &corners));
+                    worst = worst.max((exact - found).abs());
+                }
+            }
+        }
+        println!("at {near}: off by {worst:.2e}");
+        assert!(worst < 2e-6 + 1e-7 / near, "at {near}: off by {worst:.2e}");
+    }
+}
+
 #[test]
 fn a_sphere_sends_what_a_rule_finds() {
     let rule = Gauss::new(200);
@@ -183,6 +212,11 @@ fn a_sphere_sends_what_a_rule_finds() {
 fn no_matrix_beside_a_fitted_one_is_better() {
     for (lobe, alpha, mu) in [(GGX, 0.1, 0.7), (GGX, 0.6, 0.2), (Lobe::Charlie, 0.4, 0.5)] {
         let view = View::new(lobe, alpha, mu).expect("in the domain");
+        let refused = fitted(&view, &[]).expect_err("no start").to_string();
+        assert!(
+            refused.contains("`starts` is empty") && refused.contains(&format!("alpha {alpha}")),
+            "{refused}"
+        );
         let start = Matrix { m33: alpha, ..Matrix::IDENTITY };
         let found = fitted(&view, &[start, Matrix::IDENTITY]).expect("a fit");
         let best = misplaced(&view, found);
@@ -209,7 +243,21 @@ fn a_small_pair_is_measured_at_its_texels_and_between() {
     let pair = Pair::fitted(GGX, 8, alpha).expect("a pair");
     let setting = Setting { lobe: GGX, roughness: [0.3, 1.0], mu: [0.05, 1.0], places: 5 };
     let found = measured(&pair, &setting, alpha).expect("finite");
-    assert!(found.shape.max < 0.2 && found.shape.rms < 0.03, "{:?}", found.shape);
+    // 0.204, half a texel from the places of the even grid, which find 0.173.
+    assert!(found.shape.max < 0.21 && found.shape.rms < 0.03, "{:?}", found.shape);
+    // Nothing about the stated maximum is larger, at texels or between: the lookup that shaders do.
+    let (quad, [roughness, mu]) = (1.0 / 28.0, found.shape.at);
+    for k in 0..49 {
+        let near = |at: f64, k: i32| (at + quad * f64::from(k - 3)).clamp(0.0, 1.0);
+        let (r, v) = (near(roughness, k % 7).max(0.3), near((1.0 - mu).sqrt(), k / 7));
+        let mu = (1.0 - v * v).max(0.05);
+        let matrix = Matrix::of_texel(pair.at(r, mu, false)[0]);
+        let view = View::new(GGX, alpha(r), mu).expect("in the domain");
+        for square in squares(&view) {
+            let off = (matrix.share(&square.corners()) - square.share(&view).value).abs();
+            assert!(off < 1.02 * found.shape.max, "{r} {mu}: {off}, stated {:?}", found.shape);
+        }
+    }
     assert!(found.misplaced.max >= found.shape.max, "a square is no worse than any light");
     assert!(found.code.max < 1e-4 && found.integration.max < 2e-3);
     assert!(found.horizon.max > 0.05, "the formula without clipping is what errs: {:?}", found.horizon);

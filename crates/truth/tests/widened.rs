@@ -2,6 +2,8 @@
 //! the energy of lights, and how far the distribution of averaged normals matters.
 #![allow(clippy::disallowed_methods)]
 
+use lobefit_math::recurrence::Recurrence;
+use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{AVERAGED_WIDTH, COATED_WIDTH, LIT_WIDTH, Quantity, Variant, Widened};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -11,7 +13,7 @@ type Vector = [f64; 3];
 type Light = Option<(Vector, f64)>;
 
 /// Lights of a lobe.
-const LIGHTS: usize = 1 << 15;
+const LIGHTS: usize = 1 << 18;
 
 fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -133,33 +135,76 @@ fn middle(mu: f64, light: impl Fn(Vector, &mut Pcg64) -> Light + Sync) -> f64 {
     ((1.0 - cosine) / (1.0 + cosine)).sqrt()
 }
 
-/// The roughness by halving.
+/// The density of a bare lobe times the cosine, but for a factor.
+fn lobe(alpha: f64, view: Vector, light: Vector) -> f64 {
+    let sum: Vector = std::array::from_fn(|i| view[i] + light[i]);
+    let z = sum[2] / dot(sum, sum).sqrt();
+    let across = (1.0 - z) * (1.0 + z) + alpha * alpha * z * z;
+    if light[2] > 0.0 { seen(alpha, view, light) / (across * across) } else { 0.0 }
+}
+
+/// Rings from tan(theta/2) = 1e-6 to 1e4, their width in its logarithm, and where a tangent lies among them.
+const RINGS: usize = 700;
+const STEP: f64 = 0.033;
+
+fn place(tangent: f64) -> f64 {
+    (tangent / 1e-6).ln() / STEP
+}
+
+/// Integrals of a bare lobe over rings about the mirror direction, even in ln(tan(theta/2)): the middle of the ring in rings,
+/// its energy, and its energy with `wider` of theta in place of the sine.
+fn rings(alpha: f64, mu: f64, wider: &dyn Fn(f64) -> f64) -> Vec<[f64; 3]> {
+    const TURNS: usize = 100;
+    let sine = (1.0 - mu * mu).sqrt();
+    let (view, axes) = ([sine, 0.0, mu], [[mu, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, mu]]);
+    let one = |i: usize| {
+        let theta = 2.0 * ((i as f64 + 0.5) * STEP + 1e-6_f64.ln()).exp().atan();
+        // Half of a turn: the other is its mirror image. A grazing lobe is narrow across the plane of incidence.
+        let at = |k: usize| {
+            let (y, x) = (std::f64::consts::PI * (k as f64 + 0.5) / TURNS as f64).sin_cos();
+            let square = x * x + mu * y * y;
+            let [x, y] = [x, mu.sqrt() * y].map(|part| theta.sin() * part / square.sqrt());
+            lobe(alpha, view, back(axes, [x, y, theta.cos()])) * mu.sqrt() / square
+        };
+        let mean = (0..TURNS).map(at).sum::<f64>() / TURNS as f64;
+        let width = mean * std::f64::consts::TAU * STEP * theta.sin();
+        [i as f64 + 0.5, width * theta.sin(), width * wider(theta)]
+    };
+    (0..RINGS).map(one).collect()
+}
+
+/// The roughness whose lobe holds half of its energy within the cone of a tangent, by halving.
 fn roughness(mu: f64, tangent: f64) -> f64 {
     let (mut low, mut high) = (0.01, 1.0);
-    for _ in 0..9 {
+    for _ in 0..12 {
         let r: f64 = 0.5 * (low + high);
-        if middle(mu, |view, random| mirrored(r * r, view, random)) < tangent { low = r } else { high = r }
+        let rings = rings(r * r, mu, &f64::sin);
+        let whole: f64 = rings.iter().map(|ring| ring[1]).sum();
+        let inside: f64 =
+            rings.iter().map(|ring| ring[1] * (place(tangent) - ring[0] + 0.5).clamp(0.0, 1.0)).sum();
+        if inside > 0.5 * whole { low = r } else { high = r }
     }
     0.5 * (low + high)
 }
 
-/// The textbook's samples are off by 0.01 of the roughness.
+/// The textbook's lights are off by 0.003 of the roughness: both lie within the promise of 0.01.
 fn agrees(of: &Widened, x: &[f64], tangent: f64) {
     let (found, own) = (at(of, x, 5e-3), roughness(x[1], tangent));
     println!("{} {x:?}: {found:?}, textbook {own}", of.name());
-    assert!((found[0] - own).abs() < 0.015 + found[found.len() - 1], "{x:?}: {found:?}, textbook {own}");
+    assert!((found[0] - own).abs() < 3e-3 + found[found.len() - 1], "{x:?}: {found:?}, textbook {own}");
     let off = (0.5 * found[1]).tan() / tangent - 1.0;
-    assert!(off.abs() < 0.04, "{x:?}: the radius is off by {off}");
+    // The radius goes with the square of the roughness.
+    assert!(off.abs() < 0.01 + 2.0 * found[found.len() - 1] / own, "{x:?}: the radius is off by {off}");
 }
 
 #[test]
 fn half_of_the_energy_of_facets_lies_within_the_radius() {
-    for [r, mu, length] in [[0.4, 1.0, 0.98], [0.3, 0.4, 0.9], [0.6, 0.15, 0.8], [0.1, 0.7, 0.7]] {
+    for [r, mu, length] in [[0.3, 0.4, 0.9], [0.6, 0.15, 0.8], [0.05, 0.7, 0.999]] {
         let normal = normals(length, false);
         let tangent = middle(mu, |view, random| averaged(r * r, view, normal(random), random));
         agrees(&AVERAGED_WIDTH, &[r * r, mu, length], tangent);
     }
-    for [r, mu, radius] in [[0.4, 1.0, 0.3], [0.2, 0.3, 0.1], [0.6, 0.1, 0.45]] {
+    for [r, mu, radius] in [[0.06, 0.3, 0.02], [0.6, 0.1, 0.45]] {
         let lit = |view, random: &mut Pcg64| {
             let (light, energy) = mirrored(r * r, view, random)?;
             let cosine = 1.0 - random.random::<f64>() * (1.0 - radius.cos());
@@ -167,7 +212,7 @@ fn half_of_the_energy_of_facets_lies_within_the_radius() {
         };
         agrees(&LIT_WIDTH, &[r * r, mu, radius], middle(mu, lit));
     }
-    for [r, mu, coat, ior] in [[0.3, 1.0, 0.5, 1.6], [0.4, 0.6, 0.4, 1.5], [0.6, 0.6, 0.3, 1.3]] {
+    for [r, mu, coat, ior] in [[0.4, 0.6, 0.4, 1.5], [0.07, 0.8, 0.1, 1.3]] {
         let coated = |view, random: &mut Pcg64| {
             let (down, entered) = through(coat * coat, view, ior, random)?;
             let (up, kept) = mirrored(r * r, down.map(|x| -x), random)?;
@@ -178,36 +223,58 @@ fn half_of_the_energy_of_facets_lies_within_the_radius() {
     }
 }
 
-/// The energy of a lobe at the nearest point of a disk, by lights spread evenly over the sphere.
+/// The energy of a lobe over that at the nearest point of a disk: a light whose nearest point lies at theta has its middle at
+/// theta + radius, and all within the radius have the peak.
+fn normalisation([alpha, mu, radius]: [f64; 3]) -> f64 {
+    let wider = |theta: f64| if theta + radius < std::f64::consts::PI { (theta + radius).sin() } else { 0.0 };
+    let rings = rings(alpha, mu, &wider);
+    let axis = [-(1.0 - mu * mu).sqrt(), 0.0, mu];
+    let peak = std::f64::consts::TAU * (1.0 - radius.cos()) * lobe(alpha, [-axis[0], 0.0, mu], axis);
+    let [own, moved] = [1, 2].map(|k| rings.iter().map(|ring| ring[k]).sum::<f64>());
+    own / (moved + peak)
+}
+
+/// The energy of a lobe at the nearest point of a disk, by rings about the mirror direction, at single places and of many.
 #[test]
 fn the_normalisation_is_that_of_the_energy() {
-    for [alpha, mu, radius] in [[0.3, 1.0, 0.3], [0.4, 0.3, 0.2], [0.6, 0.6, 0.5_f64]] {
-        let (view, axis) = ([(1.0 - mu * mu).sqrt(), 0.0, mu], [-(1.0 - mu * mu).sqrt(), 0.0, mu]);
-        let lobe = |light: Vector| {
-            let sum: Vector = std::array::from_fn(|i| view[i] + light[i]);
-            let z = sum[2] / dot(sum, sum).sqrt();
-            let across = 1.0 - (1.0 - alpha * alpha) * z * z;
-            if light[2] > 0.0 { seen(alpha, view, light) / (across * across) } else { 0.0 }
-        };
-        let nearest = |middle: Vector| {
-            let angle = dot(middle, axis).acos();
-            let cosine = (angle - radius).max(0.0).cos();
-            let rest: Vector = std::array::from_fn(|i| middle[i] - angle.cos() * axis[i]);
-            let part = (1.0 - cosine * cosine).sqrt() / dot(rest, rest).sqrt();
-            std::array::from_fn(|i| cosine * axis[i] + part * rest[i])
-        };
-        let mut random = Pcg64::seed_from_u64(5);
-        let (mut own, mut wider) = (0.0, 0.0);
-        for _ in 0..1 << 18 {
-            let light = around(2.0 * random.random::<f64>() - 1.0, &mut random);
-            own += lobe(light);
-            wider += lobe(nearest(light));
+    let mut lacking = Vec::new();
+    for [alpha, mu, radius] in [
+        [0.3, 1.0, 0.3],
+        [0.6, 0.6, 0.5_f64],
+        [0.003, 0.5, 0.4],
+        [0.003, 1.0, 0.01],
+        [0.01, 0.2, 0.1],
+        [0.03, 0.9, 0.5],
+        [0.03, 0.05, 0.2],
+    ] {
+        let (x, expected) = ([alpha, mu, radius], normalisation([alpha, mu, radius]));
+        let found = at(&LIT_WIDTH, &x, 5e-3);
+        let columns = ["alpha", "mu", "light_radius"].into_iter().zip(x.map(|x| vec![x]));
+        let quick = LIT_WIDTH
+            .truth(&Variant::default(), &Points::new(columns), &["normalisation"], 1.5e-2)
+            .expect("it");
+        let offs = [found[2], quick.columns[0][0]].map(|value| (value / expected - 1.0).abs());
+        println!("{x:?}: {found:?}, of rings {expected}, off by {offs:?}");
+        if offs[0] > 1e-3 + found[3] || offs[1] > 1.5e-2 || found[3] > 5e-3 {
+            lacking.push((x, found, expected, offs));
         }
-        let found = at(&LIT_WIDTH, &[alpha, mu, radius], 5e-3);
-        let off = found[2] * wider / own - 1.0;
-        println!("{alpha} {mu} {radius}: {found:?}, off by {off}");
-        assert!(off.abs() < 0.02, "{alpha} {mu} {radius}: {found:?}, off by {off}");
     }
+    assert!(lacking.is_empty(), "{lacking:#?}");
+}
+
+/// Means of single sequences scatter as the stated error says: shifts that go together would agree too well.
+#[test]
+fn the_stated_error_holds_at_nearly_all_places() {
+    let mut beyond = 0;
+    let places = Recurrence::new(3);
+    for i in 0..60 {
+        let [a, b, c] = [0, 1, 2].map(|k| places.coordinate(i, k));
+        let x = [0.01 + 0.8 * a * a, 0.05 + 0.95 * b, 0.02 + 0.4 * c];
+        let (found, own) = (at(&LIT_WIDTH, &x, 2e-2), normalisation(x));
+        beyond += usize::from((found[2] / own - 1.0).abs() > found[3] + 2e-4);
+    }
+    println!("{beyond} of 60 beyond");
+    assert!(beyond <= 4, "{beyond} of 60 places are off by more than three standard errors");
 }
 
 #[test]

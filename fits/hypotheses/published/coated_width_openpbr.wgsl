@@ -1,4 +1,4 @@
-/// Published: OpenPBR 1.1, open_pbr_surface of MaterialX: min(1, base^4 + 2 coat^4)^(1/4),
+/// Published: OpenPBR 1.1, reference/open_pbr_surface.mtlx, for coat_weight 1: min(1, base^4 + 2 coat^4)^(1/4),
 /// for any index and view.
 fn coated_width_openpbr(roughness: f32, coat_roughness: f32) -> f32 {
     let base = roughness * roughness;

@@ -74,7 +74,7 @@ pub(super) fn bake(
         table.validate()?;
         let (error, coarse, integration) = match k {
             0 => (found.shape, found.shape_8_bit, found.integration.max),
-            _ => (found.amplitude, found.amplitude_8_bit, 1e-6),
+            _ => (found.light, found.light_8_bit, 1e-6),
         };
         let rounded = texels.iter().flatten().map(|x| (format.quantise(*x) - x).abs()).fold(0.0, f64::max);
         let error_entry = TableError {
@@ -87,11 +87,11 @@ pub(super) fn bake(
         let approximation = Approximation {
             name: table.name.clone(),
             quantity: table.quantity.clone(),
-            column: ["the share of a square light", "E"][k].into(),
+            column: ["the share of a square light", "E, B"][k].into(),
             used_as: Use::VALUE,
             smith,
             source: Source::Fitted,
-            certificate: certificate(&error, &setting, format.name(), &found),
+            certificate: certificate(&error, &setting, format.name()),
             cost: Cost { ops, fetches: 1, bytes: table.bytes() },
             form: Form::Table(table.quantised()),
         };
@@ -115,18 +115,17 @@ fn entry(error: &Deviation) -> LookupEntry {
     LookupEntry { max: round_up(error.max, 4), rms: error.rms, at: place(error.at) }
 }
 
-fn certificate(error: &Deviation, setting: &Setting, format: &str, found: &Measured) -> Certificate {
+fn certificate(error: &Deviation, setting: &Setting, format: &str) -> Certificate {
     let Setting { roughness, mu, .. } = *setting;
     Certificate {
         max_abs: round_up(error.max, 4),
-        // A share of the light is of the whole.
-        max_rel: round_up(error.max, 4),
+        max_rel: round_up(error.relative, 4),
         rms: error.rms,
         mean: error.mean,
         at: place(error.at),
         domain: [("roughness".to_string(), roughness), ("mu".to_string(), mu)].into(),
         precision: format!("{format} texels, f64 lookup"),
-        points: found.squares as u64,
+        points: error.count as u64,
     }
 }
 
@@ -141,29 +140,15 @@ impl Baked {
         [&self.tables[0].0, &self.tables[1].0]
     }
 
-    /// What a header says of the errors beside the lookup's.
-    fn note(&self) -> String {
-        let Measured { misplaced, amplitude, bias, .. } = &self.measured;
-        format!(
-            "Errors are shares of the lobe's light over {} squares that face the point; of a light of any shape at most {} (rms {}). E is off by {} \
-             at most, B by {}.",
-            self.measured.squares,
-            round_up(misplaced.max, 3),
-            round_up(misplaced.rms, 3),
-            round_up(amplitude.max, 3),
-            round_up(bias.max, 3)
-        )
-    }
-
     /// Files, entries, calls and the card.
     pub fn entered(&self, made: &mut Made, job: &Job, context: &Context) -> Result<(), BakeError> {
-        let note = self.note();
         let mut offers = Vec::new();
-        for (approximation, decode, names, error) in &self.tables {
+        for (k, (approximation, decode, names, error)) in self.tables.iter().enumerate() {
+            let note = &self.measured.notes()[k];
             let Form::Table(table) = &approximation.form else { continue };
             let part = &mut made.part;
             let files =
-                contained(table, *decode, &approximation.certificate, Some(&note), context, &mut part.files)?;
+                contained(table, *decode, &approximation.certificate, Some(note), context, &mut part.files)?;
             let entry =
                 TableEntry::new(part.by.name(), approximation, table, decode.formulas(), error.clone());
             let inputs = self.readable(context, table, *decode, names, &[]).inputs()?;
@@ -193,7 +178,7 @@ impl Baked {
             name: function.into(),
             about: format!("Table of {} of {}.", a.column, a.quantity),
             caution: String::new(),
-            metric: if a.column == "E" { "lookup error of E".into() } else { METRIC.into() },
+            metric: if a.column == "E, B" { "lookup error of E and B".into() } else { METRIC.into() },
             limited: String::new(),
             choices: vec![offer],
             measured: vec![Listed {
@@ -222,10 +207,11 @@ impl Baked {
 
     /// The lookups in a language.
     pub fn code(&self, language: Language, context: &Context) -> Result<String, BakeError> {
-        let (mut text, note) = (String::new(), self.note());
+        let mut text = String::new();
         for (k, (approximation, decode, names, _)) in self.tables.iter().enumerate() {
             let Form::Table(table) = &approximation.form else { continue };
-            let header = header::lookup_lines(table, *decode, &approximation.certificate, Some(&note));
+            let note = &self.measured.notes()[k];
+            let header = header::lookup_lines(table, *decode, &approximation.certificate, Some(note));
             let readable = self.readable(context, table, *decode, names, &header);
             if k == 0 {
                 text += &format!("\n{}", readable.print_parts(language)?);

@@ -5,7 +5,7 @@ mod bake;
 mod page;
 
 use super::context::Context;
-use super::demand::{Demand, Job, Span};
+use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Note;
 use super::who::{anisotropy, reasons};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
@@ -40,7 +40,9 @@ fn wanted<'a>(
     let own = material.rough_range(scene.alpha);
     let specular =
         own.into_iter().flat_map(|range| of(Lobe::Ggx(scene.smith), range, &material.wants.tables));
-    let sheen = material.sheen.iter().filter_map(|s| Some((s, s.rough_range(scene.alpha)?)));
+    let least = scene.alpha.roughness(Lobe::Charlie.least());
+    let sheen = material.sheen.iter().filter(move |s| s.roughness[1] >= least);
+    let sheen = sheen.map(move |s| (s, [s.roughness[0].max(least), s.roughness[1]]));
     specular.chain(sheen.flat_map(|(sheen, range)| of(Lobe::Charlie, range, &sheen.tables)))
 }
 
@@ -70,7 +72,8 @@ fn of_job<'a>(scene: &'a Scene, job: &Job) -> Result<(Lobe, &'a TableWant), Bake
 
 /// Texels along both axes.
 fn side(want: &TableWant) -> usize {
-    want.size.as_ref().and_then(|size| size.first()).copied().unwrap_or(lobefit_ltc::SIDE)
+    let stated = want.size.as_ref().and_then(|size| size.first()).copied().unwrap_or(lobefit_ltc::SIDE);
+    lobefit_ltc::side_within(stated, want.format.bytes(), want.max_bytes.unwrap_or(u64::MAX))
 }
 
 /// `ggx-ltc-correlated-64x64`.
@@ -106,7 +109,14 @@ impl Effect for Ltc {
                 field: format!("materials[{of}].{part}.tables[{item}]"),
                 spans: vec![
                     ("mu", Span::new(want.n_dot_v)),
-                    ("roughness", Span::roughness(range, scene.alpha)),
+                    (
+                        "roughness",
+                        Span::at_least(
+                            range,
+                            ROUGHNESS_WIDTH_MIN,
+                            [scene.alpha.roughness(lobe.least()), 1.0],
+                        ),
+                    ),
                 ],
                 goals: Goals::error(want.max_error),
                 layer,
@@ -122,7 +132,7 @@ impl Effect for Ltc {
             m.wants.tables.iter().chain(sheens).any(|table| table.layout == Layout::AreaLights)
         };
         let smooth = scene.materials.iter().any(asks);
-        reasons([smooth.then(|| "what wants area lights is smooth".into())])
+        reasons([smooth.then(|| "what wants area lights is smooth, or a sheen of alpha below 0.01".into())])
             .unwrap_or_else(|| "no material wants tables in the `area-lights` layout".into())
     }
 
@@ -137,7 +147,7 @@ impl Effect for Ltc {
                     want.format.name()
                 ),
                 ranges: job.ranges.clone(),
-                bytes: 8 * (n * n) as u64 * want.format.bytes(),
+                bytes: lobefit_ltc::bytes(n, want.format.bytes()),
                 bytes_at_most: false,
                 expected_error: job.goals.max_error,
                 recommended: None,

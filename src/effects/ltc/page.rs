@@ -89,7 +89,7 @@ fn chart(one: &Baked, [roughness, mu]: [f64; 2], alpha: f64) -> Result<Curves, B
 pub(super) fn figures(effect: &EffectFinding, baked: &[Baked]) -> Figures {
     let pair = |one: &Baked| PairFigures {
         table: one.approximations()[0].name.clone(),
-        squares: one.measured.squares,
+        squares: one.measured.shape.count,
         errors: errors(one).map(|(what, error)| (what, [error.max, error.rms])).into(),
         map: map(one),
     };
@@ -107,8 +107,9 @@ pub(super) fn page(origin: Origin, baked: &[Baked], alpha: impl Fn(f64) -> f64) 
         let columns = [("error of", false), ("max", true), ("RMS", true), ("worst at", false)];
         let caption = format!(
             "{} squares that face the shaded point: six sizes, from half the lobe's width to 69 degrees from middle to side, each \
-             about the mirror direction, with an edge or a corner on it, above and below.",
-            one.measured.squares
+             about the mirror direction, with an edge or a corner on it, above and below. The share of a sphere is off by {} at most.",
+            one.measured.shape.count,
+            words::max(one.measured.sphere.max)
         );
         let rows = errors(one).into_iter().map(row).collect();
         let field = words::labelled(&map(one));

@@ -55,7 +55,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &AVERAGED_WIDTH,
         column: "roughness_averaged",
-        own: &own!["averaged_width_a1", "averaged_width_a2", "averaged_width_a3"],
+        own: &own!["averaged_width_14", "averaged_width_16", "averaged_width_21"],
         published: &published![
             "averaged_width_none" by "no rule: the roughness of the surface",
             "averaged_width_toksvig" by "M. Toksvig, Mipmapping Normal Maps, 2005, in the form of GGX",
@@ -71,7 +71,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &LIT_WIDTH,
         column: "roughness_lit",
-        own: &own!["lit_width_a1", "lit_width_a2", "lit_width_a3"],
+        own: &own!["lit_width_8", "lit_width_14", "lit_width_15"],
         published: &published![
             "lit_width_none" by "no rule: the roughness of the surface",
             "lit_width_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013",
@@ -85,7 +85,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &LIT_WIDTH,
         column: "normalisation",
-        own: &own!["lit_energy_a1", "lit_energy_a2"],
+        own: &own!["lit_energy_12", "lit_energy_13"],
         published: &published!["lit_energy_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013"],
         role: "lit_normalisation",
         of: "nearest points of disk lights",
@@ -97,7 +97,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &COATED_WIDTH,
         column: "roughness_coated",
-        own: &own!["coated_width_a1", "coated_width_a2"],
+        own: &own!["coated_width_19", "coated_width_21"],
         published: &published![
             "coated_width_none" by "no rule: the roughness of the base",
             "coated_width_openpbr" by "OpenPBR 1.1; MaterialX, open_pbr_surface",

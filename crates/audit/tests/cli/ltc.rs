@@ -35,6 +35,13 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     assert!(text.starts_with("PASS with --limit 0.15: matrices.raw:"), "{text}");
     assert!(text.contains("GGX, correlated Smith") && text.contains("worst at roughness"), "{text}");
     assert!(text.contains("  E: 0.0"), "{text}");
+    let alone = run("matrices.raw", &["--limit", "0.15"]);
+    assert_eq!(alone.status.code(), Some(1), "{}", stderr(&alone));
+    let text = String::from_utf8(alone.stdout).unwrap();
+    assert!(
+        text.starts_with("UNKNOWN with --limit 0.15: ") && text.contains("E and B: not judged"),
+        "{text}"
+    );
     let failed = run("turned.raw", &["--limit", "0.15", "--json"]);
     assert_eq!(failed.status.code(), Some(1), "{}", stderr(&failed));
     let found: Value = serde_json::from_slice(&failed.stdout).unwrap();

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use super::super::{Input, Residual, Use};
-use super::{ALPHA, Beside, Lights, MU, SMITH, Spread, Widened, mirrored, tilted};
+use super::{ALPHA, Beside, Lights, MU, Means, SMITH, Widened, mirrored, tilted};
 use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
 
@@ -29,15 +29,10 @@ pub static LIT_WIDTH: Widened = Widened {
     outputs: &["roughness_lit", "radius", "normalisation", "error"],
     remark: "light_radius and radius in radians; normalisation of the lobe at the light's nearest point",
     lights: lit,
-    beside: Some(Beside {
-        of: normalisation,
-        smooth: |x, n| x[0].sqrt() / n.sqrt().sqrt(),
-        back: |x, s| x[0] * x[0] / (s * s * s * s),
-        used: &[LIGHT],
-    }),
+    beside: Some(Beside { of: normalisation, used: &[LIGHT] }),
     nodes: &[11, 8, 9],
     drawn: 1 << 12,
-    quick: 1e-2,
+    quick: 1.5e-2,
     known: OnceLock::new(),
 };
 
@@ -51,12 +46,11 @@ fn lit(view: Vec3, x: &[f64]) -> Lights {
 
 /// With l at theta from the mirror direction, the middles whose nearest point it is lie at theta + a:
 /// each dl stands for sin(theta + a)/sin(theta) dl, and the mirror direction itself for a whole disk.
-fn normalisation(x: &[f64], bare: &Spread) -> f64 {
+fn normalisation(x: &[f64], bare: Means) -> f64 {
     let (alpha, mu, radius) = (x[0], x[1], x[2]);
     let area = ggx::stretched_length(alpha, mu);
     // D = 1/(pi alpha^2), and f (n.l) = D G2/(4 mu).
     let peak = SMITH.shadowing_over_cosine(mu, area, mu, area) / (4.0 * PI * alpha * alpha);
-    let plateau = 2.0 * PI * (1.0 - ops::cos(radius)) * peak * bare.drawn as f64 / bare.energy;
-    let turned = bare.mean(|t| 0.5 * (1.0 - t * t) / t);
-    1.0 / (plateau + ops::cos(radius) + ops::sin(radius) * turned)
+    let plateau = 2.0 * PI * (1.0 - ops::cos(radius)) * peak / bare.energy;
+    1.0 / (plateau + ops::cos(radius) + ops::sin(radius) * bare.cotangent)
 }

@@ -9,8 +9,8 @@
 //! Where nothing widens, r' is the surface's roughness for every view. Half of the energy is a measure
 //! that the tails of GGX leave finite, where a variance is infinite.
 //!
-//! Values are means over sequences that differ by a shift; `error` is three standard errors of the mean
-//! by their spread. Lobe and bare lobe are drawn by the same numbers, whose errors cancel in r' where
+//! Values are means over sequences with random shifts of their own in every dimension; `error` is three
+//! standard errors of the mean by their spread, of `normalisation` as a part of it. Lobe and bare lobe are drawn by the same numbers, whose errors cancel in r' where
 //! little is widened. Many points come from one interpolant over the whole domain.
 
 mod averaged;
@@ -20,6 +20,8 @@ mod lit;
 use std::f64::consts::PI;
 use std::sync::{LazyLock, OnceLock};
 
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 pub use averaged::AVERAGED_WIDTH;
@@ -66,19 +68,33 @@ pub struct Widened {
     nodes: &'static [usize],
     drawn: usize,
     quick: f64,
-    known: OnceLock<[Tensor; 2]>,
+    known: OnceLock<Tensor>,
 }
 
-/// A value of the bare lobe, and how it is interpolated, there and back.
+/// A value of the means of the bare lobe.
 struct Beside {
-    of: fn(&[f64], &Spread) -> f64,
-    smooth: fn(&[f64], f64) -> f64,
-    back: fn(&[f64], f64) -> f64,
+    of: fn(&[f64], Means) -> f64,
     used: &'static [Use],
+}
+
+/// Means over the lights of a bare lobe: of the cotangent of the angle to the mirror direction by energy, and of
+/// the energy of a light that is drawn.
+struct Means {
+    cotangent: f64,
+    energy: f64,
 }
 
 /// The largest error of a value where no less is asked for.
 const TOLERANCE: f64 = 1e-2;
+
+/// The sequence as it is.
+const UNMOVED: Draw = [0.0; DIMENSIONS];
+
+/// Shifts of the sequences of a mean, independent of one another.
+static MOVED: LazyLock<[Draw; SHIFTS]> = LazyLock::new(|| {
+    let mut random = Pcg64::seed_from_u64(6);
+    std::array::from_fn(|_| std::array::from_fn(|_| random.random()))
+});
 
 /// Shifted sequences of a mean, the first and the last number of lights of each.
 const SHIFTS: usize = 8;
@@ -88,6 +104,7 @@ const LAST: usize = 1 << 16;
 /// Nodes of the interpolant of bare lobes, and lights there.
 const BARE: [usize; 2] = [20, 12];
 const AT_BARE: usize = 1 << 12;
+const AT_MEANS: usize = 1 << 15;
 
 /// Bins of ln(tan(theta/2)), from ln(NARROWEST) on.
 const BINS: usize = 1 << 14;
@@ -120,12 +137,12 @@ struct Spread {
 
 impl Spread {
     /// Of so many lights about an axis, drawn by a sequence with a shift.
-    fn new(axis: Vec3, drawn: usize, shift: f64, light: impl Fn(&Draw) -> Light) -> Spread {
+    fn new(axis: Vec3, drawn: usize, shift: &Draw, light: impl Fn(&Draw) -> Light) -> Spread {
         let sequence = Recurrence::new(DIMENSIONS);
         let mut spread = Spread { bins: vec![0.0; BINS], energy: 0.0, drawn };
         for i in 0..drawn {
             let draw = std::array::from_fn(|k| {
-                let x = sequence.coordinate(i, k) + shift * (k + 1) as f64;
+                let x = sequence.coordinate(i, k) + shift[k];
                 x - x.floor()
             });
             let Some((light, energy)) = light(&draw) else { continue };
@@ -154,10 +171,11 @@ impl Spread {
         self.middle().sqrt()
     }
 
-    /// The mean over lights of a function of tan(theta/2).
-    fn mean(&self, f: impl Fn(f64) -> f64) -> f64 {
+    fn means(&self) -> Means {
         let filled = self.bins.iter().enumerate().filter(|(_, energy)| **energy > 0.0);
-        filled.map(|(k, energy)| energy * f(tangent(k as f64 + 0.5))).sum::<f64>() / self.energy
+        let cotangent = |t: f64| 0.5 * (1.0 - t * t) / t;
+        let sum = filled.map(|(k, energy)| energy * cotangent(tangent(k as f64 + 0.5))).sum::<f64>();
+        Means { cotangent: sum / self.energy, energy: self.energy / self.drawn as f64 }
     }
 }
 
@@ -166,7 +184,7 @@ fn tangent(bin: f64) -> f64 {
 }
 
 /// The bare lobe.
-fn bare([alpha, mu]: [f64; 2], drawn: usize, shift: f64) -> Spread {
+fn bare([alpha, mu]: [f64; 2], drawn: usize, shift: &Draw) -> Spread {
     let view = view(mu);
     Spread::new([-view[0], 0.0, view[2]], drawn, shift, |u| mirrored(alpha, view, u[0], u[1]))
 }
@@ -224,8 +242,16 @@ impl Tensor {
 
 /// The root of tan(theta/2) of a spread's middle, of bare lobes.
 static BARE_ROOTS: LazyLock<Tensor> = LazyLock::new(|| {
-    let [roots] = tabulated(&[ALPHA, MU], &BARE, |x| [bare([x[0], x[1]], AT_BARE, 0.0).root()]);
+    let [roots] = tabulated(&[ALPHA, MU], &BARE, |x| [bare([x[0], x[1]], AT_BARE, &UNMOVED).root()]);
     roots
+});
+
+/// ln(alpha cotangent) and the energy, of the means of bare lobes.
+static BARE_MEANS: LazyLock<[Tensor; 2]> = LazyLock::new(|| {
+    tabulated(&[ALPHA, MU], &BARE, |x| {
+        let Means { cotangent, energy } = bare([x[0], x[1]], AT_MEANS, &UNMOVED).means();
+        [ops::log(x[0] * cotangent), energy]
+    })
 });
 
 /// The alpha of the bare lobe of a root of tan(theta/2), from their interpolant.
@@ -278,40 +304,41 @@ fn tabulated<const N: usize>(
 
 impl Widened {
     /// The lobe of inputs.
-    fn spread(&self, x: &[f64], drawn: usize, shift: f64) -> Spread {
+    fn spread(&self, x: &[f64], drawn: usize, shift: &Draw) -> Spread {
         let view = view(x[1]);
         Spread::new([-view[0], 0.0, view[2]], drawn, shift, (self.lights)(view, x))
     }
 
     /// Roughness, radius, and the value beside them, by one sequence.
-    fn by(&self, x: &[f64], drawn: usize, shift: f64) -> Vec<f64> {
+    fn by(&self, x: &[f64], drawn: usize, shift: &Draw) -> Vec<f64> {
         let middle = self.spread(x, drawn, shift).middle();
         let off = |alpha: f64| ops::log(bare([alpha, x[1]], drawn, shift).middle() / middle);
         let guess = quick_alpha(middle.sqrt(), x[1]);
         let alpha = rising([0.95 * guess, 1.05 * guess], &off);
         let mut values = vec![alpha.sqrt(), 2.0 * ops::atan(middle)];
-        values.extend(self.beside.as_ref().map(|own| (own.of)(x, &bare([x[0], x[1]], drawn, shift))));
+        values.extend(self.beside.as_ref().map(|own| (own.of)(x, bare([x[0], x[1]], drawn, shift).means())));
         values
     }
 
-    /// The interpolants of the root and of what is beside it, made at the first call.
-    fn known(&self) -> &[Tensor; 2] {
-        let of = |own: &Beside, x: &[f64]| (own.smooth)(x, (own.of)(x, &bare([x[0], x[1]], AT_BARE, 0.0)));
-        let at = |x: &[f64]| {
-            let beside = self.beside.as_ref().map_or(0.0, |own| of(own, x));
-            [self.spread(x, self.drawn, 0.0).root(), beside]
-        };
-        self.known.get_or_init(|| tabulated(self.inputs, self.nodes, at))
+    /// The interpolant of the root, made at the first call.
+    fn known(&self) -> &Tensor {
+        self.known.get_or_init(|| {
+            let [roots] =
+                tabulated(self.inputs, self.nodes, |x| [self.spread(x, self.drawn, &UNMOVED).root()]);
+            roots
+        })
     }
 
     /// The outputs of many points, but for the error.
     fn quick(&self, x: &[f64]) -> Vec<f64> {
-        let [roots, beside] = self.known();
         let place: Vec<f64> =
             x.iter().zip(self.inputs).map(|(x, input)| coordinate(input.name, *x)).collect();
-        let root = roots.at(&place);
+        let root = self.known().at(&place);
         let mut values = vec![quick_alpha(root, x[1]).sqrt(), 2.0 * ops::atan(root * root)];
-        values.extend(self.beside.as_ref().map(|own| (own.back)(x, beside.at(&place))));
+        values.extend(self.beside.as_ref().map(|own| {
+            let [cotangent, energy] = BARE_MEANS.each_ref().map(|means| means.at(&place[..2]));
+            (own.of)(x, Means { cotangent: ops::exp(cotangent) / x[0], energy })
+        }));
         values
     }
 
@@ -373,11 +400,13 @@ impl Quantity for Widened {
         let place = || format!("{x:?}");
         let (mut drawn, mut reached) = (FIRST, f64::INFINITY);
         while drawn <= LAST {
-            let all: Vec<Vec<f64>> =
-                (0..SHIFTS).map(|k| self.by(x, drawn, k as f64 / SHIFTS as f64)).collect();
+            let all: Vec<Vec<f64>> = MOVED.iter().map(|shift| self.by(x, drawn, shift)).collect();
             let column = |k: usize| all.iter().map(|row| row[k]).collect::<Vec<f64>>();
             let columns: Vec<Vec<f64>> = (0..all[0].len()).map(column).collect();
-            reached = columns.iter().map(|column| 3.0 * sum::standard_error(column)).fold(0.0, f64::max);
+            // What is beside them may be far below 1, and is a factor: its error is relative.
+            let scale = |(k, column): (usize, &Vec<f64>)| if k < 2 { 1.0 } else { sum::mean(column) };
+            let error = |at: (usize, &Vec<f64>)| 3.0 * sum::standard_error(at.1) / scale(at);
+            reached = columns.iter().enumerate().map(error).fold(0.0, f64::max);
             if columns.iter().flatten().any(|value| !value.is_finite()) {
                 return Err(IntegrateError::NotFinite { quantity: self.name, place: place() });
             }

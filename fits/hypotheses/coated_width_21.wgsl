@@ -7,7 +7,7 @@ override c5: f32 = -0.1467;
 
 /// Roughness of the lobe that is as wide as a base's seen through a rough coat: weights of base and coat
 /// that fall with the cosine and with their own widths.
-fn coated_width_a2(roughness: f32, mu: f32, coat_roughness: f32, ior: f32) -> f32 {
+fn coated_width_21(roughness: f32, mu: f32, coat_roughness: f32, ior: f32) -> f32 {
     let base = roughness * roughness;
     let coat = coat_roughness * coat_roughness;
     let more = base * base * (c0 + c1 * mu + c2 * base) + coat * (c3 + c4 * mu + c5 * coat);
