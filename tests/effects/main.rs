@@ -10,6 +10,7 @@ mod published_support;
 mod accuracy;
 mod axis;
 mod azimuth;
+mod beckmann_fits;
 mod catalogue;
 mod hypotheses;
 mod lookup;

@@ -745,6 +745,13 @@ fn other_files() {
         ),
         (
             "a.json",
+            scene(
+                r#""kind":"metal","f0":1,"roughness":0.5,"distribution":"beckmann","wants":{"tables":[{"layout":"area-lights"}]}"#,
+            ),
+            "a.json:1:151: materials[0].wants.tables[0].layout: it is of the distribution `ggx`; with `beckmann` ask for tables of isotropic lobes and of glass, and for fits",
+        ),
+        (
+            "a.json",
             scene(r#""kind":"cloth","f0":1,"roughness":0.5"#),
             "a.json:1:59: materials[0].kind: unknown variant `cloth`, expected one of `metal`, `dielectric`, `glass`",
         ),

@@ -188,6 +188,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let exact = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1,"wants":{"exact_fresnel":{"max_ops":47}}}]}"#;
     let refracted = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":1.5,"roughness":1,"wants":{"refracted_width":{"max_ops":4}}}]}"#;
     let coated = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"coat":{"roughness":[0.1,1],"ior":1.6,"max_ops":8}}]}"#;
+    let beckmann = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1,"distribution":"beckmann","base":{"roughness":0.5},"wants":{"fit":{"max_ops":9},"tables":[{"layout":"plain"}]}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -229,6 +230,20 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"glass\"", "\"dielectric\""),
                 ("\"glass\",\"ior\":1.5", "\"metal\",\"f0\":1"),
                 ("\"max_ops\":4", "\"blend\":true"),
+            ],
+        ),
+        (
+            beckmann,
+            &[
+                ("\"beckmann\"", "\"phong\""),
+                ("\"beckmann\"", "\"beckmann\",\"anisotropy\":0.5"),
+                ("\"beckmann\"", "\"beckmann\",\"coat\":{\"roughness\":0.1}"),
+                ("{\"roughness\":0.5}", "{}"),
+                ("\"max_ops\":9", "\"average\":true"),
+                ("\"max_ops\":9", "\"multiscatter\":true"),
+                ("\"fit\":{\"max_ops\":9}", "\"exact_fresnel\":{}"),
+                ("\"fit\":{\"max_ops\":9}", "\"widened\":{\"light_radius\":0.1}"),
+                ("\"plain\"", "\"area-lights\""),
             ],
         ),
         (

@@ -21,6 +21,7 @@ fn of_lanes(attacks: &mut Vec<Attack>) {
         |x| vec![lanes::exp(&[x[0]; LANES])[3]],
         |x| vec![x[0].exp()],
     ));
+    attacks.push(Attack::of("math::lanes::exp_of", |x| vec![lanes::exp_of(x[0])], |x| vec![x[0].exp()]));
     attacks.push(Attack::of("math::lanes::ln", |x| vec![lanes::ln(&[x[0]; LANES])[5]], |x| vec![x[0].ln()]));
     attacks.push(Attack::of(
         "math::lanes::sincos_turns",

@@ -162,7 +162,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             bound: 1e-6,
             ..lobe
         },
-        "ggx-glass" => Spec {
+        "ggx-glass" | "beckmann-glass" => Spec {
             inputs: &[Input::Ior, Input::Alpha, Input::Mu],
             knots: const { &[root([1.0, MOST_IOR], 20), root([GLASS_ALPHA, 1.0], 20), root([1e-3, 1.0], 40)] },
             columns: &column::GLASS,
@@ -195,7 +195,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
 /// them, and of glass; `None` of every other. The rule leaves 1e-5 where the lobe is narrow.
 pub(in crate::audit) fn averaged(quantity: &dyn Quantity) -> Option<Spec<'_>> {
     let own = spec(quantity)?;
-    if quantity.name() == "ggx-glass" {
+    if ["ggx-glass", "beckmann-glass"].contains(&quantity.name()) {
         return Some(Spec {
             inputs: &[Input::Ior, Input::Alpha],
             knots: const { &[root([1.0, MOST_IOR], 20), root([GLASS_ALPHA, 1.0], 20)] },

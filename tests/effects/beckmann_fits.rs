@@ -1,0 +1,53 @@
+//! The constants that stand in the files of Beckmann's formulas: what they are promised to keep over
+//! the default domain, on a grid of it with its edges.
+
+use lobefit::effects::reflection::BECKMANN;
+use lobefit_promises::{Fitted, broken};
+use lobefit_shade::Hypothesis;
+use lobefit_truth::optics::Smith;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{BECKMANN_REFLECTION, Quantity};
+
+/// Places along an axis.
+const N: usize = 250;
+
+#[test]
+fn the_constants_in_the_files_keep_what_is_promised() {
+    let at = |i: usize, low: f64| low + (1.0 - low) * i as f64 / (N - 1) as f64;
+    let roughness: Vec<f64> = (0..N * N).map(|i| at(i / N, 0.02)).collect();
+    // Closer together at grazing views.
+    let mu: Vec<f64> = (0..N * N).map(|i| at(i % N, 0.1) * at(i % N, 0.1)).collect();
+    let alpha: Vec<f64> = roughness.iter().map(|r| r * r).collect();
+    let points = Points::new([("alpha", alpha.clone()), ("mu", mu.clone())]);
+    let truth =
+        BECKMANN_REFLECTION.truth(&Smith::Correlated.into(), &points, &["E", "B"], 1e-7).expect("values");
+    let [e, b] = truth.arrays();
+    let error = |formula: &Hypothesis, f0: f64, wanted: &dyn Fn(usize, f64) -> f64| {
+        let column = |name: &String| match name.as_str() {
+            "roughness" => roughness.clone(),
+            "alpha" => alpha.clone(),
+            "mu" => mu.clone(),
+            _ => vec![f0; N * N],
+        };
+        let inputs: Vec<Vec<f64>> = formula.inputs().iter().map(column).collect();
+        let values = formula.tape().evaluate(&inputs, &formula.starts()).expect("values");
+        values.iter().enumerate().map(|(i, value)| wanted(i, *value).abs()).fold(0.0, f64::max)
+    };
+    let parsed: Vec<Hypothesis> = BECKMANN
+        .entries()
+        .map(|entry| Hypothesis::parse(entry.file, entry.source).expect("a formula"))
+        .collect();
+    let found = parsed.iter().map(|formula| Fitted {
+        name: formula.name(),
+        ops: formula.tape().cost_ops(),
+        error: match formula.name().starts_with("beckmann_norm_") {
+            true => error(formula, 1.0, &|i, n| n * e[i] - 1.0),
+            false => {
+                let of_b = error(formula, 0.0, &|i, value| value - b[i]);
+                error(formula, 1.0, &|i, value| value - e[i]).max(of_b)
+            }
+        },
+    });
+    let broken = broken("tests/effects/beckmann_fits.rs", &found.collect::<Vec<_>>());
+    assert!(broken.is_empty(), "docs/promises.json:\n{}", broken.join(",\n"));
+}
