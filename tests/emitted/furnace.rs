@@ -26,6 +26,7 @@ use lobefit::emit::compensation::Compensation;
 use lobefit_math::ops;
 use lobefit_truth::integrate::aniso::aniso;
 use lobefit_truth::integrate::glass::{Side, glass};
+use lobefit_truth::quantity::GGX_GLASS;
 use rayon::prelude::*;
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];

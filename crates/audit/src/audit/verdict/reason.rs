@@ -41,7 +41,7 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> String {
             plain.untold.join(", and "),
             plain.options
         ),
-        _ => format!("{}", done.unjudged().unwrap_or_default()),
+        _ => done.unjudged().unwrap_or_default(),
     }
 }
 
