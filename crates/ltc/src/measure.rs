@@ -40,7 +40,8 @@ pub struct Deviation {
     pub mean: f64,
     /// Roughness and mu of the largest.
     pub at: [f64; 2],
-    /// The largest as a part of the light that it is in: of E, also where the error is B's, which falls to 1e-8
+    /// The largest as a part of the light that it is in: of E, also where the error is B's, which falls to
+    /// 1e-8
     /// itself.
     pub relative: f64,
     /// Values that were looked at.
@@ -212,7 +213,8 @@ fn spheres(pair: &Pair) -> Deviation {
 }
 
 /// Measures a pair: squares at places even in roughness and in sqrt(1 - mu), by turns at texels and
-/// between them, and by half texels about the worst of those; E and B at all texels and at thirds between them. `alpha` is that of a roughness.
+/// between them, and by half texels about the worst of those; E and B at all texels and at thirds between
+/// them. `alpha` is that of a roughness.
 ///
 /// # Errors
 /// A truth that cannot be integrated; a texel with a value that is no number.

@@ -14,7 +14,8 @@ pub fn bytes(side: usize, each: u64) -> u64 {
     8 * (side * side) as u64 * each
 }
 
-/// The side that is stated, or the first half, quarter, ... of which both textures are within so many bytes; as stated where
+/// The side that is stated, or the first half, quarter, ... of which both textures are within so many bytes;
+/// as stated where
 /// no half is that small.
 pub fn side_within(stated: usize, each: u64, most: u64) -> usize {
     let mut halves = std::iter::successors(Some(stated), |n| Some(n / 2).filter(|n| *n > 1));

@@ -154,7 +154,8 @@ fn the_emitted_function_is_the_closed_form() {
     assert!((exact - found).abs() < 1e-6, "{found}, not {exact}");
 }
 
-/// An edge that passes near the point, whose ends are nearly opposite as the point sees them: directions of f32 are
+/// An edge that passes near the point, whose ends are nearly opposite as the point sees them: directions of
+/// f32 are
 /// off by 6e-8, of the edge's sine of about 2 over its length by the distance.
 #[test]
 fn a_long_thin_light_near_the_point_keeps_its_digits() {

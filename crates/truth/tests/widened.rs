@@ -151,7 +151,8 @@ fn place(tangent: f64) -> f64 {
     (tangent / 1e-6).ln() / STEP
 }
 
-/// Integrals of a bare lobe over rings about the mirror direction, even in ln(tan(theta/2)): the middle of the ring in rings,
+/// Integrals of a bare lobe over rings about the mirror direction, even in ln(tan(theta/2)): the middle of
+/// the ring in rings,
 /// its energy, and its energy with `wider` of theta in place of the sine.
 fn rings(alpha: f64, mu: f64, wider: &dyn Fn(f64) -> f64) -> Vec<[f64; 3]> {
     const TURNS: usize = 100;
@@ -159,7 +160,8 @@ fn rings(alpha: f64, mu: f64, wider: &dyn Fn(f64) -> f64) -> Vec<[f64; 3]> {
     let (view, axes) = ([sine, 0.0, mu], [[mu, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, mu]]);
     let one = |i: usize| {
         let theta = 2.0 * ((i as f64 + 0.5) * STEP + 1e-6_f64.ln()).exp().atan();
-        // Half of a turn: the other is its mirror image. A grazing lobe is narrow across the plane of incidence.
+        // Half of a turn: the other is its mirror image. A grazing lobe is narrow across the plane of
+        // incidence.
         let at = |k: usize| {
             let (y, x) = (std::f64::consts::PI * (k as f64 + 0.5) / TURNS as f64).sin_cos();
             let square = x * x + mu * y * y;
@@ -223,7 +225,8 @@ fn half_of_the_energy_of_facets_lies_within_the_radius() {
     }
 }
 
-/// The energy of a lobe over that at the nearest point of a disk: a light whose nearest point lies at theta has its middle at
+/// The energy of a lobe over that at the nearest point of a disk: a light whose nearest point lies at theta
+/// has its middle at
 /// theta + radius, and all within the radius have the peak.
 fn normalisation([alpha, mu, radius]: [f64; 3]) -> f64 {
     let wider = |theta: f64| if theta + radius < std::f64::consts::PI { (theta + radius).sin() } else { 0.0 };
@@ -234,7 +237,8 @@ fn normalisation([alpha, mu, radius]: [f64; 3]) -> f64 {
     own / (moved + peak)
 }
 
-/// The energy of a lobe at the nearest point of a disk, by rings about the mirror direction, at single places and of many.
+/// The energy of a lobe at the nearest point of a disk, by rings about the mirror direction, at single places
+/// and of many.
 #[test]
 fn the_normalisation_is_that_of_the_energy() {
     let mut lacking = Vec::new();

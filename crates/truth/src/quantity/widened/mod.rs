@@ -10,7 +10,8 @@
 //! that the tails of GGX leave finite, where a variance is infinite.
 //!
 //! Values are means over sequences with random shifts of their own in every dimension; `error` is three
-//! standard errors of the mean by their spread, of `normalisation` as a part of it. Lobe and bare lobe are drawn by the same numbers, whose errors cancel in r' where
+//! standard errors of the mean by their spread, of `normalisation` as a part of it. Lobe and bare lobe are
+//! drawn by the same numbers, whose errors cancel in r' where
 //! little is widened. Many points come from one interpolant over the whole domain.
 
 mod averaged;
@@ -77,7 +78,8 @@ struct Beside {
     used: &'static [Use],
 }
 
-/// Means over the lights of a bare lobe: of the cotangent of the angle to the mirror direction by energy, and of
+/// Means over the lights of a bare lobe: of the cotangent of the angle to the mirror direction by energy, and
+/// of
 /// the energy of a light that is drawn.
 struct Means {
     cotangent: f64,
