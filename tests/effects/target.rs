@@ -185,7 +185,7 @@ fn a_generic_quantity_is_sampled_over_all_its_inputs() {
     assert!(target.is_dear());
     let sampled = target.at(&[vec![0.35, 0.5, 1.5]], &[1.0]).expect("T");
     let alpha = sampled.points.column("alpha").expect("alpha")[0];
-    let exact = quantity::GgxGlass.at(&variant, &[alpha, 0.5, 1.5], 1e-8).expect("T");
+    let exact = quantity::GGX_GLASS.at(&variant, &[alpha, 0.5, 1.5], 1e-8).expect("T");
     assert!((sampled.target[0] - exact[1]).abs() < 1e-6, "{} {}", sampled.target[0], exact[1]);
 }
 

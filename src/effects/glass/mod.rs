@@ -141,6 +141,7 @@ impl Sliced for Glass {
         let glass = || all().filter(|m| m.distribution == self.ndf);
         let wanting: Vec<&Material> = glass().filter(|m| !m.wants.tables.is_empty()).collect();
         match (glass().next(), wanting.is_empty()) {
+            (None, _) if self.ndf == Ndf::Beckmann => no_distribution(self.ndf, "material"),
             (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
             (None, _) => "no material transmits light".into(),
             (_, true) => "no glass wants tables".into(),
