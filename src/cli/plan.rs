@@ -72,9 +72,10 @@ fn text(plan: &Plan, notes: &[Note]) -> String {
         out += &effect_text(effect);
     }
     out += "left out\n";
-    for left in &plan.left_out {
+    for of_one_reason in plan.left_out.chunk_by(|a, b| a.reason == b.reason) {
+        let effects = of_one_reason.iter().map(|left| left.effect).collect::<Vec<_>>().join(", ");
         // Writing to a string cannot fail.
-        let _ = writeln!(out, "  {:<17}{}", left.effect, visible(&left.reason));
+        let _ = writeln!(out, "  {effects:<16} {}", visible(&of_one_reason[0].reason));
     }
     for (about, title) in [(About::Missing, "not in this version"), (About::Reading, "notes")] {
         let all: Vec<&Note> = notes.iter().filter(|note| note.about == about).collect();

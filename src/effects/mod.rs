@@ -49,9 +49,9 @@ pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 pub fn catalogue() -> &'static [&'static dyn Effect] {
     static ALL: [&dyn Effect; 14] = [
         &reflection::GGX,
-        &reflection::BECKMANN,
         &anisotropy::Anisotropy,
         &glass::GGX,
+        &reflection::BECKMANN,
         &glass::BECKMANN,
         &dielectric::Dielectric,
         &width::Width,

@@ -51,7 +51,8 @@ impl Scene {
 }
 
 impl TableWant {
-    /// Leaves the size to the bake, within so many bytes. The path tracer's layout has its own; a pair's is halved.
+    /// Leaves the size to the bake, within so many bytes. The path tracer's layout has its own; a pair's is
+    /// halved.
     fn open(&mut self, max_error: Option<f64>, max_bytes: u64) {
         if self.layout != Layout::PathTracer {
             self.size = self.size.take().filter(|size| size.len() > 2 || self.layout == Layout::AreaLights);

@@ -214,7 +214,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         { "properties": { "distribution": { "const": "ggx" } } },
         { "properties": {
             "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "coat": false,
-            "base": { "anyOf": [{ "required": ["roughness"] }, { "properties": { "albedo": { "const": 0.0 } } }] },
+            "base": { "anyOf": [{ "required": ["roughness"] }, { "required": ["albedo"], "properties": { "albedo": { "maximum": 0.0, "items": { "maximum": 0.0 } } } }] },
             "wants": { "properties": {
                 "exact_fresnel": false, "refracted_width": false, "widened": false,
                 "fit": { "properties": { "average": { "const": false }, "multiscatter": { "const": false } } },

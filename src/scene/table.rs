@@ -136,8 +136,8 @@ struct TableFile {
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
     /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
-    /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32, and 4
-    /// slices where the materials have one anisotropy or one index of refraction.
+    /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
+    /// 128x128x32, and 4 slices where the materials have one anisotropy or one index of refraction.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,
@@ -146,9 +146,9 @@ struct TableFile {
     format: Maybe<Word<TexelFormat>>,
     /// What the table is looked up for; default `albedo`, the only one with a third axis and of `area-lights`.
     serves: Maybe<Word<Serves>>,
-    /// Limit on the lookup error, of `area-lights` on the share of a square light; the bake fails where it is exceeded. Default
-    /// of two axes without `size`, but for `area-lights`: 0.001 for `albedo`, 0.003 for `split-sum`; else no limit, and the
-    /// bake says the error.
+    /// Limit on the lookup error, of `area-lights` on the share of a square light; the bake fails where it is
+    /// exceeded. Default of two axes without `size`, but for `area-lights`: 0.001 for `albedo`, 0.003 for
+    /// `split-sum`; else no limit, and the bake says the error.
     max_error: Maybe<In<ErrorLimit>>,
     /// Range [lo, hi] of the cosine of the view over which the error is measured and texels are
     /// optimised; default [0.001, 1]. A plain layout cannot follow the lobe at grazing views.

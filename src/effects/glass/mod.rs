@@ -1,5 +1,6 @@
-//! The effects `glass` and `beckmann-glass`, of either distribution of normals: tables of R + T of a rough dielectric interface over mu, roughness and index
-//! of refraction, one for rays from outside and one for rays from inside.
+//! The effects `glass` and `beckmann-glass`, of either distribution of normals: tables of R + T of a rough
+//! dielectric interface over mu, roughness and index of refraction, one for rays from outside and one for
+//! rays from inside.
 //!
 //! | table | size | columns | rows | slices | texel |
 //! |---|---|---|---|---|---|
@@ -141,6 +142,7 @@ impl Sliced for Glass {
         let glass = || all().filter(|m| m.distribution == self.ndf);
         let wanting: Vec<&Material> = glass().filter(|m| !m.wants.tables.is_empty()).collect();
         match (glass().next(), wanting.is_empty()) {
+            (None, _) if self.ndf == Ndf::Beckmann => no_distribution(self.ndf, "material"),
             (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
             (None, _) => "no material transmits light".into(),
             (_, true) => "no glass wants tables".into(),

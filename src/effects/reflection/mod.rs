@@ -1,4 +1,4 @@
-//! The effects `reflection` and `beckmann-reflection`: the specular lobe of rough metals and
+//! The effects `reflection` and `beckmann`: the specular lobe of rough metals and
 //! dielectrics, of either distribution of normals. Quantities `ggx-reflection`, `ggx-average` and
 //! `beckmann-reflection`.
 
@@ -83,7 +83,7 @@ pub static GGX: Reflection = Reflection {
 /// Of Beckmann's distribution: what GGX has but averages.
 pub static BECKMANN: Reflection = Reflection {
     ndf: Ndf::Beckmann,
-    name: "beckmann-reflection",
+    name: "beckmann",
     lobe: &quantity::BECKMANN_REFLECTION,
     tables: ["beckmann-dfg", "beckmann_albedo", "beckmann_dfg"],
     roles: ["beckmann_energy_compensation", "beckmann_average_albedo", "beckmann_directional_albedo"],

@@ -1,5 +1,6 @@
-//! `ggx-glass`, `beckmann-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from
-//! either side, with exact Fresnel and total internal reflection. Isotropic; energy, so no 1/eta^2; a ray that leaves on the wrong side counts 0.
+//! `ggx-glass`, `beckmann-glass`: energy that a rough dielectric interface reflects (R) and transmits (T),
+//! from either side, with exact Fresnel and total internal reflection. Isotropic; energy, so no 1/eta^2; a
+//! ray that leaves on the wrong side counts 0.
 //!
 //! Facets are swept in polar coordinates about the view: the angle theta_d between view and facet
 //! normal, on which Fresnel, the half angle of the reflection and the deviation of the refraction

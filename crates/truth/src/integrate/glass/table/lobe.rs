@@ -15,8 +15,8 @@ pub struct Lobe<D> {
     pub rest: f64,
     pub mu: f64,
     pub sine: f64,
-    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l = [`Distribution::area`](crate::optics::distribution::Distribution::area): both Smith
-    /// forms.
+    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l =
+    /// [`Distribution::area`](crate::optics::distribution::Distribution::area): both Smith forms.
     pub own: f64,
     pub other: f64,
     pub factor: f64,

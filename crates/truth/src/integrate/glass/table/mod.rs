@@ -1,5 +1,5 @@
-//! Tables of `ggx-glass` and `beckmann-glass`: R and T for hundreds of thousands of texels, in microseconds each where
-//! the truth (`super::glass`) takes milliseconds.
+//! Tables of `ggx-glass` and `beckmann-glass`: R and T for hundreds of thousands of texels, in microseconds
+//! each where the truth (`super::glass`) takes milliseconds.
 //!
 //! The kernel shares with the truth nothing but Fresnel's formula. Transmission is swept over the
 //! light on the far side, where Fresnel and the distribution are rational (`transmit`, its pieces
