@@ -100,7 +100,20 @@ fn plan_prints_the_keys_of_the_contract() {
     assert_eq!(effect["ranges"]["roughness"], serde_json::json!([0.02, 1.0]));
     let left: Vec<&str> =
         plan["left_out"].as_array().unwrap().iter().filter_map(|l| l["effect"].as_str()).collect();
-    assert_eq!(left, ["dielectric", "width", "clearcoat", "eon", "sheen", "ltc", "occlusion"]);
+    assert_eq!(
+        left,
+        [
+            "beckmann",
+            "beckmann-glass",
+            "dielectric",
+            "width",
+            "clearcoat",
+            "eon",
+            "sheen",
+            "ltc",
+            "occlusion"
+        ]
+    );
     assert!(names(folder.path()).is_empty());
 }
 

@@ -31,7 +31,8 @@ fn fits_alone_show_refits_beside_the_published_forms() -> Outcome {
         file: "mine.wgsl".into(),
         source: "override a: f32 = 0.5;\nfn mine(alpha: f32) -> f32 { return 1.0 + a * alpha; }".into(),
     };
-    let (findings, page) = report(r#"{"fit": {"max_ops": 3, "norms": ["max", "rms"]}}"#, &[own])?;
+    let (findings, page) =
+        report(r#"{"fit": {"max_ops": 3, "norms": ["max", "rms"], "hypotheses": ["mine.wgsl"]}}"#, &[own])?;
     let shown = list(&findings, "fits", "name");
     for name in ["ggx_norm_n1", "ggx_norm_n2", "ggx_norm_pesce_n1", "ggx_norm_pesce_n2", "mine"] {
         assert!(shown.contains(&name), "{name} is not among {shown:?}");

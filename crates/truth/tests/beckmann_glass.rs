@@ -37,8 +37,10 @@ fn lambda(alpha: f64, cosine: f64) -> f64 {
 /// R and T by a plain sum over slopes (x, y) in units of alpha: facets have the density exp(-x^2 - y^2)/pi,
 /// and the view sees (v.h)/(mu h_z) G2 of each; Fresnel from its two polarisations.
 fn by_slopes(smith: Smith, [alpha, mu, ior]: [f64; 3], side: Side) -> [f64; 2] {
-    const N: i32 = 250;
-    const REACH: f64 = 6.0;
+    // Next to total reflection Fresnel's term has the slope of a root.
+    const N: i32 = 380;
+    // Beyond lies 1e-9.
+    const REACH: f64 = 4.5;
     let eta = if side == Side::Outside { 1.0 / ior } else { ior };
     let (sine, of_view) = ((1.0 - mu * mu).sqrt(), lambda(alpha, mu));
     let step = REACH / f64::from(N);
@@ -74,16 +76,11 @@ fn by_slopes(smith: Smith, [alpha, mu, ior]: [f64; 3], side: Side) -> [f64; 2] {
 
 #[test]
 fn it_is_the_integral_over_slopes() {
-    for smith in Smith::ALL {
-        for place in &PLACES {
-            for side in Side::ALL {
-                let (exact, sum) = (truth(smith, place, side), by_slopes(smith, *place, side));
-                for (k, value) in sum.into_iter().enumerate() {
-                    assert!(
-                        (exact[k] - value).abs() < 1e-4,
-                        "{smith:?} {place:?} {side:?}: {exact:?} {sum:?}"
-                    );
-                }
+    for (k, place) in PLACES.iter().enumerate() {
+        for (side, smith) in Side::ALL.into_iter().zip([Smith::ALL[k % 2], Smith::ALL[(k + 1) % 2]]) {
+            let (exact, sum) = (truth(smith, place, side), by_slopes(smith, *place, side));
+            for (k, value) in sum.into_iter().enumerate() {
+                assert!((exact[k] - value).abs() < 1e-4, "{smith:?} {place:?} {side:?}: {exact:?} {sum:?}");
             }
         }
     }

@@ -45,7 +45,11 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
     if !left_out.is_empty() {
-        let rows = left_out.iter().map(|l| vec![l.effect.clone(), numbers::shortened(&l.reason)]).collect();
+        let row = |of_one_reason: &[LeftOut]| {
+            let effects = of_one_reason.iter().map(|l| l.effect.as_str()).collect::<Vec<_>>().join(", ");
+            vec![effects, numbers::shortened(&of_one_reason[0].reason)]
+        };
+        let rows = left_out.chunk_by(|a, b| a.reason == b.reason).map(row).collect();
         let caption = "Left out: not integrated, fitted, emitted or shown below.";
         blocks.push(Block::Table(words::table(&[("left out", false), ("reason", false)], rows, caption)));
     }
