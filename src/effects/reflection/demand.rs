@@ -16,10 +16,24 @@ use crate::scene::{Lobe, Material, Scene, Serves};
 use lobefit_math::ops::log;
 use lobefit_truth::quantity::Specular;
 
-/// Seconds of one truth E.
-const E_S: f64 = 0.65e-6;
-/// Seconds of one truth E and B.
-const SPLIT_S: f64 = 7e-6;
+/// Seconds of the truth of a distribution on one core.
+pub(super) struct TruthPrice {
+    /// Of E, and of E and B, at a point that tables are judged at.
+    judged: [f64; 2],
+    /// Of E at a point of a certificate of a fit.
+    certified: f64,
+    /// Of the fits of f0 A + B.
+    blends: f64,
+}
+
+/// Of GGX, whose lobe is integrated in lanes.
+pub(super) const GGX_PRICE: TruthPrice =
+    TruthPrice { judged: [0.65e-6, 7e-6], certified: 0.65e-6, blends: 0.9 };
+
+/// Of Beckmann, by integrals of single points.
+pub(super) const BECKMANN_PRICE: TruthPrice =
+    TruthPrice { judged: [20e-6, 15e-6], certified: 1.3e-6, blends: 6.5 };
+
 /// Seconds of one optimised texel of a table of E: some 17 truths and its share of the
 /// optimisation.
 const TEXEL_E_S: f64 = 45e-6;
@@ -45,8 +59,7 @@ const NARROW: (f64, f64) = (0.6, 3.0);
 /// that it emits.
 const UNSHOWN: f64 = 0.25;
 
-/// Seconds of the truth of the fits of f0 A + B, and of one of them.
-const BLEND_TRUTH_S: f64 = 0.9;
+/// Seconds of a fit of f0 A + B.
 const BLEND_FIT_S: f64 = 0.1;
 
 /// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges
@@ -260,7 +273,7 @@ impl Reflection {
 
 /// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for
 /// the first of the tables that are measured there.
-pub(super) fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
+pub(super) fn table_seconds(i: usize, jobs: &[TableJob], price: &TruthPrice) -> f64 {
     let job = &jobs[i];
     let texels = if job.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
     let own = texels * texel_seconds(job);
@@ -268,7 +281,7 @@ pub(super) fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
         return own;
     }
     let split = |j: &TableJob| j.roughness == job.roughness && j.serves == Serves::SplitSum;
-    own + JUDGED * if jobs.iter().any(split) { SPLIT_S } else { E_S }
+    own + JUDGED * price.judged[usize::from(jobs.iter().any(split))]
 }
 
 /// Seconds of an optimised texel.
@@ -288,12 +301,17 @@ impl Reflection {
         let averages = if wants.average { self.averages.len() } else { 0 };
         let searches = ((normalisations + averages) * norms) as f64;
         let certificates = searches + (self.seeds.len() + self.published.len()) as f64;
-        let blends =
-            if wants.blend { BLEND_TRUTH_S + (self.blends.len() * norms) as f64 * BLEND_FIT_S } else { 0.0 };
+        let blends = if wants.blend {
+            self.price.blends + (self.blends.len() * norms) as f64 * BLEND_FIT_S
+        } else {
+            0.0
+        };
         let width = job.range("roughness").map_or(NARROW.0, |[low, high]| high - low);
         let search = OPTIMISE_S * (1.0 + NARROW.1 * log(NARROW.0 / width).max(0.0));
         let Emission { pick, shown, .. } = job.emission(scene, self.roles[0]);
         let made = if shown || pick != Pick::Best { 1.0 } else { UNSHOWN };
-        CERTIFIED * E_S + made * (searches * search + certificates * CERTIFIED * EVALUATION_S) + blends
+        CERTIFIED * self.price.certified
+            + made * (searches * search + certificates * CERTIFIED * EVALUATION_S)
+            + blends
     }
 }

@@ -50,6 +50,8 @@ pub struct Reflection {
     published_averages: &'static [Entry],
     /// Operations and error of the normalisations that none beats, where they are recorded.
     reached: &'static [(u32, f64)],
+    /// What its truth takes.
+    price: &'static demand::TruthPrice,
     prefixes: &'static [&'static str],
     notes: &'static [Note],
 }
@@ -70,6 +72,7 @@ pub static GGX: Reflection = Reflection {
     published_blends: &PUBLISHED_BLENDS,
     published_averages: &PUBLISHED_AVERAGES,
     reached: &REACHED,
+    price: &demand::GGX_PRICE,
     prefixes: &[
         "ggx_albedo",
         "ggx_dfg",
@@ -96,6 +99,7 @@ pub static BECKMANN: Reflection = Reflection {
     published_blends: &[],
     published_averages: &[],
     reached: &[],
+    price: &demand::BECKMANN_PRICE,
     prefixes: &[
         "beckmann_albedo",
         "beckmann_dfg",

@@ -38,7 +38,7 @@ impl Family for Reflection {
     }
 
     fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
-        table_seconds(i, jobs)
+        table_seconds(i, jobs, self.price)
     }
 
     fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {
