@@ -15,18 +15,14 @@ const ANSWERS: &str = include_str!("../../reports/index.json");
 /// of this program: their word in the bar, what they show, and their file.
 const BESIDE: [(&str, &str, &str); 6] = [
     ("costs", "What accuracy costs: every formula on the GPUs of every vendor", "cost.html"),
-    ("probe study", "Study: lookups of probes in rooms whose light is known", "studies/parallax/index.html"),
-    ("base study", "Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
+    ("probes", "Study: lookups of probes in rooms whose light is known", "studies/parallax/index.html"),
+    ("bases", "Study: diffuse bases under specular lobes", "studies/coupling/index.html"),
     (
-        "stability study",
+        "stability",
         "Study: hard cases, the textbook's formula beside the stable one",
         "studies/stability/index.html",
     ),
-    (
-        "culling study",
-        "Study: occlusion buffers from depth that is frames old",
-        "studies/occlusion/index.html",
-    ),
+    ("culling", "Study: occlusion buffers from depth that is frames old", "studies/occlusion/index.html"),
     ("times", "Times of the functions on an NVIDIA H200", "gpu/nvidia-h200.html"),
 ];
 
