@@ -267,8 +267,8 @@ fn the_normalisation_is_that_of_the_energy() {
 }
 
 /// Means of single sequences scatter as the stated error says: shifts that go together would agree too well.
-/// The error is three standard errors of eight means: beyond it lies a mean at 2 % of the places (t with seven
-/// degrees of freedom), and of 60 places at more than four with a probability of 0.8 % (binomial).
+/// The error is three standard errors of eight means: beyond it lies a mean at 2 % of the places (t with
+/// seven degrees of freedom), and of 60 places at more than four with a probability of 0.8 % (binomial).
 #[test]
 fn the_stated_error_holds_at_nearly_all_places() {
     let mut beyond = 0;

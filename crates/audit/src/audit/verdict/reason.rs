@@ -10,7 +10,7 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> String {
             Some(plain) => {
                 format!("no reader assumes {} unless the file says so", plain.untold.join(", or "))
             }
-            None => "a part of it is to be made again".into(),
+            None => "something about it is to be mended".into(),
         };
     }
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
