@@ -8,7 +8,7 @@
 
 mod lobes;
 
-pub use lobes::{aniso, coat, glass, sobol};
+pub use lobes::{aniso, aniso_glass, coat, glass, sobol};
 pub(crate) use lobes::{check_positive, glass_of, refract, shadowing};
 
 use rand::{RngExt, SeedableRng};

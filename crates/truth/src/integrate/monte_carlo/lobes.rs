@@ -3,7 +3,7 @@
 
 use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
 use crate::integrate::IntegrateError;
-use crate::integrate::aniso::check as check_aniso;
+use crate::integrate::aniso::{check as check_aniso, glass::QUANTITY};
 use crate::integrate::glass::{SMALLEST_MU, Side, check as check_glass};
 use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Ggx};
@@ -20,7 +20,7 @@ pub fn aniso(
     phi: Option<f64>,
     run: Run,
 ) -> Result<[Sampled; 2], IntegrateError> {
-    check_aniso(alpha, mu, phi)?;
+    check_aniso("ggx-reflection-aniso", alpha, mu, phi)?;
     check_positive("ggx-reflection-aniso", &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)])?;
     check_samples(run)?;
     let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
@@ -65,7 +65,29 @@ pub(crate) fn glass_of<D: Distribution>(
         Side::Inside => ior,
     };
     let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-    let means = replicas(run, |x| one_of_glass(smith, lobe, eta, view, x));
+    let means = replicas(run, |x| one_of_distribution(smith, lobe, eta, view, x));
+    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+}
+
+/// `ggx-glass-aniso` by Monte Carlo: R, T and loss.
+pub fn aniso_glass(
+    smith: Smith,
+    alpha: [f64; 2],
+    [mu, phi]: [f64; 2],
+    (ior, side): (f64, Side),
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
+    check_aniso(QUANTITY, alpha, mu, Some(phi))?;
+    check_glass(QUANTITY, 1.0, mu, ior)?;
+    check_positive(QUANTITY, &[("alpha_x", alpha[0]), ("alpha_y", alpha[1])])?;
+    check_samples(run)?;
+    let (sine, (sin_phi, cos_phi)) = (((1.0 - mu) * (1.0 + mu)).sqrt(), ops::sincos(phi));
+    let view = [sine * cos_phi, sine * sin_phi, mu];
+    let eta = if side == Side::Outside { 1.0 / ior } else { ior };
+    let means = replicas(run, |x| {
+        let normal = ggx::visible_normal(alpha, view, x[0], x[1]);
+        one_of_glass(smith, |direction| ggx::lambda_towards(alpha, direction), eta, view, normal)
+    });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
@@ -78,14 +100,14 @@ pub fn coat(smith: Smith, alpha: f64, ior: f64, run: Run) -> Result<[Sampled; 3]
     let means = replicas(run, |x| {
         let mu = x[2].sqrt().max(SMALLEST_MU);
         let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-        let [r, t, _] = one_of_glass(smith, Ggx(alpha), 1.0 / ior, view, x);
-        [r, t, one_of_glass(smith, Ggx(alpha), ior, view, x)[0]]
+        let [r, t, _] = one_of_distribution(smith, Ggx(alpha), 1.0 / ior, view, x);
+        [r, t, one_of_distribution(smith, Ggx(alpha), ior, view, x)[0]]
     });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
-/// Reflected, transmitted and lost energy of one visible normal.
-fn one_of_glass<D: Distribution>(
+/// Reflected, transmitted and lost energy of one visible normal of a distribution.
+fn one_of_distribution<D: Distribution>(
     smith: Smith,
     lobe: D,
     eta: f64,
@@ -93,12 +115,17 @@ fn one_of_glass<D: Distribution>(
     x: [f64; DIMENSIONS],
 ) -> Weights {
     let normal = lobe.visible_normal(view, x[0], x[1]);
-    let of_view = lobe.lambda_towards(view);
+    one_of_glass(smith, |direction| lobe.lambda_towards(direction), eta, view, normal)
+}
+
+/// The same of a normal, by Lambda of a direction.
+fn one_of_glass(smith: Smith, lambda: impl Fn(Vec3) -> f64, eta: f64, view: Vec3, normal: Vec3) -> Weights {
+    let of_view = lambda(view);
     let mirrored = ggx::mirror(view, normal).0;
     let (reflectance, refracted) = refract(eta, view, normal);
     let (mut kept_r, mut kept_t, mut lost) = (0.0, 0.0, 0.0);
     if mirrored[2] > 0.0 {
-        let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(mirrored));
+        let (kept, shadowed) = shadowing_of(smith, of_view, lambda(mirrored));
         kept_r = reflectance * kept;
         lost += reflectance * shadowed;
     } else {
@@ -106,7 +133,7 @@ fn one_of_glass<D: Distribution>(
     }
     match refracted {
         Some(light) if light[2] < 0.0 => {
-            let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(light));
+            let (kept, shadowed) = shadowing_of(smith, of_view, lambda(light));
             kept_t = (1.0 - reflectance) * kept;
             lost += (1.0 - reflectance) * shadowed;
         }
