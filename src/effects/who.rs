@@ -30,7 +30,7 @@ pub(super) fn no_distribution(ndf: Ndf, noun: &str) -> String {
 
 /// What an isotropic approximation leaves out of a material's lobe.
 pub(super) fn anisotropy(material: &Material) -> Option<&'static str> {
-    (material.lobe() == Lobe::Anisotropic).then_some("anisotropy")
+    matches!(material.lobe(), Lobe::Anisotropic | Lobe::AnisotropicGlass).then_some("anisotropy")
 }
 
 /// `a`, `b` stay below alpha 0.0001, which is smooth.
