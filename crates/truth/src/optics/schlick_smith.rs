@@ -55,7 +55,7 @@ impl Distribution for SchlickSmith {
     }
 
     #[inline(always)]
-    fn azimuth_integral(self, polar: &Polar) -> Option<f64> {
+    fn azimuth_integral(self, polar: &Polar) -> f64 {
         self.ggx.azimuth_integral(polar)
     }
 
