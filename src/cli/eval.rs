@@ -7,12 +7,13 @@ use clap::{Args, ValueEnum};
 
 use super::CliError;
 use super::input;
-use super::options::{ThreadsOption, positive, quantity, smith};
+use super::options::{ThreadsOption, draw, positive, quantity, sequence, smith};
 use super::output::{Outcome, print, say_each};
 use super::points::{self, Points, Row};
 use crate::data::Smith;
 use crate::store;
-use lobefit_truth::integrate::{IntegrateError, monte_carlo};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::monte_carlo::{self, Draw, Points as Sequence, Run};
 use lobefit_truth::quantity::{Choice, Input, QUANTITIES, Quantity};
 use rayon::prelude::*;
 
@@ -104,6 +105,13 @@ pub(super) struct Options {
     /// Seed of the samples (monte-carlo only)
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
+    /// What a sample draws: lights uniform over the hemisphere or weighted by their cosine, normals by the
+    /// distribution (ndf) or visible ones (monte-carlo only; glass: ndf or visible)
+    #[arg(long, value_name = "DRAW", value_parser = draw())]
+    pub draw: Option<Draw>,
+    /// The points that drive the samples (monte-carlo only; without it, scrambled Sobol points)
+    #[arg(long, value_name = "SEQUENCE", value_parser = sequence())]
+    pub sequence: Option<Sequence>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Say nothing but errors
@@ -112,10 +120,7 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
-    if options.method == Method::Quadrature && (options.samples.is_some() || options.seed.is_some()) {
-        let message = "--samples and --seed belong to --method monte-carlo; quadrature has neither";
-        return Err(CliError::Usage(message.into()));
-    }
+    check_sampling(options)?;
     let name = points_name(&options.points);
     let mut points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
     if let Some(word) = &options.kernel {
@@ -135,6 +140,26 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
             Outcome::Failed
         }
     })
+}
+
+/// Refuses options of samples where there are none, and what the quantity does not draw.
+fn check_sampling(options: &Options) -> Result<(), CliError> {
+    let given = options.samples.is_some() || options.seed.is_some();
+    if options.method == Method::Quadrature && (given || options.draw.is_some() || options.sequence.is_some())
+    {
+        let message = "--samples, --seed, --draw and --sequence belong to --method monte-carlo; quadrature has none of them";
+        return Err(CliError::Usage(message.into()));
+    }
+    let Some(draw) = options.draw else { return Ok(()) };
+    let (name, draws) = (options.quantity.name(), options.quantity.draws());
+    if draws.contains(&draw) {
+        return Ok(());
+    }
+    let has = match draws {
+        [] => "has a way of its own: leave --draw out".into(),
+        draws => format!("draws {}", draws.iter().map(|draw| draw.name()).collect::<Vec<_>>().join(" or ")),
+    };
+    Err(CliError::Usage(format!("--draw {}: {name} {has}", draw.name())))
 }
 
 /// Which rows of quadrature are farther off than the quantity promises, where nothing else was asked
@@ -198,7 +223,10 @@ fn outputs(options: &Options, Row { inputs, variant }: Row<'_>) -> Result<Vec<f6
         }
         Method::MonteCarlo => {
             let samples = options.samples.unwrap_or(SAMPLES);
-            let run = monte_carlo::sobol(samples, options.seed.unwrap_or_default());
+            let default = monte_carlo::sobol(samples, options.seed.unwrap_or_default());
+            let (draw, points) =
+                (options.draw.unwrap_or(default.draw), options.sequence.unwrap_or(default.points));
+            let run = Run { draw, points, ..default };
             let sampled = quantity.second_opinion(variant, inputs, run)?;
             let error = sampled.iter().map(|column| column.standard_error).fold(0.0, f64::max);
             let values = sampled.into_iter().map(|column| column.value);

@@ -11,6 +11,7 @@ use crate::data::{Smith, Vendor};
 use crate::effects::catalogue;
 use crate::scene::limits;
 use lobefit_shade::code::Language;
+use lobefit_truth::integrate::monte_carlo::{Draw, Points};
 use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 
 /// The scene of a verb.
@@ -118,6 +119,16 @@ pub fn quantity_column<T: Clone + Send + Sync + 'static>(
 /// A shadowing form.
 pub fn smith() -> Words<Smith> {
     Words::one_of("shadowing form", [Smith::Correlated, Smith::Separable].map(|form| (form.name(), form)))
+}
+
+/// What a sample of Monte Carlo draws.
+pub fn draw() -> Words<Draw> {
+    Words::one_of("draw", Draw::ALL.map(|draw| (draw.name(), draw)))
+}
+
+/// The points that drive the samples of Monte Carlo.
+pub fn sequence() -> Words<Points> {
+    Words::one_of("sequence", Points::ALL.map(|points| (points.name(), points)))
 }
 
 /// A vendor of GPUs.

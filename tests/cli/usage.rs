@@ -61,6 +61,15 @@ fn messages_name_the_option_and_what_it_takes() {
             "there are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",
         ),
         (&["eval", "ggx-average", "--points", "-", "--seed", "1"], "--method monte-carlo"),
+        (&["eval", "ggx-average", "--points", "-", "--draw", "ndf"], "--method monte-carlo"),
+        (
+            &["eval", "ggx-glass", "--points", "-", "--method", "monte-carlo", "--draw", "cosine"],
+            "--draw cosine: ggx-glass draws ndf or visible",
+        ),
+        (
+            &["eval", "sheen-charlie", "--points", "-", "--method", "monte-carlo", "--draw", "ndf"],
+            "sheen-charlie has a way of its own: leave --draw out",
+        ),
         (&["plan", "no-such.json"], "error: no-such.json: cannot read: "),
     ] {
         let output = lobefit(folder.path(), arguments, b"alpha\n");

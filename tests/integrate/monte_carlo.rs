@@ -2,8 +2,13 @@
 //! or over lights.
 
 use lobefit::data::Smith;
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run, Sampled};
 use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
+use lobefit_truth::quantity::{
+    BECKMANN_GLASS, BECKMANN_REFLECTION, GGX_GLASS, GGX_REFLECTION, GgxAverage, GgxReflectionAniso, Quantity,
+    Variant,
+};
 
 fn run(samples: u64, seed: u64, points: Points, draw: Draw) -> Run {
     Run { samples, seed, points, draw }
@@ -41,26 +46,75 @@ fn sobol_and_quadrature_agree() {
     }
 }
 
+/// Every way to draw and every kind of points, at an easy and at a hard point of each lobe: E, A, B and
+/// loss lie about those of the quadrature as their standard errors say.
 #[test]
 fn every_estimator_aims_at_the_same_truth() {
-    let (alpha, mu) = (0.3, 0.4);
-    let truth = reflection(Smith::Correlated, alpha, mu, TOLERANCE).expect("in the domain");
-    let mut errors = Vec::new();
-    for (points, draw) in [
-        (Points::Random, Draw::UniformLight),
-        (Points::Random, Draw::VisibleNormal),
-        (Points::Sobol, Draw::VisibleNormal),
-    ] {
-        let settings = run(1 << 18, 3, points, draw);
-        let guess = monte_carlo::reflection(Smith::Correlated, alpha, mu, settings).expect("in the domain");
-        assert!(score(guess.e, truth.e).abs() < 5.5, "{points:?} {draw:?}: {guess:?}");
-        assert!(score(guess.a, truth.a).abs() < 5.5, "{points:?} {draw:?}: {guess:?}");
-        errors.push(guess.e.standard_error);
+    let variant = Smith::Correlated.into();
+    let mut scores = Vec::new();
+    for quantity in [&GGX_REFLECTION as &dyn Quantity, &BECKMANN_REFLECTION] {
+        for at in [[0.5, 0.7], [0.1, 0.15]] {
+            let truth = quantity.at(&variant, &at, TOLERANCE).expect("in the domain");
+            for draw in quantity.draws() {
+                for points in Points::ALL {
+                    let settings = run(1 << 16, scores.len() as u64, points, *draw);
+                    let guess = quantity.second_opinion(&variant, &at, settings).expect("in the domain");
+                    scores.extend(guess.iter().zip(&truth).map(|(guess, truth)| score(*guess, *truth)));
+                }
+            }
+        }
     }
-    assert!(
-        errors[0] > 3.0 * errors[1] && errors[1] > 3.0 * errors[2],
-        "each is better than the last: {errors:?}"
-    );
+    assert_eq!(scores.len(), 4 * 4 * 3 * 4, "points of lobes, draws, sequences, outputs");
+    assert_scores(&scores);
+}
+
+/// Anisotropic lobes at a fixed azimuth and over all, averages, and glass from either side.
+#[test]
+fn every_draw_aims_at_the_truth_of_other_lobes() {
+    let mut glass = Variant::from(Smith::Correlated);
+    glass.side = Some(Side::Inside);
+    let cases: [(&dyn Quantity, Variant, Vec<f64>); 5] = [
+        (&GgxReflectionAniso, Smith::Separable.into(), vec![0.2, 0.6, 0.5, 0.4]),
+        (&GgxReflectionAniso, Smith::Correlated.into(), vec![0.1, 0.4, 0.2, f64::NAN]),
+        (&GgxAverage, Smith::Correlated.into(), vec![0.6]),
+        (&GGX_GLASS, glass.clone(), vec![0.3, 0.5, 1.5]),
+        (&BECKMANN_GLASS, glass, vec![0.3, 0.8, 1.4]),
+    ];
+    let mut scores = Vec::new();
+    for (quantity, variant, at) in &cases {
+        let truth = quantity.at(variant, at, quantity.tolerance(variant)).expect("in the domain");
+        for (seed, draw) in quantity.draws().iter().enumerate() {
+            for points in Points::ALL {
+                let settings = run(1 << 15, seed as u64, points, *draw);
+                let guess = quantity.second_opinion(variant, at, settings).expect("in the domain");
+                scores.extend(guess.iter().zip(&truth).map(|(guess, truth)| score(*guess, *truth)));
+            }
+        }
+    }
+    assert_scores(&scores);
+}
+
+/// Each way to draw has less noise than the one before; strata take more of it, Sobol points still more.
+#[test]
+fn better_draws_and_better_points_err_less() {
+    let error = |points, draw| {
+        let settings = run(1 << 16, 3, points, draw);
+        let guess = monte_carlo::reflection(Smith::Correlated, 0.3, 0.4, settings).expect("in the domain");
+        guess.e.standard_error
+    };
+    let [uniform, cosine, normal, visible] = Draw::ALL.map(|draw| error(Points::Random, draw));
+    assert!(uniform > 3.0 * visible && cosine > 2.0 * visible && normal > visible, "{normal} {visible}");
+    let [random, stratified, sobol] = Points::ALL.map(|points| error(points, Draw::VisibleNormal));
+    assert!(random > 3.0 * stratified && stratified > 1.5 * sobol, "{random} {stratified} {sobol}");
+}
+
+/// A light alone does not say which facet refracts towards it.
+#[test]
+fn glass_draws_normals_alone() {
+    let settings = run(1 << 10, 1, Points::Random, Draw::CosineLight);
+    let error = monte_carlo::glass(Smith::Correlated, 0.3, 0.5, 1.5, Side::Outside, settings);
+    let error = error.expect_err("refused").to_string();
+    assert!(error.contains("draw = cosine"), "{error}");
 }
 
 /// Negative control: the test above can see a wrong lobe.

@@ -135,3 +135,26 @@ fn drawn_normals_have_the_density_of_visible_ones() {
     // 5 sigma of a chi-square of some hundred cells: 1 of a million.
     assert!(off.iter().all(|off| off.abs() < 5.0), "{off:?}");
 }
+
+/// Normals by D cos do not depend on the view: they are those that are visible from above, in shares w of
+/// rings and equal ones of sectors.
+#[test]
+fn normals_by_the_distribution_have_its_density() {
+    for alpha in [[1e-4, 1e-4], [0.02, 0.3], [1.0, 1.0]] {
+        for lobe in [
+            Lobe { alpha, draw: |alpha, _, u, v| ggx::normal(alpha, u, v), ..GGX },
+            Lobe { alpha: [alpha[0]; 2], draw: |alpha, _, u, v| Beckmann(alpha[0]).normal(u, v), ..BECKMANN },
+        ] {
+            let above = [0.0, 0.0, 1.0];
+            let (shares, counts) = (shares(&lobe, above), counts(&lobe, above, 5));
+            let of = |(share, count): (&f64, &u32)| {
+                let expected = share * DRAWN as f64;
+                (f64::from(*count) - expected) * (f64::from(*count) - expected) / expected
+            };
+            let square: f64 = shares.iter().zip(&counts).map(of).sum();
+            let freedom = shares.len() as f64 - 1.0;
+            let off = (square - freedom) / f64::sqrt(2.0 * freedom);
+            assert!(off.abs() < 5.0, "{} {alpha:?}: {off:.2} sigma", lobe.name);
+        }
+    }
+}

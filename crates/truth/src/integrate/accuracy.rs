@@ -56,9 +56,13 @@ pub struct Sources {
 pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
 
 /// The integrators that sample: name, point set, what is drawn.
-pub const SAMPLERS: [(&str, Points, Draw); 3] = [
+pub const SAMPLERS: [(&str, Points, Draw); 7] = [
     ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
+    ("Monte Carlo, cosine-weighted lights", Points::Random, Draw::CosineLight),
+    ("Monte Carlo, normals by D cos", Points::Random, Draw::Normal),
     ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
+    ("stratified, visible normals", Points::Stratified, Draw::VisibleNormal),
+    ("scrambled Sobol, normals by D cos", Points::Sobol, Draw::Normal),
     ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
 ];
 

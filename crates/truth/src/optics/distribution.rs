@@ -45,12 +45,8 @@ pub trait Distribution: Copy + Sync {
     /// The t by which D falls off from its value at t = 0.
     fn fall(self, polar: &Polar) -> f64;
 
-    /// The integral of D over the azimuth of the light, where it is elementary.
-    #[inline(always)]
-    fn azimuth_integral(self, polar: &Polar) -> Option<f64> {
-        let _ = polar;
-        None
-    }
+    /// The integral of D over the azimuth of the light.
+    fn azimuth_integral(self, polar: &Polar) -> f64;
 
     /// The projected area s = mu (1 + 2 Lambda) of all facets about a direction with this cosine >=
     /// 0 and sine.
@@ -85,6 +81,9 @@ pub trait Distribution: Copy + Sync {
     /// A normal visible from `view` (of unit length, above the surface), drawn by two numbers in
     /// [0, 1).
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3;
+
+    /// A normal by D cos, drawn by two numbers in [0, 1).
+    fn normal(self, u: f64, v: f64) -> Vec3;
 }
 
 /// GGX, or Trowbridge-Reitz (1975): [`ggx`].
@@ -130,7 +129,7 @@ impl Distribution for Ggx {
     /// C / sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))], C = cos(D/2)
     /// cos(S/2). For a <= 1 every term is positive.
     #[inline(always)]
-    fn azimuth_integral(self, polar: &Polar) -> Option<f64> {
+    fn azimuth_integral(self, polar: &Polar) -> f64 {
         let a2 = self.0 * self.0;
         let rest = (1.0 - self.0) * (1.0 + self.0);
         let (cos_d2, cos_s2) = (polar.cos_d * polar.cos_d, polar.cos_s * polar.cos_s);
@@ -140,7 +139,7 @@ impl Distribution for Ggx {
         let inverse = 1.0 / (p * q);
         let root = inverse.sqrt();
         let tail = 0.5 * rest * (cos_s2 * p + cos_d2 * q) * inverse;
-        Some(2.0 * a2 * (1.0 + c * root * (2.0 + tail)))
+        2.0 * a2 * (1.0 + c * root * (2.0 + tail))
     }
 
     #[inline(always)]
@@ -175,5 +174,9 @@ impl Distribution for Ggx {
 
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
         ggx::visible_normal([self.0; 2], view, u, v)
+    }
+
+    fn normal(self, u: f64, v: f64) -> Vec3 {
+        ggx::normal([self.0; 2], u, v)
     }
 }

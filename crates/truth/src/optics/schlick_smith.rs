@@ -55,7 +55,7 @@ impl Distribution for SchlickSmith {
     }
 
     #[inline(always)]
-    fn azimuth_integral(self, polar: &Polar) -> Option<f64> {
+    fn azimuth_integral(self, polar: &Polar) -> f64 {
         self.ggx.azimuth_integral(polar)
     }
 
@@ -73,5 +73,9 @@ impl Distribution for SchlickSmith {
     /// A normal of GGX's own masking.
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
         self.ggx.visible_normal(view, u, v)
+    }
+
+    fn normal(self, u: f64, v: f64) -> Vec3 {
+        self.ggx.normal(u, v)
     }
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Variant};
 use crate::integrate::aniso::fast::{self, Interpolants, Place};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, Path, aniso};
 use crate::optics::Smith;
 use crate::points::Points;
@@ -131,6 +131,10 @@ impl Quantity for GgxReflectionAniso {
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
         Ok(self.shared(asked)?.map(|(truth, _)| truth))
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -3,7 +3,7 @@
 
 use super::aniso::{PHI, width};
 use super::{Choice, Fresnel, Input, Quantity, Variant};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, aniso, glass};
 
 /// `ggx-glass-aniso`: reflected and transmitted energy, their sum and 1 less the sum, from either side,
@@ -56,6 +56,10 @@ impl Quantity for GgxGlassAniso {
 
     fn microseconds(&self, _: &[&str]) -> f64 {
         1e4
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        monte_carlo::GLASS_DRAWS
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

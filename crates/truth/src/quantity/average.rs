@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::reflection::TRUTH_ERROR;
 use super::{ALPHA, Asked, Choice, Input, Quantity, Truth, Variant, check_unit};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 use crate::points::hull;
 
@@ -86,6 +86,10 @@ impl Quantity for GgxAverage {
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
         if outputs == ["E_avg"] { 0.1 } else { 1e4 }
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{ALPHA, Asked, Choice, Fresnel, Input, Quantity, Truth, Variant};
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{self, Energies, Kernel, Tabled};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, glass};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
@@ -284,6 +284,10 @@ impl<D: Tabled> Quantity for Glass<D> {
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
         if outputs == ["R"] { 100.0 } else { 1e4 }
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        monte_carlo::GLASS_DRAWS
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

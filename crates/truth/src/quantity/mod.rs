@@ -40,7 +40,7 @@ use rayon::prelude::*;
 
 use crate::integrate::IntegrateError;
 use crate::integrate::brdf::{self, Brdf};
-use crate::integrate::monte_carlo::{Run, Sampled};
+use crate::integrate::monte_carlo::{Draw, Run, Sampled};
 use crate::points::Points;
 
 /// An input: a number of a range.
@@ -212,6 +212,12 @@ pub trait Quantity: Sync {
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let _ = (variant, x, run);
         Err(IntegrateError::NoSecondOpinion { quantity: self.name() })
+    }
+
+    /// What [`Quantity::second_opinion`] may draw; empty where it draws in a way of its own, whatever the
+    /// run says.
+    fn draws(&self) -> &'static [Draw] {
+        &[]
     }
 
     /// Whether its variants say this.

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
 use crate::optics::Smith;
@@ -216,6 +216,10 @@ impl<D: Distribution> Quantity for Reflection<D> {
             _ => 100.0,
         };
         outputs.iter().map(most).fold(0.0, f64::max)
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

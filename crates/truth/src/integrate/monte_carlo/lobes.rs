@@ -1,6 +1,7 @@
 //! Monte Carlo for the anisotropic and the glass lobe: visible normals, textbook Fresnel and
 //! refraction as vectors.
 
+use super::draw::{self, Draw, Lobe};
 use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
 use crate::integrate::IntegrateError;
 use crate::integrate::aniso::{check as check_aniso, glass::QUANTITY};
@@ -27,14 +28,9 @@ pub fn aniso(
     let means = replicas(run, |x| {
         let (sin_phi, cos_phi) = ops::sincos(phi.unwrap_or(2.0 * std::f64::consts::PI * x[2]));
         let view = [sine * cos_phi, sine * sin_phi, mu];
-        let light = ggx::mirror(view, ggx::visible_normal(alpha, view, x[0], x[1])).0;
-        if light[2] <= 0.0 {
-            return [0.0, 1.0, 0.0];
-        }
-        let (kept, lost) = shadowing(smith, alpha, view, light);
-        [kept, lost, 0.0]
+        draw::sample((smith, run.draw), &alpha, view, x)
     });
-    Ok([column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[1])])
+    Ok([column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[2])])
 }
 
 /// `ggx-glass` by Monte Carlo: R, T and loss.
@@ -49,7 +45,8 @@ pub fn glass(
     glass_of("ggx-glass", (smith, Ggx(alpha)), mu, (ior, side), run)
 }
 
-/// [`glass`] of any distribution of normals.
+/// [`glass`] of any distribution of normals. Lights are not drawn: of a direction alone nothing says
+/// which facet refracts towards it.
 pub(crate) fn glass_of<D: Distribution>(
     quantity: &'static str,
     (smith, lobe): (Smith, D),
@@ -60,13 +57,7 @@ pub(crate) fn glass_of<D: Distribution>(
     check_glass(quantity, lobe.alpha(), mu, ior)?;
     check_positive(quantity, &[("alpha", lobe.alpha())])?;
     check_samples(run)?;
-    let eta = match side {
-        Side::Outside => 1.0 / ior,
-        Side::Inside => ior,
-    };
-    let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-    let means = replicas(run, |x| one_of_distribution(smith, lobe, eta, view, x));
-    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+    drawn_glass((smith, lobe), draw::view(mu), (ior, side), run)
 }
 
 /// `ggx-glass-aniso` by Monte Carlo: R, T and loss.
@@ -82,12 +73,24 @@ pub fn aniso_glass(
     check_positive(QUANTITY, &[("alpha_x", alpha[0]), ("alpha_y", alpha[1])])?;
     check_samples(run)?;
     let (sine, (sin_phi, cos_phi)) = (((1.0 - mu) * (1.0 + mu)).sqrt(), ops::sincos(phi));
-    let view = [sine * cos_phi, sine * sin_phi, mu];
-    let eta = if side == Side::Outside { 1.0 / ior } else { ior };
-    let means = replicas(run, |x| {
-        let normal = ggx::visible_normal(alpha, view, x[0], x[1]);
-        one_of_glass(smith, |direction| ggx::lambda_towards(alpha, direction), eta, view, normal)
-    });
+    drawn_glass((smith, alpha), [sine * cos_phi, sine * sin_phi, mu], (ior, side), run)
+}
+
+fn drawn_glass<L: Lobe>(
+    (smith, lobe): (Smith, L),
+    view: Vec3,
+    (ior, side): (f64, Side),
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
+    if !super::GLASS_DRAWS.contains(&run.draw) {
+        let must = "of glass must be ndf or visible";
+        return Err(IntegrateError::Option { option: "draw", value: run.draw.name().into(), must });
+    }
+    let eta = match side {
+        Side::Outside => 1.0 / ior,
+        Side::Inside => ior,
+    };
+    let means = replicas(run, |x| one_of_glass((smith, run.draw), &lobe, eta, view, x));
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
@@ -100,32 +103,33 @@ pub fn coat(smith: Smith, alpha: f64, ior: f64, run: Run) -> Result<[Sampled; 3]
     let means = replicas(run, |x| {
         let mu = x[2].sqrt().max(SMALLEST_MU);
         let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
-        let [r, t, _] = one_of_distribution(smith, Ggx(alpha), 1.0 / ior, view, x);
-        [r, t, one_of_distribution(smith, Ggx(alpha), ior, view, x)[0]]
+        let way = (smith, Draw::VisibleNormal);
+        let [r, t, _] = one_of_glass(way, &Ggx(alpha), 1.0 / ior, view, x);
+        [r, t, one_of_glass(way, &Ggx(alpha), ior, view, x)[0]]
     });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
-/// Reflected, transmitted and lost energy of one visible normal of a distribution.
-fn one_of_distribution<D: Distribution>(
-    smith: Smith,
-    lobe: D,
+/// Reflected, transmitted and lost energy of one normal. The weight of a normal by D cos is that of a
+/// visible one, G2/G1(v) on either side, times G1(v) (v.h)/(mu_v h_z).
+fn one_of_glass<L: Lobe>(
+    (smith, draw): (Smith, Draw),
+    lobe: &L,
     eta: f64,
     view: Vec3,
     x: [f64; DIMENSIONS],
 ) -> Weights {
-    let normal = lobe.visible_normal(view, x[0], x[1]);
-    one_of_glass(smith, |direction| lobe.lambda_towards(direction), eta, view, normal)
-}
-
-/// The same of a normal, by Lambda of a direction.
-fn one_of_glass(smith: Smith, lambda: impl Fn(Vec3) -> f64, eta: f64, view: Vec3, normal: Vec3) -> Weights {
-    let of_view = lambda(view);
-    let mirrored = ggx::mirror(view, normal).0;
+    let drawn = draw == Draw::Normal;
+    let normal = if drawn { lobe.normal(x) } else { lobe.visible_normal(view, x) };
+    let of_view = lobe.lambda_towards(view);
+    let (mirrored, cosine) = ggx::mirror(view, normal);
+    if drawn && cosine <= 0.0 {
+        return [0.0, 0.0, 1.0];
+    }
     let (reflectance, refracted) = refract(eta, view, normal);
     let (mut kept_r, mut kept_t, mut lost) = (0.0, 0.0, 0.0);
     if mirrored[2] > 0.0 {
-        let (kept, shadowed) = shadowing_of(smith, of_view, lambda(mirrored));
+        let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(mirrored));
         kept_r = reflectance * kept;
         lost += reflectance * shadowed;
     } else {
@@ -133,11 +137,15 @@ fn one_of_glass(smith: Smith, lambda: impl Fn(Vec3) -> f64, eta: f64, view: Vec3
     }
     match refracted {
         Some(light) if light[2] < 0.0 => {
-            let (kept, shadowed) = shadowing_of(smith, of_view, lambda(light));
+            let (kept, shadowed) = shadowing_of(smith, of_view, lobe.lambda_towards(light));
             kept_t = (1.0 - reflectance) * kept;
             lost += (1.0 - reflectance) * shadowed;
         }
         _ => lost += 1.0 - reflectance,
+    }
+    if drawn {
+        let scale = cosine / ((1.0 + of_view) * view[2] * normal[2]);
+        return [kept_r * scale, kept_t * scale, 1.0 - scale * (kept_r + kept_t)];
     }
     [kept_r, kept_t, lost]
 }
@@ -163,7 +171,7 @@ pub(crate) fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) 
 }
 
 /// The same of both Lambdas.
-fn shadowing_of(smith: Smith, of_view: f64, of_light: f64) -> (f64, f64) {
+pub(super) fn shadowing_of(smith: Smith, of_view: f64, of_light: f64) -> (f64, f64) {
     match smith {
         Smith::Correlated => {
             let total = 1.0 + of_view + of_light;
@@ -186,5 +194,5 @@ pub(crate) fn check_positive(
 
 /// The settings of a second opinion: scrambled Sobol points.
 pub fn sobol(samples: u64, seed: u64) -> Run {
-    Run { samples, seed, points: Points::Sobol, draw: super::Draw::VisibleNormal }
+    Run { samples, seed, points: Points::Sobol, draw: Draw::VisibleNormal }
 }

@@ -19,7 +19,7 @@ pub fn loss(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
 
 /// E = int G2/(4 mu) K dmu_l over the lights above the horizon, K the azimuth integral of D.
 pub(super) fn kept<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
-    rule.panels(&view.cuts(), &|u| albedo_integrand(view, u, rule))
+    rule.panels(&view.cuts(), &|u| albedo_integrand(view, u))
 }
 
 /// 1 - E, computed directly.
@@ -28,16 +28,16 @@ pub(super) fn kept<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
 /// 1], so the loss is the light shadowed above the horizon, (G1(v) - G2)/(4 mu) K, and all that
 /// leaves below it, G1(v)/(4 mu) K.
 pub(super) fn lost<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
-    let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(view, u, rule));
+    let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(view, u));
     // A peak with a power for a tail is smooth below the horizon, over the cosine itself; another
     // is resolved as it is above.
     let below = if D::REACH.is_finite() {
         rule.panels(&view.cuts_below(), &|u| {
             let at = view.lights_above(u, -1.0);
-            below_integrand(view, &at, rule)
+            below_integrand(view, &at)
         })
     } else {
-        rule.panel(-view.mu, 0.0, &|cosine| below_integrand(view, &view.lights_below(cosine), rule))
+        rule.panel(-view.mu, 0.0, &|cosine| below_integrand(view, &view.lights_below(cosine)))
     };
     above + below
 }
@@ -59,14 +59,14 @@ pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: 
     if !graded {
         cuts = vec![cuts[0], cuts[cuts.len() - 1]];
     }
-    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u, rule));
+    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u));
     Work { value, evaluations: (cuts.len() - 1) * rule.nodes() }
 }
 
 #[inline(always)]
-fn albedo_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule) -> F8 {
+fn albedo_integrand<D: Distribution>(view: &View<D>, u: &F8) -> F8 {
     let at = view.lights(u);
-    let mut out = view.azimuth_integral(&at, rule);
+    let mut out = view.azimuth_integral(&at);
     for i in 0..LANES {
         let geometry = view.smith.shadowing_over_cosine(view.mu, view.s_v, at.mu_l[i], at.s_l[i]);
         out[i] *= 0.25 * geometry * at.jacobian[i];
@@ -75,9 +75,9 @@ fn albedo_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule) -
 }
 
 #[inline(always)]
-fn shadowed_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule) -> F8 {
+fn shadowed_integrand<D: Distribution>(view: &View<D>, u: &F8) -> F8 {
     let at = view.lights(u);
-    let mut out = view.azimuth_integral(&at, rule);
+    let mut out = view.azimuth_integral(&at);
     for i in 0..LANES {
         let (mu_l, s_l) = (at.mu_l[i], at.s_l[i]);
         let lift = view.lobe.lift(mu_l, at.sin_l[i], s_l);
@@ -88,8 +88,8 @@ fn shadowed_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule)
 }
 
 #[inline(always)]
-fn below_integrand<D: Distribution>(view: &View<D>, at: &Lights, rule: &PanelRule) -> F8 {
-    let mut out = view.azimuth_integral(at, rule);
+fn below_integrand<D: Distribution>(view: &View<D>, at: &Lights) -> F8 {
+    let mut out = view.azimuth_integral(at);
     let masking = 2.0 / (view.mu + view.s_v);
     for i in 0..LANES {
         out[i] *= 0.25 * masking * at.jacobian[i];

@@ -29,9 +29,9 @@ impl Effort {
         Effort { outer: PanelRule::new(nodes), digits }
     }
 
-    /// The azimuth rule for an interval of `length` of a distribution, see `inner` and [`across`].
+    /// The azimuth rule for an interval of `length` of a distribution, see `inner` and `across`.
     pub(super) fn azimuth<D: Distribution>(&self, length: f64) -> &'static PanelRule {
-        if D::REACH.is_finite() { across(&self.outer) } else { self.inner(length) }
+        if D::REACH.is_finite() { self.across() } else { self.inner(length) }
     }
 
     /// The ladder that a tolerance climbs: each step has twice the nodes of the one before.
@@ -50,12 +50,12 @@ impl Effort {
         let blocks = (nodes / LANES as f64).ceil().clamp(1.0, INNER_BLOCKS as f64);
         &INNER[blocks as usize - 1]
     }
-}
 
-/// The azimuth rule of twice the nodes of an outer rule: of a distribution whose tail is
-/// exp(-sinh^2 v) in the variable of the azimuth, an entire function on an interval that is never
-/// longer than [`GAUSSIAN_END`](super::schlick::GAUSSIAN_END).
-pub(super) fn across(outer: &PanelRule) -> &'static PanelRule {
-    let blocks = (2 * outer.nodes() / LANES).min(INNER_BLOCKS);
-    &INNER[blocks - 1]
+    /// The azimuth rule of twice the nodes of the outer rule: of a distribution whose tail is
+    /// exp(-sinh^2 v) in the variable of the azimuth, an entire function on an interval that is never
+    /// longer than [`GAUSSIAN_END`](super::schlick::GAUSSIAN_END).
+    fn across(&self) -> &'static PanelRule {
+        let blocks = (2 * self.outer.nodes() / LANES).min(INNER_BLOCKS);
+        &INNER[blocks - 1]
+    }
 }

@@ -7,11 +7,8 @@
 //!
 //! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit
 //! wide for every alpha: at psi = 0 the tangent of the half vector's angle is a |sinh(u)|. The
-//! azimuth is integrated in closed form where there is one (`Ring` else).
+//! azimuth is integrated in closed form (by `Ring` where a weight sees v.h).
 
-use super::effort::across;
-use super::schlick::Ring;
-use crate::integrate::estimate::PanelRule;
 use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Polar};
 use lobefit_math::lanes::{self, F8, LANES};
@@ -171,21 +168,10 @@ impl<D: Distribution> View<D> {
         out
     }
 
-    /// int_0^2pi D dpsi of the lights, by `rule` where it has no closed form.
+    /// int_0^2pi D dpsi of the lights.
     #[inline(always)]
-    pub fn azimuth_integral(&self, at: &Lights, rule: &PanelRule) -> F8 {
-        let mut out = [0.0; LANES];
-        for i in 0..LANES {
-            let polar = at.polar(i);
-            out[i] = match self.lobe.azimuth_integral(&polar) {
-                Some(integral) => integral,
-                None => {
-                    let ring = Ring::new(self, at, i);
-                    self.lobe.alpha() * self.lobe.alpha() * ring.integral(&|_| across(rule), &|_| 1.0)
-                }
-            };
-        }
-        out
+    pub fn azimuth_integral(&self, at: &Lights) -> F8 {
+        std::array::from_fn(|i| self.lobe.azimuth_integral(&at.polar(i)))
     }
 }
 

@@ -4,7 +4,7 @@ mod integral;
 pub mod monte_carlo;
 
 use super::{ALPHA, Choice, GGX_REFLECTION, Input, MU, OverF0, Quantity, Residual, Use, Variant};
-use crate::integrate::monte_carlo::{Run, Sampled};
+use crate::integrate::monte_carlo::{Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 pub use integral::{Specular, Split, TOLERANCE, coupling, factor};
 
@@ -58,6 +58,10 @@ impl Quantity for DiffuseCoupling {
         let (smith, specular) = (variant.smith(self.name())?, variant.specular(self.name())?);
         let v = coupling(smith, x[0], x[1], x[2], specular, tolerance)?;
         Ok(vec![v.value, v.error])
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
