@@ -9,6 +9,9 @@ use crate::scene::{Lobe, Material, Scene};
 /// Most materials that a reason names; the rest are counted.
 const NAMED: usize = 3;
 
+/// Why a scene leaves out what is of glass, where it has none.
+pub(super) const NO_GLASS: &str = "no material transmits light";
+
 /// Materials with a rough specular lobe: place in the scene, material, roughness range.
 pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f64; 2])> {
     let materials = scene.materials.iter().enumerate();

@@ -16,7 +16,7 @@ use super::table::{
     BuildError, Family, Further, LookupPoints, Made, Point, Region, SliceAxis, Sliced, Spec, TableJob,
     Truths, aspect, even,
 };
-use super::who::{named, verb};
+use super::who::{NO_GLASS, named, verb};
 use super::{Albedo, NOTE_F0, NOTE_LOOKUP};
 use crate::approximate::Memo;
 use crate::data::{Axis, Channel, Layout, Serves, Smith, Surface, Table, Warp};
@@ -186,7 +186,7 @@ impl Sliced for AnisoGlass {
         let glass = |lobe| scene.materials.iter().filter(move |m: &&Material| m.lobe() == lobe);
         let own: Vec<&Material> = glass(Lobe::AnisotropicGlass).collect();
         match (own.is_empty(), glass(Lobe::Glass).next()) {
-            (true, None) => "no material transmits light".into(),
+            (true, None) => NO_GLASS.into(),
             (true, _) => "no glass has anisotropy".into(),
             _ => format!("{} {} smooth or {} no tables", named(&own), verb(&own, "are"), verb(&own, "want")),
         }

@@ -27,7 +27,7 @@ impl Side {
 
 /// An interface seen from one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::integrate) struct Interface {
+pub(crate) struct Interface {
     /// n_inside / n_outside.
     pub ior: f64,
     /// n_view / n_far.
@@ -38,7 +38,7 @@ pub(in crate::integrate) struct Interface {
 
 /// What a facet at one angle to the view does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::integrate) struct Facet {
+pub(crate) struct Facet {
     /// Reflectance.
     pub fresnel: f64,
     /// cos and sin of the angle from the straight-through direction to the refracted one, positive
