@@ -155,10 +155,7 @@ fn shadowed(view: &View, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let (z, spread) = (z.max(0.0), x * x + y * y);
     let s = (z * z + spread).sqrt();
     let lift = spread / (s + z);
-    if z > 0.0 {
-        let kept = view.smith.shadowing_over_cosine(mu, s_v, z, s);
-        [kept, view.smith.shadowed_over_cosine(mu, s_v, z, s, lift)]
-    } else {
-        [0.0, 2.0 / (mu + s_v)]
-    }
+    let kept = view.smith.shadowing_over_cosine(mu, s_v, z, s);
+    let lost = view.smith.shadowed_over_cosine(mu, s_v, z, s, lift);
+    [if z > 0.0 { kept } else { 0.0 }, if z > 0.0 { lost } else { 2.0 / (mu + s_v) }]
 }
