@@ -30,9 +30,9 @@ pub(super) struct TruthPrice {
 pub(super) const GGX_PRICE: TruthPrice =
     TruthPrice { judged: [0.65e-6, 7e-6], certified: 0.65e-6, blends: 0.9 };
 
-/// Of Beckmann, by integrals of single points.
+/// Of Beckmann, whose B is integrated at single points.
 pub(super) const BECKMANN_PRICE: TruthPrice =
-    TruthPrice { judged: [20e-6, 15e-6], certified: 1.3e-6, blends: 6.5 };
+    TruthPrice { judged: [2e-6, 8e-6], certified: 0.65e-6, blends: 2.8 };
 
 /// Seconds of one optimised texel of a table of E: some 17 truths and its share of the
 /// optimisation.
