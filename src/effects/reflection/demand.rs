@@ -106,8 +106,8 @@ pub struct FitJob {
 impl Reflection {
     /// Demands for tables and for fits, of each material of the distribution that is rough.
     pub(super) fn wanted(&self, scene: &Scene) -> Vec<Demand> {
-        // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does not
-        // parse is a defect, which the bake names.
+        // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does
+        // not parse is a defect, which the bake names.
         let coloured = LazyCell::new(|| compensation::coloured_ops().unwrap_or(0));
         let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
             let beside = if is_coloured(material) { *coloured } else { 0 };
