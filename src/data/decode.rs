@@ -42,7 +42,7 @@ impl Decode {
             (Layout::Homogeneous, Serves::SplitSum) => Decode::LossBias,
             (Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Decode::Albedo,
             (Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Decode::SplitSum,
-            (Layout::Optimised, _) => Decode::Loss,
+            (Layout::Optimised | Layout::FiveAxis, _) => Decode::Loss,
             (Layout::PathTracer, _) => Decode::Albedo,
             (Layout::Azimuth, _) => Decode::AzimuthCubic,
             (Layout::AreaLights, _) => Decode::Transform,

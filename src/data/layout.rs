@@ -23,6 +23,9 @@ pub enum Layout {
     /// With a third axis, of anisotropic lobes only: the azimuth of the view is a coordinate, where
     /// the other layouts hold the mean over it.
     Azimuth,
+    /// Over mu, the azimuth of the view, roughness, anisotropy and index of refraction, of anisotropic glass
+    /// only.
+    FiveAxis,
     /// Over roughness and mu, sqrt(1 - mu), end points: a pair of tables of linearly transformed cosines.
     AreaLights,
 }
@@ -37,6 +40,7 @@ impl Layout {
             Layout::Optimised => "optimised",
             Layout::PathTracer => "path-tracer",
             Layout::Azimuth => "azimuth",
+            Layout::FiveAxis => "five-axis",
             Layout::AreaLights => "area-lights",
         }
     }
@@ -46,6 +50,7 @@ impl Layout {
         match self {
             Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::AreaLights => 2,
             Layout::Optimised | Layout::PathTracer | Layout::Azimuth => 3,
+            Layout::FiveAxis => 5,
         }
     }
 }

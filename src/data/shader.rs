@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use super::{ARGUMENT_NAMES, AlphaMap, Arguments, Axis, Decode, Surface, Values};
-use lobefit_shade::code::{LETTERS, decimal};
+use lobefit_shade::code::{LETTERS, TEXTURE_AXES, decimal};
 use lobefit_shade::{Features, ShadeError, Source, Tape};
 
 /// The text of both files.
@@ -179,8 +179,10 @@ impl TableCode {
         decode: Decode,
         (width, map): (Arguments, AlphaMap),
     ) -> Result<TableCode, ShadeError> {
-        let (coordinates, decoding) =
-            (format!("{stem}_{}", LETTERS[..axes.len()].concat()), format!("{stem}_decode"));
+        let (coordinates, decoding) = (
+            format!("{stem}_{}", LETTERS[..axes.len().min(TEXTURE_AXES)].concat()),
+            format!("{stem}_decode"),
+        );
         let code = |given: &[Given; 2]| -> Result<Source, ShadeError> {
             let functions = [
                 coordinate_function(&coordinates, axes, &given[0])?,
@@ -251,6 +253,9 @@ fn kind(n: usize) -> String {
 }
 
 fn coordinate_function(name: &str, axes: &[Axis], given: &Given) -> Result<String, ShadeError> {
+    if axes.len() > TEXTURE_AXES {
+        return corner_function(name, axes, given);
+    }
     let letters = &LETTERS[..axes.len()];
     let (arguments, result) = (given.declared().join(", "), kind(axes.len()));
     let mut text = format!("fn {name}({arguments}) -> {result} {{\n{}", given.lets);
@@ -259,6 +264,37 @@ fn coordinate_function(name: &str, axes: &[Axis], given: &Given) -> Result<Strin
     }
     let value = if axes.len() == 1 { letters.concat() } else { format!("{result}({})", letters.join(", ")) };
     Ok(format!("{text}    return {value};\n}}\n"))
+}
+
+/// The coordinates of one of the fetches between which axes beyond those of a texture are interpolated, the
+/// next along such an axis where its argument is 1, and its weight.
+fn corner_function(name: &str, axes: &[Axis], given: &Given) -> Result<String, ShadeError> {
+    let (own, beyond) = axes.split_at(TEXTURE_AXES);
+    let letters = &LETTERS[TEXTURE_AXES..axes.len()];
+    let mut arguments = given.declared();
+    arguments.extend(letters.iter().map(|letter| format!("next_{letter}: f32")));
+    let mut text = format!("fn {name}({}) -> vec4f {{\n{}", arguments.join(", "), given.lets);
+    for (letter, axis) in LETTERS.iter().zip(own) {
+        text += &format!("    let {letter} = {};\n", axis.call()?);
+    }
+    let edge = 0.5 / own[TEXTURE_AXES - 1].size as f32;
+    let (mut depth, mut weight) = (1.0_f32, String::from("1.0"));
+    let mut place = format!("clamp(w, {}, {})", decimal(edge), decimal(1.0 - edge));
+    for (letter, axis) in letters.iter().zip(beyond) {
+        let n = axis.size as f32;
+        let [size, last, before] = [n, n - 1.0, n - 2.0].map(decimal);
+        text += &format!(
+            "    let at_{letter} = clamp(({}) * {size} - 0.5, 0.0, {last});\n    \
+             let first_{letter} = min(floor(at_{letter}), {before});\n    \
+             let part_{letter} = at_{letter} - first_{letter};\n",
+            axis.call()?
+        );
+        place += &format!(" + {} * (first_{letter} + next_{letter})", decimal(depth));
+        weight += &format!(" * mix(1.0 - part_{letter}, part_{letter}, next_{letter})");
+        depth *= n;
+    }
+    let weight = weight.trim_start_matches("1.0 * ");
+    Ok(format!("{text}    return vec4f(u, v, ({place}) / {}, {weight});\n}}\n", decimal(depth)))
 }
 
 fn decode_function(name: &str, decode: Decode, given: &Given) -> Result<String, ShadeError> {

@@ -109,11 +109,11 @@ impl Axis {
     }
 }
 
-/// Most axes of a table: the dimensions of a texture.
-pub const AXES: usize = 3;
+/// Most axes of a table. Those beyond the three of a texture lie one behind the other along its slices.
+pub const AXES: usize = 5;
 
 /// A table: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]`, as far as there
-/// are axes.
+/// are axes; those beyond vary slower, the last one slowest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     /// Name, `ggx-dfg-...`.
@@ -148,7 +148,7 @@ pub enum TableError {
         /// Texels called for.
         expected: usize,
     },
-    /// No axis, more than a texture has, or an axis without texels.
+    /// No axis, more than a table has, or an axis without texels.
     #[error("table {table}: axes of sizes {sizes:?}; a table has one to {AXES} axes, each with texels")]
     Axes {
         /// Table's name.
@@ -209,9 +209,11 @@ impl Table {
         self.axes.iter().map(along).collect()
     }
 
-    /// Width, height and depth of the texture: 1 along an axis that the table does not have.
+    /// Width, height and depth of the texture: 1 along an axis that the table does not have; the depth holds
+    /// all axes from the third on, the third fastest.
     pub fn size(&self) -> [usize; 3] {
-        [0, 1, 2].map(|k| self.axes.get(k).map_or(1, |axis| axis.size))
+        let size = |k: usize| self.axes.get(k).map_or(1, |axis| axis.size);
+        [size(0), size(1), self.axes.iter().skip(2).map(|axis| axis.size).product()]
     }
 
     /// Bytes of all texels.

@@ -148,7 +148,7 @@ pub(super) fn metric(a: &Approximation) -> String {
 /// What a table is a mean of, where its truth depends on more than its axes.
 fn mean(table: &Table) -> &'static str {
     let has = |axis: &Axis| axis.name == "anisotropy";
-    let is_resolved = |axis: &Axis| axis.warp == Warp::HomogeneousAzimuth;
+    let is_resolved = |axis: &Axis| axis.warp == Warp::HomogeneousAzimuth || axis.name == "cos2_phi";
     let is_mean = table.axes.iter().any(has) && !table.axes.iter().any(is_resolved);
     if is_mean { " in the mean over the azimuth" } else { "" }
 }

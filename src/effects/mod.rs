@@ -3,6 +3,7 @@
 //! What several effects share stands beside their folders.
 
 mod albedo;
+pub mod aniso_glass;
 pub mod anisotropy;
 mod answer;
 mod called;
@@ -47,10 +48,11 @@ pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {
-    static ALL: [&dyn Effect; 14] = [
+    static ALL: [&dyn Effect; 15] = [
         &reflection::GGX,
         &anisotropy::Anisotropy,
         &glass::GGX,
+        &aniso_glass::AnisoGlass,
         &reflection::BECKMANN,
         &glass::BECKMANN,
         &dielectric::Dielectric,

@@ -9,6 +9,9 @@ use crate::scene::{Lobe, Material, Scene};
 /// Most materials that a reason names; the rest are counted.
 const NAMED: usize = 3;
 
+/// Why a scene leaves out what is of glass, where it has none.
+pub(super) const NO_GLASS: &str = "no material transmits light";
+
 /// Materials with a rough specular lobe: place in the scene, material, roughness range.
 pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f64; 2])> {
     let materials = scene.materials.iter().enumerate();
@@ -30,7 +33,7 @@ pub(super) fn no_distribution(ndf: Ndf, noun: &str) -> String {
 
 /// What an isotropic approximation leaves out of a material's lobe.
 pub(super) fn anisotropy(material: &Material) -> Option<&'static str> {
-    (material.lobe() == Lobe::Anisotropic).then_some("anisotropy")
+    matches!(material.lobe(), Lobe::Anisotropic | Lobe::AnisotropicGlass).then_some("anisotropy")
 }
 
 /// `a`, `b` stay below alpha 0.0001, which is smooth.

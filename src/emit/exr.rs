@@ -72,7 +72,7 @@ pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, Exr
 /// How the texels are stored.
 fn encoding(table: &Table) -> Encoding {
     match table.axes.len() {
-        3 => Encoding {
+        3.. => Encoding {
             compression: Compression::ZIP16,
             blocks: Blocks::ScanLines,
             line_order: LineOrder::Increasing,

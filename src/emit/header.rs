@@ -37,7 +37,7 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
     ];
     lines.extend(AXES.iter().zip(&table.axes).map(|(what, axis)| axis_line(what, axis)));
     let [_, rows, slices] = table.size();
-    if table.axes.len() == 3 {
+    if table.axes.len() >= 3 {
         lines.push(format!(
             "an EXR holds the slices one below the other: slice z is rows {rows} z to {rows} z + {} of {}",
             rows - 1,
@@ -48,7 +48,13 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
     let meaning: Vec<String> = formulas.map(|(name, formula)| format!("{name} = {formula}")).collect();
     lines.push(format!("texel: {} (the EXR names its channels so)", parts(table)));
     lines.push(format!("decode: {}", meaning.join(", ")));
-    let filter = if table.axes.len() == 3 { "trilinear" } else { "bilinear" };
+    if table.axes.len() > 3 {
+        lines.push(
+            "textures and EXR hold the hyperslices as slices: the first of a slice is that of z fastest"
+                .into(),
+        );
+    }
+    let filter = ["bilinear", "trilinear", "quadrilinear", "quintilinear"][table.axes.len().clamp(2, 5) - 2];
     lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
     lines.extend(both_line(decode));
     lines
@@ -56,7 +62,7 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
 
 /// What the function of a table's coordinates says of them.
 pub fn coordinates_line(table: &Table, stem: &str) -> String {
-    let words = ["columns", "rows", "slices"];
+    let words = ["columns", "rows", "slices", "slices of slices", "slices of these"];
     let axes = words.iter().zip(&table.axes).map(|(what, axis)| {
         let Axis { name, min, max, .. } = axis;
         format!("{what} {} in [{min}, {max}]", printed(name))
@@ -124,7 +130,8 @@ fn parts(table: &Table) -> String {
 }
 
 /// What the axes of a table are, in order.
-const AXES: [&str; 3] = ["columns (x)", "rows (y, first row at the top)", "slices (z)"];
+const AXES: [&str; 5] =
+    ["columns (x)", "rows (y, first row at the top)", "slices (z)", "slices of slices", "slices of these"];
 
 fn fresnel_of(quantity: &str) -> Option<Fresnel> {
     quantity::find(quantity).and_then(Quantity::fresnel)

@@ -97,7 +97,7 @@ impl Texture {
         let texel = Texel::of(table).ok_or_else(none)?;
         Ok(Texture {
             size: [number(size[0])?, number(size[1])?, number(size[2])?],
-            solid: table.axes.len() == 3,
+            solid: table.axes.len() >= 3,
             texel,
             pitch: number(size[0].saturating_mul(texel.bytes() as usize))?,
         })

@@ -364,7 +364,7 @@ impl Scene {
             let of_sheen = material.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
             for (part, (j, table)) in own.chain(of_sheen.map(|table| ("sheen", table))) {
                 let TableWant { layout, size, format, serves, .. } = table;
-                let key = (part, lobe == Lobe::Glass, *layout, size.clone(), format.name(), *serves);
+                let key = (part, lobe.is_glass(), *layout, size.clone(), format.name(), *serves);
                 if tables.insert(key) {
                     let size = size.clone().unwrap_or_else(|| vec![AUTO_SIDE; 2]);
                     let [columns, rest @ ..] = &size[..] else { continue };

@@ -22,6 +22,8 @@ pub const SLICED_CELLS: usize = 1 << 22;
 /// eightfold at up to 26 alphas, so that this takes up to 3.4 million integrals of some ten
 /// microseconds, and 0.3 GB for their inputs and values.
 pub const SLICED_LINES: usize = 1 << 14;
+/// Most slices of a texture: what every graphics interface has. Axes beyond the third are slices too.
+pub const TEXTURE_DEPTH: usize = 2048;
 /// Most tables that a material may want.
 pub const TABLES: usize = 4;
 /// Most texels of all tables of a scene together.

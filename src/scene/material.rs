@@ -46,12 +46,19 @@ pub enum Lobe {
     Anisotropic,
     /// It reflects and transmits.
     Glass,
+    /// It reflects and transmits, wider along one tangent than along the other.
+    AnisotropicGlass,
 }
 
 impl Lobe {
+    /// Whether it transmits.
+    pub fn is_glass(self) -> bool {
+        matches!(self, Lobe::Glass | Lobe::AnisotropicGlass)
+    }
+
     /// Tables that stand for a wanted table: of glass two, for rays from outside and from inside.
     pub fn sides(self) -> usize {
-        if self == Lobe::Glass { 2 } else { 1 }
+        if self.is_glass() { 2 } else { 1 }
     }
 }
 
@@ -176,7 +183,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 #[derive(Deserialize, JsonSchema)]
 // A diffuse base and a coat are a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric
 // either, glass `ior`. Tables with a third axis are for anisotropic materials and for glass, which
-// has neither anisotropy nor the approximations of lobes that only reflect.
+// has not the approximations of lobes that only reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
@@ -203,7 +210,6 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             "properties": {
                 "kind": { "const": "glass" },
                 "ior": { "maximum": GLASS_IOR, "items": { "maximum": GLASS_IOR } },
-                "anisotropy": false,
                 "base": false,
                 "coat": false,
                 "wants": { "properties": { "fit": false, "exact_fresnel": false } },
@@ -234,6 +240,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             } } } } } },
             { "properties": {
                 "kind": { "const": "glass" },
+                "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
                 "wants": { "properties": { "tables": { "items": { "properties": {
                     "layout": { "enum": ["optimised", "path-tracer"] },
                     "size": { "minItems": 3 },
@@ -272,7 +279,7 @@ struct MaterialFile {
     /// and fits of isotropic lobes that reflect, and tables of glass.
     #[serde(default)]
     distribution: Maybe<Word<Ndf>>,
-    /// Anisotropy of a metal or a dielectric: a number, or the range [lo, hi] that the material's
+    /// Anisotropy: a number, or the range [lo, hi] that the material's
     /// texture spans; default 0. aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect,
     /// alpha_y = alpha aspect.
     #[serde(default)]
@@ -300,9 +307,6 @@ impl TryFrom<MaterialFile> for Material {
         let f0 = file.f0.0.map(|Numbers([r, g, b])| [r.0, g.0, b.0]);
         let ior = file.ior.0.map(|n| n.0);
         let f0 = reflectance(kind, f0, ior)?;
-        if kind == Kind::Glass && file.anisotropy.0.is_some() {
-            return Err("`anisotropy` is for metals and dielectrics; leave it out of glass".into());
-        }
         let anisotropy = file.anisotropy.0.map_or([0.0; 2], |range| range.0);
         let lobe = lobe(kind, anisotropy);
         let wants = file.wants.0.map_or_else(|| OpenWants::default(lobe), Ok)?.of(lobe)?;
@@ -381,7 +385,8 @@ fn of_kind(kind: Kind) -> &'static str {
 
 fn lobe(kind: Kind, anisotropy: [f64; 2]) -> Lobe {
     match kind {
-        Kind::Glass => Lobe::Glass,
+        Kind::Glass if isotropic(&anisotropy) => Lobe::Glass,
+        Kind::Glass => Lobe::AnisotropicGlass,
         _ if isotropic(&anisotropy) => Lobe::Isotropic,
         _ => Lobe::Anisotropic,
     }

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::limits::{
-    AXIS_MAX, AXIS_MIN, SLICED_AXIS_MAX, SLICED_AXIS_MIN, SLICED_CELLS, SLICED_LINES, TABLE_MU,
+    AXIS_MAX, AXIS_MIN, SLICED_AXIS_MAX, SLICED_AXIS_MIN, SLICED_CELLS, SLICED_LINES, TABLE_MU, TEXTURE_DEPTH,
 };
 use super::material::Lobe;
 use super::number::{AxisSize, Cosine, ErrorLimit, In, Span, Whole};
@@ -21,7 +21,10 @@ fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
     match (layout, serves) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Some(3e-3),
-        (Layout::Optimised | Layout::Azimuth | Layout::PathTracer | Layout::AreaLights, _) => None,
+        (
+            Layout::Optimised | Layout::Azimuth | Layout::FiveAxis | Layout::PathTracer | Layout::AreaLights,
+            _,
+        ) => None,
     }
 }
 
@@ -31,8 +34,11 @@ fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
     match (layout, lobe) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, _) => None,
         (Layout::Azimuth, _) => Some(vec![64, 16, 16]),
+        (Layout::FiveAxis, _) => Some(vec![8, 4, 5, 4, 5]),
         (Layout::AreaLights, _) => Some(vec![64, 64]),
-        (Layout::Optimised | Layout::PathTracer, Lobe::Glass) => Some(vec![128, 128, 32]),
+        (Layout::Optimised | Layout::PathTracer, Lobe::Glass | Lobe::AnisotropicGlass) => {
+            Some(vec![128, 128, 32])
+        }
         (Layout::Optimised | Layout::PathTracer, Lobe::Isotropic | Lobe::Anisotropic) => {
             Some(vec![64, 64, 32])
         }
@@ -119,7 +125,14 @@ pub(super) struct OpenTable {
     {
         "properties": {
             "layout": { "enum": ["optimised", "path-tracer", "azimuth"] },
-            "size": { "minItems": 3, "items": { "minimum": 4, "maximum": 256 } },
+            "size": { "minItems": 3, "maxItems": 3, "items": { "minimum": 4, "maximum": 256 } },
+            "serves": { "const": "albedo" },
+        },
+    },
+    {
+        "properties": {
+            "layout": { "const": "five-axis" },
+            "size": { "minItems": 5, "items": { "maximum": 256 } },
             "serves": { "const": "albedo" },
         },
     },
@@ -131,13 +144,14 @@ struct TableFile {
     /// mu), for a pair of tables of a linearly transformed cosine, by which polygons light the lobe. With
     /// a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`,
     /// which takes separable Smith and alpha = roughness whatever the scene says, has its own size and
-    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials.
+    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials. With
+    /// five, of glass with anisotropy and its default: `five-axis`, over mu, azimuth, roughness, anisotropy and ior.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
     /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
     /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
-    /// 128x128x32, and 4 slices where the materials have one anisotropy or one index of refraction.
+    /// 128x128x32, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the last three together), and 4 slices where the materials have one anisotropy or one index of refraction.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,
@@ -192,8 +206,11 @@ impl OpenTable {
 
     /// The table as a material with this lobe wants it.
     pub(super) fn of(self, lobe: Lobe) -> Result<TableWant, String> {
-        let isotropic = lobe == Lobe::Isotropic;
-        let layout = self.layout.unwrap_or(if isotropic { Layout::Homogeneous } else { Layout::Optimised });
+        let layout = self.layout.unwrap_or(match lobe {
+            Lobe::Isotropic => Layout::Homogeneous,
+            Lobe::Anisotropic | Lobe::Glass => Layout::Optimised,
+            Lobe::AnisotropicGlass => Layout::FiveAxis,
+        });
         fits_lobe(layout, lobe).map_err(|e| about("layout", e))?;
         if layout == Layout::PathTracer {
             if self.size.is_some() {
@@ -229,7 +246,7 @@ impl OpenTable {
         }
         let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
         let max_error = self.max_error.or_else(default_limit);
-        let has_open_slices = self.size.is_none() && layout.axes() > 2 && layout != Layout::PathTracer;
+        let has_open_slices = self.size.is_none() && layout.axes() == 3 && layout != Layout::PathTracer;
         let size = self.size.or_else(|| default_size(lobe, layout));
         let (format, n_dot_v) = (self.format, self.n_dot_v);
         Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, max_bytes: None, n_dot_v })
@@ -242,7 +259,9 @@ fn within_unit(layout: Layout, serves: Serves) -> bool {
     match layout {
         Layout::Azimuth | Layout::AreaLights => false,
         Layout::Homogeneous => serves == Serves::Albedo,
-        Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::PathTracer => true,
+        Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::PathTracer | Layout::FiveAxis => {
+            true
+        }
     }
 }
 
@@ -250,6 +269,11 @@ fn within_unit(layout: Layout, serves: Serves) -> bool {
 fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
     let name = layout.name();
     match (lobe, layout) {
+        (Lobe::AnisotropicGlass, Layout::FiveAxis) => Ok(()),
+        (_, Layout::FiveAxis) => Err(format!("`{name}` is for glass with `anisotropy`")),
+        (Lobe::AnisotropicGlass, _) => {
+            Err(format!("`{name}` does not know the anisotropy of glass; give `five-axis`"))
+        }
         (Lobe::Isotropic, Layout::Azimuth) => Err(format!(
             "`{name}` is for anisotropic materials; give `anisotropy`, or one of `homogeneous`, `plain`, `plain-squared`"
         )),
@@ -284,20 +308,36 @@ fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
         let numbers = if size.len() == 1 { "1 number".into() } else { format!("{} numbers", size.len()) };
         return Err(about("size", format!("{numbers} where the {name} layout has {axes} axes")));
     }
-    let [low, high] = if axes == 2 { [AXIS_MIN, AXIS_MAX] } else { [SLICED_AXIS_MIN, SLICED_AXIS_MAX] };
+    let [low, high] = match axes {
+        2 => [AXIS_MIN, AXIS_MAX],
+        3 => [SLICED_AXIS_MIN, SLICED_AXIS_MAX],
+        _ => [AXIS_MIN, SLICED_AXIS_MAX],
+    };
     if let Some((i, n)) = size.iter().enumerate().find(|(_, n)| !(low..=high).contains(*n)) {
         return Err(about(format!("size[{i}]"), format!("{n} is outside [{low}, {high}]")));
     }
-    let &[columns, _, slices] = size else { return Ok(()) };
+    if axes == 2 {
+        return Ok(());
+    }
     if size.iter().product::<usize>() > SLICED_CELLS {
         let size: Vec<String> = size.iter().map(ToString::to_string).collect();
         return Err(about("size", format!("{} is more than {SLICED_CELLS} texels", size.join("x"))));
     }
+    let &[columns, _, slices] = size else { return check_depth(size) };
     if layout == Layout::Optimised && columns * slices > SLICED_LINES {
         let message = format!(
             "{columns} columns x {slices} slices of the optimised layout are more than {SLICED_LINES}; rows cost less"
         );
         return Err(about("size", message));
+    }
+    Ok(())
+}
+
+/// Holds the axes that a texture has as its slices to what a texture may have.
+fn check_depth(size: &[usize]) -> Result<(), String> {
+    let depth: usize = size.iter().skip(2).product();
+    if depth > TEXTURE_DEPTH {
+        return Err(about("size", format!("{depth} slices, where a texture has at most {TEXTURE_DEPTH}")));
     }
     Ok(())
 }

@@ -262,13 +262,13 @@ impl OpenWants {
 
     /// The wants of a material with this lobe.
     pub(super) fn of(self, lobe: Lobe) -> Result<Wants, String> {
-        if lobe == Lobe::Glass && self.fit.is_some() {
+        if lobe.is_glass() && self.fit.is_some() {
             let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
             return Err(about("wants.fit", message));
         }
         let OpenWants { tables, fit, exact_fresnel, refracted_width, widened } = self;
         if refracted_width.is_some() && lobe != Lobe::Glass {
-            return Err(about("wants.refracted_width", "it is of glass, which refracts"));
+            return Err(about("wants.refracted_width", "it is of glass without anisotropy, which refracts"));
         }
         let tables = different(tables, lobe, "wants.tables")?;
         Ok(Wants { tables, fit, exact_fresnel, refracted_width, widened })

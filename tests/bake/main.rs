@@ -9,6 +9,7 @@ mod sliced_support;
 
 mod cached;
 mod deterministic;
+mod five_axes;
 mod only;
 mod parallax;
 mod pick;

@@ -112,6 +112,7 @@ fn plan_prints_the_keys_of_the_contract() {
     assert_eq!(
         left,
         [
+            "aniso-glass",
             "beckmann",
             "beckmann-glass",
             "dielectric",

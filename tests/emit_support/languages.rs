@@ -1,7 +1,7 @@
 //! Whole files of emitted code as programs: every function that a file holds is called.
 
 use lobefit::data::{Decode, Table};
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{Language, TEXTURE_AXES};
 
 use super::compilers::{Contraction, Target, glslang, loops, run};
 
@@ -189,7 +189,7 @@ pub fn look_up(
             |i: usize| called.table.channels.iter().map(move |c| format!("{:?}f", c.texels[i] as f32));
         let texels: Vec<String> = (0..columns * rows * slices).flat_map(texel).collect();
         main += &format!("static const float texels_{k}[] = {{{}}};\n", texels.join(", "));
-        let axes = called.table.axes.len();
+        let axes = called.table.axes.len().min(TEXTURE_AXES);
         let kind = match language {
             Language::C => None,
             Language::Hlsl => Some(format!("Texture{axes}D<float4>")),

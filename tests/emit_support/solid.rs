@@ -23,9 +23,10 @@ fn axis(name: &str, size: usize, registration: Registration, warp: Warp, range: 
     Axis { name: name.into(), size, registration, warp, min: range[0], max: range[1] }
 }
 
-/// A table of two or three of the axes given, with channels of these names.
+/// A table of the axes given, slices beyond the third axis behind one another, with channels of these names.
 fn table(name: &str, format: TexelFormat, axes: Vec<Axis>, channels: &[&str]) -> Table {
-    let [columns, rows, slices] = [0, 1, 2].map(|k| axes.get(k).map_or(1, |axis: &Axis| axis.size));
+    let [columns, rows] = [0, 1].map(|k| axes.get(k).map_or(1, |axis: &Axis| axis.size));
+    let slices: usize = axes.iter().skip(2).map(|axis| axis.size).product();
     let place = |i: usize| [i % columns, i / columns % rows, i / columns / rows];
     let channel = |(c, name): (usize, &&str)| Channel {
         name: name.to_string(),
@@ -187,6 +188,24 @@ pub fn to_look_up() -> Vec<Solid> {
             &["roughness", "alpha", "n_dot_v", "anisotropy", "cos2_phi"],
         ),
     ]
+}
+
+/// A table of the axes of anisotropic glass, which takes four fetches.
+pub fn of_five_axes() -> Solid {
+    let linear = |name: &str, size, range| axis(name, size, Registration::Endpoint, Warp::Linear, range);
+    let axes = vec![
+        axis("mu", SIZE[0], Registration::Endpoint, Warp::HomogeneousIor, [0.0, 1.0]),
+        linear("cos2_phi", SIZE[1], [0.0, 1.0]),
+        linear("roughness", SIZE[2], [0.02, 1.0]),
+        axis("anisotropy", 2, Registration::Endpoint, Warp::Aspect, [0.0, 1.0]),
+        axis("ior", 4, Registration::Endpoint, Warp::Ior, [1.0, 2.0]),
+    ];
+    Solid {
+        table: table("solid-five", TexelFormat::F16, axes, &["loss"]).quantised(),
+        names: TableNames::from("solid_five"),
+        decode: Decode::Loss,
+        arguments: &["roughness", "alpha", "n_dot_v", "anisotropy", "ior", "cos2_phi"],
+    }
 }
 
 /// Points in the domain of the tables, their edges and corners, and some beyond, where lookups

@@ -86,6 +86,7 @@ fn region(axis: SliceAxis, range: [f64; 2]) -> Region {
         roughness: [0.52, 0.97],
         mu: [0.21, 0.93],
         slices: Some(Slices { axis, range }),
+        anisotropy: None,
         alpha_map: AlphaMap::RoughnessSquared,
     }
 }

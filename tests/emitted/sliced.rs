@@ -7,7 +7,9 @@ use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{Called, FAMILY, compile, file, look_up};
 use emit_support::programs::{compile_library, run};
 use emit_support::say;
-use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, texel, to_look_up};
+use emit_support::solid::{
+    Differences, Solid, azimuth_bound, bytes, of_five_axes, points, surface, texel, to_look_up,
+};
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
@@ -15,6 +17,11 @@ use lobefit::emit::lookup::Readable;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
 use lobefit_shade::code::helpers;
+
+/// Tables of three axes and of five.
+fn looked_up() -> Vec<Solid> {
+    to_look_up().into_iter().chain([of_five_axes()]).collect()
+}
 
 /// Every function of the tables and compensations.
 fn all(language: Language, tables: &[Solid]) -> String {
@@ -46,7 +53,7 @@ fn wgsl(tables: &[Solid]) -> String {
 
 #[test]
 fn rustc_compiles_the_lookups_and_compensations_without_a_warning() {
-    compile_library(&rust(&to_look_up()));
+    compile_library(&rust(&looked_up()));
 }
 
 #[test]
@@ -115,7 +122,7 @@ const LOGARITHMS: Differences =
 
 #[test]
 fn the_rust_lookups_return_the_bits_that_are_measured() {
-    let (tables, points) = (to_look_up(), points());
+    let (tables, points) = (looked_up(), points());
     let mut body = String::new();
     for solid in &tables {
         let (name, channels) = (solid.names.lookup.clone(), solid.decode.channels());
@@ -143,7 +150,7 @@ const INPUTS: [&str; 6] = ["roughness", "alpha", "n_dot_v", "anisotropy", "ior",
 
 #[test]
 fn the_lookups_of_the_other_languages_return_the_bits_that_are_measured() {
-    let (tables, points) = (to_look_up(), points());
+    let (tables, points) = (looked_up(), points());
     let lookups: Vec<Called> = tables.iter().map(called).collect();
     for language in FAMILY {
         let code = file(language, &all(language, &tables));
@@ -177,7 +184,7 @@ fn measured(language: &str, tables: &[Solid], points: &[Point], found: Vec<f32>)
     let mut found = found.into_iter();
     let mut largest = [0.0_f64; 2];
     for solid in tables {
-        let lookup = Lookup::new(&solid.table, solid.decode).expect("three known axes");
+        let lookup = Lookup::new(&solid.table, solid.decode).expect("known axes");
         for point in points {
             let values: Vec<f32> = found.by_ref().take(solid.values()).collect();
             let expected = lookup.at(point).e;

@@ -218,7 +218,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("[1,2]", "0.5"),
                 ("\"ior\":[1,2]", "\"f0\":0.04"),
                 ("\"ior\":[1,2],", ""),
-                ("\"roughness\":1", "\"roughness\":1,\"anisotropy\":0"),
+                ("\"roughness\":1", "\"roughness\":1,\"anisotropy\":1.5"),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{}"),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"tables\":[{\"layout\":\"plain\"}]"),
                 ("[{\"format\":\"f32\"}]", "[]"),

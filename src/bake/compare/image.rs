@@ -2,7 +2,7 @@
 
 use super::{Difference, Kind};
 use crate::bake::BakedTable;
-use crate::data::{Channel, TexelFormat};
+use crate::data::{Channel, Table, TexelFormat};
 use crate::emit::container::SIDECAR;
 use crate::emit::exr::{self, Decoded};
 use crate::emit::sidecar::Sidecar;
@@ -73,9 +73,7 @@ pub fn judged(
     expected: &Decoded,
     found: &Decoded,
 ) -> Difference {
-    // Slices lie one below the other.
-    let rows = table.table().filter(|t| t.axes.len() == 3).map(|t| t.axes[1].size);
-    let mut difference = texels(file, expected, found, format, rows);
+    let mut difference = texels(file, expected, found, (format, table.table()));
     if difference.max_abs != Some(0.0) {
         // So the order of texels is the table's.
         let again = |channels: &[Channel]| table.measured_again(channels).map_err(|e| e.to_string());
@@ -95,13 +93,12 @@ fn words(image: &Decoded) -> String {
     format!("{} x {} texels of {}", image.width, image.height, names.join(", "))
 }
 
-/// The texel that is furthest off; of a table with slices, `rows` are those of each.
+/// The texel that is furthest off, by its places along the axes of the table: slices lie one below the other.
 fn texels(
     file: &str,
     expected: &Decoded,
     found: &Decoded,
-    format: TexelFormat,
-    rows: Option<usize>,
+    (format, table): (TexelFormat, Option<&Table>),
 ) -> Difference {
     let mut difference = Difference::plain(file, Kind::Different, "texels are equal");
     difference.max_abs = Some(0.0);
@@ -112,11 +109,12 @@ fn texels(
             let gap = (a - b).abs();
             // NaN is the largest difference there is.
             if gap.is_nan() || gap > difference.max_abs.unwrap_or(0.0) {
-                let (column, row) = (i % expected.width, i / expected.width);
-                let cell = match rows {
-                    Some(rows) => format!("column {column}, row {}, slice {}", row % rows, row / rows),
-                    None => format!("column {column}, row {row}"),
-                };
+                let along =
+                    table.map_or_else(|| vec![i % expected.width, i / expected.width], |t| t.place(i));
+                let words = ["column ", "row ", "slice ", "", ""];
+                let cell: Vec<String> =
+                    words.iter().zip(along).map(|(word, k)| format!("{word}{k}")).collect();
+                let cell = cell.join(", ");
                 let place = format!("channel {}, {cell}", want.name);
                 difference.detail = format!("{place}: {b} where the recipe gives {a}");
                 (difference.max_abs, difference.at) = (Some(gap), Some(place));

@@ -13,7 +13,7 @@ use super::effect::Note;
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
 };
-use super::who::{no_distribution, stay_smooth};
+use super::who::{NO_GLASS, no_distribution, stay_smooth};
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Memo;
 use crate::data::{Layout, Ndf, Serves, Smith, Table};
@@ -148,7 +148,10 @@ impl Sliced for Glass {
         match (glass().next(), wanting.is_empty()) {
             (None, _) if self.ndf == Ndf::Beckmann => no_distribution(self.ndf, "material"),
             (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
-            (None, _) => "no material transmits light".into(),
+            (None, _) if scene.materials.iter().any(|m| m.lobe().is_glass()) => {
+                "every glass has anisotropy".into()
+            }
+            (None, _) => NO_GLASS.into(),
             (_, true) => "no glass wants tables".into(),
             _ => format!("no glass is rough: {}", stay_smooth(&wanting)),
         }

@@ -173,7 +173,7 @@ impl Reflection {
         }
         // What is rough and wants neither table nor fits is anisotropic, glass, or has the exact term.
         let (glass, others): (Vec<&Material>, Vec<&Material>) =
-            rough.into_iter().partition(|m| m.lobe() == Lobe::Glass);
+            rough.into_iter().partition(|m| m.lobe().is_glass());
         let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
             others.into_iter().partition(|m| m.lobe() == Lobe::Isotropic);
         let unwanted = |m: &[&Material]| {

@@ -13,6 +13,7 @@ use crate::effects::demand::Caller;
 use crate::emit::header;
 use crate::emit::lookup::TableNames;
 use crate::store::Key;
+use lobefit_shade::code::TEXTURE_AXES;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
 
@@ -177,8 +178,8 @@ fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
 impl TableJob {
     /// Where the job's lookups must hold.
     pub fn region(&self) -> Region {
-        let TableJob { roughness, mu, slices, alpha_map, .. } = *self;
-        Region { roughness, mu, slices, alpha_map }
+        let TableJob { roughness, mu, slices, anisotropy, alpha_map, .. } = *self;
+        Region { roughness, mu, slices, anisotropy, alpha_map }
     }
 
     /// What to build of it in a size, which names have as `text`.
@@ -226,7 +227,7 @@ pub(super) fn finish(spec: &Spec, table: &Table, made: Made, judge: Judge) -> Re
         used_as,
         smith: table.smith,
         source: Source::Fitted,
-        cost: Cost { ops, fetches: 1, bytes: table.bytes() },
+        cost: Cost { ops, fetches: 1 << table.axes.len().saturating_sub(TEXTURE_AXES), bytes: table.bytes() },
         form: Form::Table(table.quantised()),
         certificate,
     };

@@ -104,6 +104,12 @@ pub trait Family: Sync {
     /// A region without the slices that the tables have.
     fn points(&self, region: &Region, finer: bool) -> Result<LookupPoints, BuildError>;
 
+    /// How many points even in the coordinates of a table of so many texels judge it besides, where the truth is
+    /// too dear to close in on the largest error.
+    fn judged_at(&self, _texels: usize) -> Option<u32> {
+        None
+    }
+
     /// The truth of each side at points: E, and B where it must be `finer` and tables hold it.
     ///
     /// # Errors

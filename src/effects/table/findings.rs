@@ -26,6 +26,10 @@ pub fn findings<F: Sliced>(
     let own = || tables.iter().filter(|t| t.layout != Layout::PathTracer).map(|t| t.region.roughness);
     let alike = own().all(|roughness| own().next() == Some(roughness));
     for baked in tables {
+        if baked.layout == Layout::FiveAxis {
+            shown.extend(finding(baked, part, Vec::new()));
+            continue;
+        }
         let Some((table, smith)) = baked.table().and_then(|table| Some((table, table.smith?))) else {
             continue;
         };

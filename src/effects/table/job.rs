@@ -58,6 +58,8 @@ pub struct TableJob {
     /// What the slices span, where there are any: the hull of the materials' ranges, at least
     /// `SLICES_WIDTH_MIN` wide.
     pub slices: Option<Slices>,
+    /// The anisotropy that tables have beside other slices.
+    pub anisotropy: Option<[f64; 2]>,
     /// Limit on the lookup error: the strictest of the materials'. Always given where the size is
     /// not; `None` in the path tracer's layout.
     pub max_error: Option<f64>,
@@ -83,10 +85,10 @@ pub fn demands<F: Sliced>(family: &F, scene: &Scene) -> Vec<Demand> {
     materials.flat_map(of_material).collect()
 }
 
-/// The tables of so many axes that a material wants, with their places in its list.
+/// The tables of so many axes, or of three and more, that a material wants, with their places in its list.
 pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, &TableWant)> {
     let tables = material.wants.tables.iter().enumerate();
-    tables.filter(move |(_, want)| want.layout.axes() == axes && want.layout != Layout::AreaLights)
+    tables.filter(move |(_, want)| want.layout.axes().min(3) == axes && want.layout != Layout::AreaLights)
 }
 
 /// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout
@@ -106,7 +108,9 @@ fn slices(material: &Material, layout: Layout) -> Option<Slices> {
     match material.lobe() {
         Lobe::Isotropic => None,
         Lobe::Anisotropic => Some(Slices { axis: SliceAxis::Anisotropy, range: material.anisotropy }),
-        Lobe::Glass => material.ior.map(|range| Slices { axis: SliceAxis::Ior, range }),
+        Lobe::Glass | Lobe::AnisotropicGlass => {
+            material.ior.map(|range| Slices { axis: SliceAxis::Ior, range })
+        }
     }
 }
 
@@ -133,7 +137,11 @@ pub fn demand(
     let rows = if slices.is_some() { rows(range, alpha_map) } else { Span::roughness(range, alpha_map) };
     let mut spans = vec![("mu", Span::new(want.n_dot_v)), ("roughness", rows)];
     spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want.layout))));
-    if want.layout == Layout::Azimuth {
+    if want.layout == Layout::FiveAxis {
+        let anisotropy = Slices { axis: SliceAxis::Anisotropy, range: material.anisotropy };
+        spans.push((anisotropy.axis.name(), wide(anisotropy, want.layout)));
+    }
+    if [Layout::Azimuth, Layout::FiveAxis].contains(&want.layout) {
         // The albedo is even about both tangents.
         spans.push(("phi", Span::new([0.0, FRAC_PI_2])));
     }
@@ -185,6 +193,10 @@ impl TableJob {
             roughness: job.range("roughness")?,
             mu: job.range("mu")?,
             slices: slices.map(over).transpose()?,
+            anisotropy: match want.layout {
+                Layout::FiveAxis => Some(job.range(SliceAxis::Anisotropy.name())?),
+                _ => None,
+            },
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: (!unjudged.is_empty()).then(|| listed(&unjudged)),
@@ -209,6 +221,7 @@ impl TableJob {
             roughness,
             mu,
             slices: None,
+            anisotropy: None,
             max_error: None,
             limited_by: String::new(),
             unjudged_by: None,

@@ -136,8 +136,12 @@ impl Judge {
         let over = (&table.axes[..], &self.region);
         let truths = vec![self.truths[side.1].clone()];
         let mut closer = Judge { truths, ..self.clone() };
+        if let Some(n) = side.0.judged_at(table.size().iter().product()) {
+            self.add(&mut closer, (side, (&lookup, decode)), even(over, n), memo)?;
+            return Ok(closer);
+        }
         let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
-        let mut near = even(over);
+        let mut near = even(over, EVEN);
         for (places, n, width) in ROUNDS {
             errors.extend(self.add(&mut closer, (side, (&lookup, decode)), near, memo)?);
             let worst = apart(&lookup, &closer.points.all, &errors, places);
@@ -194,15 +198,18 @@ fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Ve
 
 /// Points even in the coordinates of a table. Those of a region are even in its inputs: none of
 /// them met the cells of glass next to ior = 1, where its largest error is.
-fn even((axes, region): (&[Axis], &Region)) -> Vec<Point> {
+pub(in crate::effects) fn even((axes, region): (&[Axis], &Region), n: u32) -> Vec<Point> {
     let (sobol, azimuths) = (Sobol::new([0xc2b2_ae35, 0x27d4_eb2f, 0x85eb_ca6b]), azimuths());
+    let beyond = Sobol::new([0x9e37_79b1, 0x2545_f491, 3]).padded(0x51ed_270b);
     let point = |k: u32| {
         let size = |axis: usize| axes.get(axis).map_or(1.0, |axis: &Axis| axis.size as f64);
-        let position = std::array::from_fn(|axis| sobol.coordinate(k, axis) * (size(axis) - 1.0));
+        let at =
+            |axis: usize| if axis < 3 { sobol.coordinate(k, axis) } else { beyond.coordinate(k, axis - 3) };
+        let position = std::array::from_fn(|axis| at(axis) * (size(axis) - 1.0));
         let cos2_phi = azimuths.coordinate(k, 0) as f32;
         within(axes, region, position, Point { cos2_phi, ..Point::default() })
     };
-    (0..EVEN).map(point).collect()
+    (0..n).map(point).collect()
 }
 
 /// `n` points in a box about a point, so many cells of the table wide.
@@ -215,7 +222,8 @@ fn about(
     let (sobol, azimuths) = (Sobol::new([0x85eb_ca6b, 0xc2b2_ae35, 0x27d4_eb2f]), azimuths());
     let centre = lookup.position(point);
     let near = |k: u32| {
-        let position = std::array::from_fn(|axis| centre[axis] + width * (sobol.coordinate(k, axis) - 0.5));
+        let position =
+            std::array::from_fn(|axis| centre[axis] + width * (sobol.coordinate(k, axis.min(2)) - 0.5));
         let turn = width * 0.2 * (azimuths.coordinate(k, 0) - 0.5);
         let cos2_phi = (f64::from(point.cos2_phi) + turn).clamp(0.0, 1.0) as f32;
         within(axes, region, position, Point { cos2_phi, ..*point })
@@ -233,7 +241,7 @@ fn within(axes: &[Axis], region: &Region, position: [f64; AXES], like: Point) ->
     let mut point = like;
     let clamped = |x: f64, [low, high]: [f64; 2]| x.clamp(low, high) as f32;
     // The warp of the slices uses alpha, that of mu both.
-    for k in [1, 2, 0].into_iter().filter(|k| *k < axes.len()) {
+    for k in (1..axes.len()).chain([0]) {
         let axis = &axes[k];
         let Point { alpha, ior, anisotropy, cos2_phi, .. } = point;
         let [alpha, ior, anisotropy, cos2_phi] = [alpha, ior, anisotropy, cos2_phi].map(f64::from);
@@ -246,7 +254,10 @@ fn within(axes: &[Axis], region: &Region, position: [f64; AXES], like: Point) ->
             }
             (Some(Variable::Mu), _) => point.mu = clamped(x, region.mu),
             (Some(Variable::Ior), Some(slices)) => point.ior = clamped(x, slices.range),
-            (Some(Variable::Anisotropy), Some(slices)) => point.anisotropy = clamped(x, slices.range),
+            (Some(Variable::Anisotropy), Some(slices)) => {
+                point.anisotropy = clamped(x, region.anisotropy.unwrap_or(slices.range));
+            }
+            (Some(Variable::Cos2Phi), _) => point.cos2_phi = clamped(x, [0.0, 1.0]),
             _ => {}
         }
         point.alpha = region.alpha_map.alpha_f32(point.roughness);

@@ -37,6 +37,7 @@ pub(super) enum Variable {
     Mu,
     Anisotropy,
     Ior,
+    Cos2Phi,
 }
 
 impl Variable {
@@ -47,6 +48,7 @@ impl Variable {
             "mu" => Some(Variable::Mu),
             "anisotropy" => Some(Variable::Anisotropy),
             "ior" => Some(Variable::Ior),
+            "cos2_phi" => Some(Variable::Cos2Phi),
             _ => None,
         }
     }
@@ -58,6 +60,7 @@ impl Variable {
             Variable::Mu => point.mu,
             Variable::Anisotropy => point.anisotropy,
             Variable::Ior => point.ior,
+            Variable::Cos2Phi => point.cos2_phi,
         }
     }
 }
@@ -76,8 +79,8 @@ pub enum LookupError {
         /// Channels that the decoding reads.
         expected: usize,
     },
-    /// More axes than a texture has.
-    #[error("table {table}: {axes} axes; a texture has one to {AXES}")]
+    /// More axes than a table has.
+    #[error("table {table}: {axes} axes; a table has one to {AXES}")]
     Axes {
         /// Table's name.
         table: String,
@@ -94,7 +97,7 @@ pub enum LookupError {
     #[error(transparent)]
     Shader(ShadeError),
     /// An axis of no known variable.
-    #[error("table {table}: axis {axis} is none of roughness, alpha, mu, anisotropy, ior")]
+    #[error("table {table}: axis {axis} is none of roughness, alpha, mu, anisotropy, ior, cos2_phi")]
     Axis {
         /// Table's name.
         table: String,
@@ -131,7 +134,7 @@ impl<'a> Lookup<'a> {
     /// first.
     ///
     /// # Errors
-    /// No axis or more than a texture has, other channels than `decode` reads, an axis of another
+    /// No axis or more than a table has, other channels than `decode` reads, an axis of another
     /// variable than [`Point`] has.
     pub fn new(table: &'a Table, decode: Decode) -> Result<Lookup<'a>, LookupError> {
         let (name, axes) = (|| table.name.clone(), table.axes.len());

@@ -39,6 +39,7 @@ pub use findings::finding;
 pub use instead::table_instead;
 pub use job::{TableJob, demand, demands, summaries, wanted};
 pub use judge::Judge;
+pub(in crate::effects) use judge::even;
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, Judged, Truth, error_map, measure};
 pub use plan::{Node, TexelPlan};

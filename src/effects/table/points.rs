@@ -157,6 +157,9 @@ impl LookupPoints {
         let inputs = [("alpha", p.alpha), ("mu", p.mu), ("roughness", p.roughness)].into_iter().chain(slice);
         let mut place: Place = inputs.map(|(name, x)| (name.to_string(), shortest(x))).collect();
         if self.azimuth {
+            if self.slice == Some(SliceAxis::Ior) {
+                place.insert(SliceAxis::Anisotropy.name().into(), shortest(p.anisotropy));
+            }
             let phi = ops::atan2f((1.0 - p.cos2_phi).sqrt(), p.cos2_phi.sqrt());
             place.insert("phi".into(), shortest(phi));
         }

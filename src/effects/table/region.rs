@@ -52,6 +52,8 @@ pub struct Region {
     pub mu: [f64; 2],
     /// What the slices span, where there are any.
     pub slices: Option<Slices>,
+    /// The anisotropy of tables that have it beside other slices.
+    pub anisotropy: Option<[f64; 2]>,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
 }
@@ -79,14 +81,22 @@ impl Region {
     pub fn ranges(&self) -> BTreeMap<String, [f64; 2]> {
         let inputs = [("alpha", self.alpha()), ("mu", self.mu), ("roughness", self.roughness)];
         let slices = self.slices.map(|slices| (slices.axis.name(), slices.range));
-        inputs.into_iter().chain(slices).map(|(name, range)| (name.to_string(), range)).collect()
+        let beside = self.anisotropy.map(|range| (SliceAxis::Anisotropy.name(), range));
+        let phi = beside.map(|_| ("phi", [0.0, std::f64::consts::FRAC_PI_2]));
+        inputs
+            .into_iter()
+            .chain(slices)
+            .chain(beside)
+            .chain(phi)
+            .map(|(name, range)| (name.to_string(), range))
+            .collect()
     }
 }
 
 impl From<approximate::Region> for Region {
     fn from(flat: approximate::Region) -> Region {
         let approximate::Region { roughness, mu, alpha_map } = flat;
-        Region { roughness, mu, slices: None, alpha_map }
+        Region { roughness, mu, slices: None, anisotropy: None, alpha_map }
     }
 }
 

@@ -89,6 +89,7 @@ impl ValueTable<'_> {
                 roughness: job.range("roughness")?,
                 mu: want.n_dot_v,
                 slices: None,
+                anisotropy: None,
                 max_error: want.max_error,
                 limited_by: limited_by.clone(),
                 unjudged_by: None,

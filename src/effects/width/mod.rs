@@ -12,7 +12,7 @@ use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
 use crate::data::AlphaMap;
 use crate::scene::limits::EXACT_IOR;
-use crate::scene::{Goals, Lobe, Material, Scene};
+use crate::scene::{Goals, Material, Scene};
 use lobefit_truth::quantity::{AVERAGED_WIDTH, COATED_WIDTH, LIT_WIDTH, RefractedWidth};
 
 /// The effect.
@@ -188,7 +188,7 @@ impl Effect for Width {
 
     fn left_out(&self, scene: &Scene) -> String {
         let (glass, others): (Vec<&Material>, Vec<&Material>) =
-            scene.materials.iter().partition(|m| m.lobe() == Lobe::Glass);
+            scene.materials.iter().partition(|m| m.lobe().is_glass());
         let wants = |m: &&Material| m.wants.refracted_width.is_some() || m.wants.widened.is_some();
         let wanting: Vec<&Material> = glass.iter().chain(&others).copied().filter(wants).collect();
         if !wanting.is_empty() && scene.alpha != AlphaMap::RoughnessSquared {

@@ -101,8 +101,8 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         case(glass("[2, 1]"), "materials[0].ior: the range [2, 1] is upside down"),
         case(dielectric("[1.4, 1.5]"), "materials[0].ior: a dielectric has one index of refraction"),
         case(
-            material(&format!(r#"{GLASS},"anisotropy":0"#)),
-            "materials[0]: `anisotropy` is for metals and dielectrics; leave it out of glass",
+            material(&format!(r#"{GLASS},"anisotropy":0.5,"wants":{{"tables":[{{"layout":"optimised"}}]}}"#)),
+            "materials[0].wants.tables[0].layout: `optimised` does not know the anisotropy of glass; give `five-axis`",
         ),
         case(
             material(&format!(r#"{GLASS},"coat":{{}}"#)),
@@ -114,7 +114,7 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         ),
         case(
             material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"refracted_width":{}}"#),
-            "materials[0].wants.refracted_width: it is of glass, which refracts",
+            "materials[0].wants.refracted_width: it is of glass without anisotropy, which refracts",
         ),
         case(
             material(r#""kind":"metal","f0":1,"roughness":1,"wants":{"widened":{"coat":true}}"#),

@@ -64,11 +64,19 @@ fn not_a_sliced_table() -> Vec<Case> {
             tables(ANISOTROPIC, "[{\"size\":[64,64]}]"),
             "wants.tables[0].size: 2 numbers where the optimised layout has 3 axes",
         ),
-        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list in brackets, [...], of at most 3"),
+        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list in brackets, [...], of at most 5"),
         case(tables(ANISOTROPIC, "[{\"size\":[64,64,3]}]"), "wants.tables[0].size[2]: 3 is outside [4, 256]"),
         case(
             tables(ANISOTROPIC, "[{\"size\":[256,256,256]}]"),
             "materials[0].wants.tables[0].size: 256x256x256 is more than 4194304 texels",
+        ),
+        case(
+            tables(GLASS, "[{\"layout\":\"five-axis\"}]"),
+            "materials[0].wants.tables[0].layout: `five-axis` is for glass with `anisotropy`",
+        ),
+        case(
+            tables(&format!("{GLASS},\"anisotropy\":0.5"), "[{\"size\":[8,4,16,16,16]}]"),
+            "materials[0].wants.tables[0].size: 4096 slices, where a texture has at most 2048",
         ),
     ]
 }

@@ -29,7 +29,7 @@ fn not_a_want() -> Vec<Case> {
         case(wants("{\"fit\":{\"pick\":\"all\"}}"), "; the scene itself has a field of that name"),
         case(
             table("\"size\":32"),
-            "wants.tables[0].size: invalid type: integer `32`, expected a list in brackets, [...], of at most 3 entries",
+            "wants.tables[0].size: invalid type: integer `32`, expected a list in brackets, [...], of at most 5 entries",
         ),
         case(
             table("\"size\":[32]"),

@@ -19,10 +19,23 @@ pub(super) fn lookup(table: &TableLookup) -> String {
     let declare = |name: &str, kind: Kind, value: &str| {
         format!("    {}{value};\n", C.declare(name, kind, false, false))
     };
-    text += &declare(&uv, kind(table.sizes.len()), &table.located());
+    let corners = table.corners();
+    if corners.is_empty() {
+        text += &declare(&uv, kind(table.letters().len()), &table.located());
+    }
+    for (i, corner) in corners.iter().enumerate() {
+        text += &declare(&format!("corner_{i}"), kind(4), &table.located_at(&corner.replace(".0", ".0f")));
+        let at = format!("{{corner_{i}.x, corner_{i}.y, corner_{i}.z}}");
+        text += &declare(&format!("{uv}_{i}"), kind(3), &at);
+    }
     let fetch = |i: usize| {
         let texels = if i == 0 { "texels".to_string() } else { format!("texels + {i}") };
-        format!("lobefit_{filter}({texels}, {channels}, {}, {uv})", table.listed())
+        let at = |uv: &str| format!("lobefit_{filter}({texels}, {channels}, {}, {uv})", table.listed());
+        let of = |k: usize| format!("{} * corner_{k}.w", at(&format!("{uv}_{k}")));
+        match corners.len() {
+            0 => at(&uv),
+            n => (0..n).map(of).collect::<Vec<_>>().join("\n        + "),
+        }
     };
     let fetched: Vec<String> = (0..channels).map(fetch).collect();
     let texel = match fetched.as_slice() {

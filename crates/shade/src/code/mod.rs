@@ -60,7 +60,7 @@ pub use language::Language;
 pub use lines::lines as wrapped;
 pub use rust_table::RUST_HELPERS;
 pub use subvoxels::{MASK_FUNCTIONS, MaskFunction, subvoxels};
-pub use table::{LETTERS, TableLookup, Texels, helpers};
+pub use table::{LETTERS, TEXTURE_AXES, TableLookup, Texels, helpers};
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of
 /// tiny ones are.

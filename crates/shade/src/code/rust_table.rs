@@ -16,8 +16,21 @@ pub(super) fn lookup(table: &TableLookup) -> String {
     ];
     let texels = Rust.argument("texels", &format!("&[{}]", Rust.kind(kind(table.channels))));
     let mut text = table.opening(&Rust, &first, &[texels]);
-    text += &format!("    let {uv} = {};\n", table.located());
-    let fetch = |texel: &str| format!("{filter}([{sizes}], {uv}, |i| {texel})");
+    let corners = table.corners();
+    if corners.is_empty() {
+        text += &format!("    let {uv} = {};\n", table.located());
+    }
+    for (i, corner) in corners.iter().enumerate() {
+        text += &format!("    let [u_{i}, v_{i}, w_{i}, weight_{i}] = {};\n", table.located_at(corner));
+    }
+    let fetch = |texel: &str| match corners.len() {
+        0 => format!("{filter}([{sizes}], {uv}, |i| {texel})"),
+        n => {
+            let of =
+                |k: usize| format!("{filter}([{sizes}], [u_{k}, v_{k}, w_{k}], |i| {texel}) * weight_{k}");
+            (0..n).map(of).collect::<Vec<_>>().join("\n        + ")
+        }
+    };
     let texel = match table.channels {
         1 => fetch("texels[i]"),
         n => {

@@ -45,7 +45,11 @@ pub enum Texels {
 }
 
 /// Letters of the texture coordinates, and the suffix of the function that computes them.
-pub const LETTERS: [&str; 4] = ["u", "v", "w", "t"];
+pub const LETTERS: [&str; 5] = ["u", "v", "w", "t", "s"];
+
+/// Most axes of a texture. A table with more has its other slices behind one another, and a lookup as many
+/// fetches as there are of them about a place.
+pub const TEXTURE_AXES: usize = 3;
 
 impl TableLookup {
     /// The function.
@@ -60,7 +64,19 @@ impl TableLookup {
 
     /// The letters of its coordinates.
     pub(super) fn letters(&self) -> &'static [&'static str] {
-        &LETTERS[..self.sizes.len()]
+        &LETTERS[..self.sizes.len().min(TEXTURE_AXES)]
+    }
+
+    /// The further arguments of the coordinates, one for each fetch of a table of more axes than a texture has.
+    pub(super) fn corners(&self) -> Vec<String> {
+        let beyond = self.sizes.len().saturating_sub(TEXTURE_AXES);
+        let next = |i: usize| (0..beyond).map(|k| format!("{}.0", i >> k & 1)).collect::<Vec<_>>().join(", ");
+        if beyond == 0 { Vec::new() } else { (0..1 << beyond).map(next).collect() }
+    }
+
+    /// A call of the function of the coordinates of one of these.
+    pub(super) fn located_at(&self, corner: &str) -> String {
+        self.located().replace(')', &format!(", {corner})"))
     }
 
     /// A call of the function of the coordinates.
@@ -87,14 +103,17 @@ impl TableLookup {
     /// What a fetch between texels in memory is called, and how they are ordered.
     pub(super) fn order(&self) -> [&'static str; 2] {
         match self.sizes.len() {
-            3 => ["trilinear", "slice by slice, each row by row"],
+            3.. => ["trilinear", "slice by slice, each row by row"],
             _ => ["bilinear", "row by row"],
         }
     }
 
-    /// The sizes of its axes: `64, 64, 32`.
+    /// The sizes of its texture: `64, 64, 32`.
     pub(super) fn listed(&self) -> String {
-        self.sizes.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+        let (own, beyond) = self.sizes.split_at(self.letters().len());
+        let mut sizes = own.to_vec();
+        sizes.iter_mut().last().into_iter().for_each(|last| *last *= beyond.iter().product::<usize>());
+        sizes.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -127,12 +146,14 @@ const SWIZZLES: [&str; 4] = [".x", ".xy", ".xyz", ""];
 impl Textures {
     /// The lookup by one fetch.
     pub fn lookup(&self, printer: &dyn Printer, table: &TableLookup) -> String {
-        let n = table.sizes.len();
+        let (n, corners) = (table.letters().len(), table.corners());
         let axes = n.to_string();
         let own = self.resources.iter().map(|(name, kind)| printer.argument(name, &kind.replace('#', &axes)));
         let meaning = table.meaning;
+        let fetches =
+            if corners.is_empty() { "one fetch".into() } else { format!("{} fetches", corners.len()) };
         let mut first =
-            vec![format!("{meaning} by one fetch; the sampler filters linearly and clamps to the edge.")];
+            vec![format!("{meaning} by {fetches}; the sampler filters linearly and clamps to the edge.")];
         let needed = match table.texels {
             Texels::Common => None,
             Texels::Single => Some(self.single),
@@ -144,8 +165,20 @@ impl Textures {
         let declare = |name: &str, n: usize, value: &str| {
             format!("    {}{value};\n", printer.declare(name, kind(n), false, false))
         };
-        text += &declare(&uv, n, &table.located());
-        text += &declare("texel", 4, &self.fetch.replace('#', &uv));
+        if corners.is_empty() {
+            text += &declare(&uv, n, &table.located());
+            text += &declare("texel", 4, &self.fetch.replace('#', &uv));
+        } else {
+            let name = |i: usize| format!("{uv}_{i}");
+            for (i, corner) in corners.iter().enumerate() {
+                text += &declare(&name(i), 4, &table.located_at(corner));
+            }
+            let fetch = |i: usize| {
+                format!("{} * {}.w", self.fetch.replace('#', &format!("{}.xyz", name(i))), name(i))
+            };
+            let sum: Vec<String> = (0..corners.len()).map(fetch).collect();
+            text += &declare("texel", 4, &sum.join("\n        + "));
+        }
         let decoded = table.decoded(&format!("texel{}", SWIZZLES[table.channels - 1]));
         text + &format!("    return {decoded};\n}}\n")
     }

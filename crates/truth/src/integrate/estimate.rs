@@ -132,13 +132,13 @@ impl PanelRule {
         cuts.windows(2).map(|cut| self.panel(cut[0], cut[1], f)).sum()
     }
 
-    /// Integrals over all panels between the `cuts` of two functions that share most of their work.
+    /// Integrals over all panels between the `cuts` of functions that share most of their work.
     #[inline(always)]
-    pub fn panels_of_both(&self, cuts: &[f64], f: &impl Fn(&F8) -> [F8; 2]) -> [f64; 2] {
-        let mut sums = [0.0; 2];
+    pub fn panels_of_all<const N: usize>(&self, cuts: &[f64], f: &impl Fn(&F8) -> [F8; N]) -> [f64; N] {
+        let mut sums = [0.0; N];
         for cut in cuts.windows(2) {
             let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
-            let mut totals = [0.0; 2];
+            let mut totals = [0.0; N];
             for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
                 let mut x = [0.0; LANES];
                 for i in 0..LANES {
@@ -151,7 +151,9 @@ impl PanelRule {
                     *total += lanes::sum(&y);
                 }
             }
-            sums = [0, 1].map(|k| sums[k] + half * totals[k]);
+            for (sum, total) in sums.iter_mut().zip(totals) {
+                *sum += half * total;
+            }
         }
         sums
     }

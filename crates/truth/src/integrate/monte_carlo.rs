@@ -14,7 +14,7 @@ pub use draw::Draw;
 pub(crate) use draws::{Draws, of_replicas};
 pub use draws::{Points, REPLICAS};
 
-pub use lobes::{aniso, coat, glass, sobol};
+pub use lobes::{aniso, aniso_glass, coat, glass, sobol};
 pub(crate) use lobes::{check_positive, glass_of, refract, shadowing};
 
 use super::IntegrateError;

@@ -18,13 +18,13 @@ pub struct GgxReflectionAniso;
 const WIDTHS: [f64; 2] = [0.0, aniso::ALPHA[1]];
 
 /// Azimuth of the view from the alpha_x axis, radians.
-const PHI: Input = Input {
+pub(super) const PHI: Input = Input {
     optional: true,
     ..Input::new("phi", [f64::MIN, f64::MAX]).usually([0.0, std::f64::consts::FRAC_PI_2])
 };
 
 /// A width; fits begin where lobes are as wide as in published comparisons.
-const fn width(name: &'static str) -> Input {
+pub(super) const fn width(name: &'static str) -> Input {
     Input::new(name, WIDTHS).usually([0.02, 1.0])
 }
 

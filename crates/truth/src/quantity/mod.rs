@@ -5,6 +5,7 @@
 //! A quantity is added by a file here that implements [`Quantity`] and by a line of the list.
 
 mod aniso;
+mod aniso_glass;
 mod average;
 mod coat;
 pub mod coupling;
@@ -20,6 +21,7 @@ mod variant;
 mod widened;
 
 pub use aniso::GgxReflectionAniso;
+pub use aniso_glass::GgxGlassAniso;
 pub use average::GgxAverage;
 pub use coat::{ESCAPE, GgxCoat};
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
@@ -390,11 +392,12 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 15] = [
+pub static QUANTITIES: [&dyn Quantity; 16] = [
     &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
     &GGX_GLASS,
+    &GgxGlassAniso,
     &SheenCharlie,
     &DiffuseCoupling,
     &ParallaxAlpha,

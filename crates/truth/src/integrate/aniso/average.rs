@@ -29,7 +29,7 @@ pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rule: &PanelRule) -> 
         let length = length2.sqrt();
         // d phi / d b = root / (cos^2 b + root^2 sin^2 b)
         let weight = root / length2;
-        let value = Rays::new(View::towards(smith, alpha, mu, [x / length, y / length])).integrate(rule);
+        let value = Rays::new(View::towards(smith, alpha, mu, [x / length, y / length])).albedo(rule);
         total[0] += weight * value[0];
         total[1] += weight * value[1];
     }

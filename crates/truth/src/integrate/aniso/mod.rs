@@ -8,6 +8,7 @@
 
 mod average;
 pub mod fast;
+pub mod glass;
 mod ray;
 mod rays;
 mod view;
@@ -46,7 +47,7 @@ pub fn aniso(
     phi: Option<f64>,
     tolerance: f64,
 ) -> Result<Aniso, IntegrateError> {
-    check(alpha, mu, phi)?;
+    check(QUANTITY, alpha, mu, phi)?;
     if alpha == [0.0, 0.0] {
         return Ok(Aniso { e: 1.0, loss: 0.0, error: 0.0, loss_error: 0.0 });
     }
@@ -70,9 +71,13 @@ const FLOOR: f64 = 300.0;
 const QUANTITY: &str = "ggx-reflection-aniso";
 
 /// Refuses inputs outside the domain.
-pub(super) fn check(alpha: [f64; 2], mu: f64, phi: Option<f64>) -> Result<(), IntegrateError> {
-    let refuse =
-        |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
+pub(super) fn check(
+    quantity: &'static str,
+    alpha: [f64; 2],
+    mu: f64,
+    phi: Option<f64>,
+) -> Result<(), IntegrateError> {
+    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     let inside = |a: f64| (ALPHA[0]..=ALPHA[1]).contains(&a);
     for (input, value) in [("alpha_x", alpha[0]), ("alpha_y", alpha[1])] {
         if !(inside(value) || alpha == [0.0, 0.0]) {
@@ -96,7 +101,7 @@ pub fn with_nodes(
     phi: f64,
     n: usize,
 ) -> Result<Aniso, IntegrateError> {
-    check(alpha, mu, Some(phi))?;
+    check(QUANTITY, alpha, mu, Some(phi))?;
     let values = values(smith, alpha, mu, Some(phi), n);
     bounded(values, values).ok_or_else(|| not_finite(alpha, mu))
 }
@@ -109,7 +114,7 @@ const GRAZING: f64 = 1e-30;
 fn values(smith: Smith, alpha: [f64; 2], mu: f64, phi: Option<f64>, n: usize) -> [f64; 2] {
     let (rule, mu) = (PanelRule::new(n), if mu < GRAZING { 0.0 } else { mu });
     match phi {
-        Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).integrate(&rule),
+        Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).albedo(&rule),
         None => average::mean(smith, alpha, mu, &rule),
     }
 }

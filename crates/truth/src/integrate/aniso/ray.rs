@@ -10,17 +10,17 @@ use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::{ops, panels};
 
 /// Longest panel in v, as for the isotropic lobe.
-const LONGEST: f64 = 2.0;
+pub(super) const LONGEST: f64 = 2.0;
 
 /// A ray of facets.
 pub(super) struct Ray<'a> {
-    view: &'a View,
+    pub(super) view: &'a View,
     /// cos and sin of the facets' azimuth.
-    azimuth: [f64; 2],
+    pub(super) azimuth: [f64; 2],
     /// Effective alpha along the ray.
-    g: f64,
+    pub(super) g: f64,
     /// Cosine between the azimuths of facets and view.
-    cosine: f64,
+    pub(super) cosine: f64,
 }
 
 impl<'a> Ray<'a> {
@@ -58,7 +58,7 @@ impl<'a> Ray<'a> {
 
     /// tan(t/2) at the horizon of the light, mu cos(2t) + lean sin(2t) = 0, and where v.h = 0 or
     /// t = pi/2.
-    fn ends(&self, lean: f64, q: f64) -> [f64; 2] {
+    pub(super) fn ends(&self, lean: f64, q: f64) -> [f64; 2] {
         let mu = self.view.mu;
         let half = |opposite: f64, adjacent: f64| {
             if opposite == 0.0 {
@@ -72,7 +72,7 @@ impl<'a> Ray<'a> {
 
     /// Scale in v on which the shadowing of the light varies at its horizon: s_l has branch points
     /// at mu_l = +-i s_l, and the correlated form a pole at mu_l = -mu s_l/s_v.
-    fn scale(&self, horizon: f64, q: f64) -> f64 {
+    pub(super) fn scale(&self, horizon: f64, q: f64) -> f64 {
         let view = self.view;
         let length2 = 1.0 + horizon * horizon;
         let (cos_t, sin_t) = ((1.0 - horizon * horizon) / length2, 2.0 * horizon / length2);
@@ -130,7 +130,7 @@ impl<'a> Ray<'a> {
 ))]
 fn above(ray: &Ray, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
     let view = ray.view;
-    rule.panels_of_both(cuts, &|v| {
+    rule.panels_of_all(cuts, &|v| {
         ray.along(v, |mu_l, spread| {
             let mu_l = mu_l.max(0.0);
             let s_l = (mu_l * mu_l + spread).sqrt();

@@ -22,19 +22,37 @@ pub(super) struct Rays {
 
 impl Rays {
     pub fn new(view: View) -> Rays {
-        let cuts = cuts(&view);
-        Rays { view, cuts }
+        Rays::with(view, |_| Vec::new())
+    }
+
+    /// The same with directions, as (x, y), about which the ray integral varies fast besides, and the
+    /// scale on which it does.
+    pub fn with(view: View, beside: impl Fn(&View) -> Vec<([f64; 2], f64)>) -> Rays {
+        let [ax, ay] = view.alpha;
+        let mut breaks = breaks(&view);
+        breaks.extend(beside(&view).into_iter().map(|([x, y], scale)| {
+            let psi = ops::atan2(y / ay, x / ax);
+            let (gx, gy) = (ax * ops::cos(psi), ay * ops::sin(psi));
+            (psi, (scale * (gx * gx + gy * gy) / (ax * ay)).clamp(1e-9, 1.0))
+        }));
+        Rays { view, cuts: cuts(breaks) }
     }
 
     /// E and loss, by a rule along the rays and over their azimuth.
-    pub fn integrate(&self, rule: &PanelRule) -> [f64; 2] {
-        let mut total = [0.0; 2];
+    pub fn albedo(&self, rule: &PanelRule) -> [f64; 2] {
+        self.integrate(rule, |ray| ray.integrate(rule))
+    }
+
+    /// The integral over the azimuth of what a ray gives.
+    pub fn integrate<const N: usize>(&self, rule: &PanelRule, of_ray: impl Fn(&Ray) -> [f64; N]) -> [f64; N] {
+        let mut total = [0.0; N];
         for cut in self.cuts.windows(2) {
             rule.each(cut[0], cut[1], |psi, weight| {
                 let (sin_psi, cos_psi) = ops::sincos(psi);
-                let value = Ray::new(&self.view, [cos_psi, sin_psi]).integrate(rule);
-                total[0] += weight * value[0];
-                total[1] += weight * value[1];
+                let value = of_ray(&Ray::new(&self.view, [cos_psi, sin_psi]));
+                for (sum, value) in total.iter_mut().zip(value) {
+                    *sum += weight * value;
+                }
             });
         }
         total.map(|x| x / PI)
@@ -78,10 +96,10 @@ fn breaks(view: &View) -> Vec<(f64, f64)> {
     breaks
 }
 
-fn cuts(view: &View) -> Vec<f64> {
+fn cuts(breaks: Vec<(f64, f64)>) -> Vec<f64> {
     let turn = 2.0 * PI;
     let mut breaks: Vec<(f64, f64)> =
-        breaks(view).into_iter().map(|(psi, scale)| (psi - turn * (psi / turn).floor(), scale)).collect();
+        breaks.into_iter().map(|(psi, scale)| (psi - turn * (psi / turn).floor(), scale)).collect();
     breaks.sort_by(|a, b| a.0.total_cmp(&b.0));
     // Breaks that coincide keep the finer scale.
     breaks.dedup_by(|b, a| {

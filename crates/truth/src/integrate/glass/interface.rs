@@ -27,7 +27,7 @@ impl Side {
 
 /// An interface seen from one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interface {
+pub(crate) struct Interface {
     /// n_inside / n_outside.
     pub ior: f64,
     /// n_view / n_far.
@@ -38,7 +38,7 @@ pub(super) struct Interface {
 
 /// What a facet at one angle to the view does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Facet {
+pub(crate) struct Facet {
     /// Reflectance.
     pub fresnel: f64,
     /// cos and sin of the angle from the straight-through direction to the refracted one, positive
@@ -68,16 +68,18 @@ impl Interface {
     /// A facet at cosine c and sine s to the view.
     ///
     /// With c_t the cosine of refraction, c_t^2 = 1 - eta^2 + eta^2 c^2.
+    #[inline(always)]
     pub fn facet(&self, c: f64, s: f64) -> Facet {
         let square = self.contrast + self.eta * self.eta * c * c;
-        if square <= 0.0 {
-            return Facet { fresnel: 1.0, deviation: [1.0, 0.0] };
-        }
-        let c_t = square.sqrt();
+        // Both are computed: lanes take no branches.
+        let (total, c_t) = (square <= 0.0, square.max(0.0).sqrt());
+        let fresnel = fresnel::unpolarised(self.eta, self.contrast, c, s * s, c_t);
+        // sin(i - t) = s (c_t - eta c), cos(i - t) = c c_t + eta s^2
+        let straight = c * c_t + self.eta * s * s;
+        let turned = s * self.contrast / (self.eta * c + c_t);
         Facet {
-            fresnel: fresnel::unpolarised(self.eta, self.contrast, c, s * s, c_t),
-            // sin(i - t) = s (c_t - eta c), cos(i - t) = c c_t + eta s^2
-            deviation: [c * c_t + self.eta * s * s, s * self.contrast / (self.eta * c + c_t)],
+            fresnel: if total { 1.0 } else { fresnel },
+            deviation: [if total { 1.0 } else { straight }, if total { 0.0 } else { turned }],
         }
     }
 }

@@ -23,7 +23,7 @@ pub use interface::Side;
 use super::{Estimate, IntegrateError, PanelRule};
 use crate::optics::Smith;
 use crate::optics::distribution::Ggx;
-use interface::Interface;
+pub(super) use interface::Interface;
 
 /// Range of alpha, beside 0.
 pub const ALPHA: [f64; 2] = [1e-4, 1.0];
@@ -57,6 +57,9 @@ pub struct Glass {
 
 const QUANTITY: &str = "ggx-glass";
 
+/// Rounding of the sums in units of a single one's.
+const ROUNDING: f64 = 4.0;
+
 /// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and
 /// ior = n_inside/n_outside in [1, 4]; `side` is where the ray comes from.
 pub fn glass(
@@ -82,21 +85,37 @@ pub(crate) fn glass_of<D: Facets>(
     check(quantity, alpha, mu, ior)?;
     let interface = Interface::new(ior, side);
     if alpha == 0.0 {
-        let r = interface.fresnel(mu);
-        return Ok(Glass { r, t: 1.0 - r, e: 1.0, loss: 0.0, error: f64::EPSILON, loss_error: 0.0 });
+        return Ok(smooth(interface, mu));
     }
     let values = |n| sweep::energies(smith, lobe, mu, interface, &PanelRule::new(n));
+    let place = || format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}, {}", side.name());
+    refined((quantity, &place), values, ROUNDING, tolerance)
+}
+
+/// The smooth interface.
+pub(super) fn smooth(interface: Interface, mu: f64) -> Glass {
+    let r = interface.fresnel(mu);
+    Glass { r, t: 1.0 - r, e: 1.0, loss: 0.0, error: f64::EPSILON, loss_error: 0.0 }
+}
+
+/// R, T and loss by rules of more and more nodes until they are within the tolerance.
+pub(super) fn refined(
+    (quantity, place): (&'static str, &dyn Fn() -> String),
+    values: impl Fn(usize) -> [f64; 3],
+    rounding: f64,
+    tolerance: f64,
+) -> Result<Glass, IntegrateError> {
     let (mut coarse, mut reached) = (values(8), f64::INFINITY);
     for n in [16, 32] {
         let fine = values(n);
-        let value = bounded(coarse, fine).ok_or_else(|| not_finite(quantity, alpha, mu, ior))?;
+        let not_finite = || IntegrateError::NotFinite { quantity, place: place() };
+        let value = bounded(coarse, fine, rounding).ok_or_else(not_finite)?;
         if value.error <= tolerance {
             return Ok(value);
         }
         (coarse, reached) = (fine, value.error);
     }
-    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}, {}", side.name());
-    Err(IntegrateError::Tolerance { quantity, place, reached, tolerance })
+    Err(IntegrateError::Tolerance { quantity, place: place(), reached, tolerance })
 }
 
 /// Refuses inputs outside the domain.
@@ -127,13 +146,16 @@ pub fn with_nodes(
 ) -> Result<Glass, IntegrateError> {
     check(QUANTITY, alpha, mu, ior)?;
     let values = sweep::energies(smith, Ggx(alpha), mu, Interface::new(ior, side), &PanelRule::new(n));
-    bounded(values, values).ok_or_else(|| not_finite(QUANTITY, alpha, mu, ior))
+    let place = || format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}");
+    bounded(values, values, ROUNDING)
+        .ok_or_else(|| IntegrateError::NotFinite { quantity: QUANTITY, place: place() })
 }
 
 /// Values of the finer rule with bounds from the pair, where they are finite.
-fn bounded(coarse: [f64; 3], fine: [f64; 3]) -> Option<Glass> {
-    let estimate =
-        |i: usize, scale: f64| Estimate::from_slow_pair(coarse[i], fine[i], scale).with_rounding(4.0, scale);
+fn bounded(coarse: [f64; 3], fine: [f64; 3], rounding: f64) -> Option<Glass> {
+    let estimate = |i: usize, scale: f64| {
+        Estimate::from_slow_pair(coarse[i], fine[i], scale).with_rounding(rounding, scale)
+    };
     let (r, t) = (estimate(0, 1.0), estimate(1, 1.0));
     let scale = if fine[2] > 0.0 { fine[2] } else { 1.0 };
     let loss = estimate(2, scale);
@@ -146,9 +168,4 @@ fn bounded(coarse: [f64; 3], fine: [f64; 3]) -> Option<Glass> {
         loss_error: loss.error / scale,
     };
     [value.e, value.loss, value.error].iter().all(|x| x.is_finite()).then_some(value)
-}
-
-fn not_finite(quantity: &'static str, alpha: f64, mu: f64, ior: f64) -> IntegrateError {
-    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}");
-    IntegrateError::NotFinite { quantity, place }
 }

@@ -167,7 +167,7 @@ impl<'a, D: Facets> Ring<'a, D> {
 ))]
 fn lit<D: Facets>(ring: &Ring<D>, height: Height, cuts: &[f64], rule: &PanelRule) -> [f64; 2] {
     let view = ring.view;
-    rule.panels_of_both(cuts, &|v| {
+    rule.panels_of_all(cuts, &|v| {
         ring.along(v, |half| {
             let above = height.at(half).max(0.0);
             let mu_l = above.min(1.0);

@@ -56,6 +56,8 @@ pub(super) trait Lobe: Sync {
     const MATCHED: bool;
     fn density(&self, normal: Vec3) -> f64;
     fn lambda(&self, direction: Vec3) -> f64;
+    /// Lambda of a direction on either side.
+    fn lambda_towards(&self, direction: Vec3) -> f64;
     fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3;
     fn visible_normal(&self, view: Vec3, x: [f64; DIMENSIONS]) -> Vec3;
 }
@@ -69,6 +71,10 @@ impl<D: Distribution> Lobe for D {
 
     fn lambda(&self, direction: Vec3) -> f64 {
         Distribution::lambda(*self, direction[2].min(1.0))
+    }
+
+    fn lambda_towards(&self, direction: Vec3) -> f64 {
+        Distribution::lambda_towards(*self, direction)
     }
 
     fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3 {
@@ -92,6 +98,10 @@ impl Lobe for [f64; 2] {
     }
 
     fn lambda(&self, direction: Vec3) -> f64 {
+        self.lambda_towards(direction)
+    }
+
+    fn lambda_towards(&self, direction: Vec3) -> f64 {
         ggx::lambda_towards(*self, direction)
     }
 

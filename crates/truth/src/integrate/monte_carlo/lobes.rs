@@ -1,10 +1,10 @@
 //! Monte Carlo for the anisotropic and the glass lobe: visible normals, textbook Fresnel and
 //! refraction as vectors.
 
-use super::draw::{self, Draw};
+use super::draw::{self, Draw, Lobe};
 use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
 use crate::integrate::IntegrateError;
-use crate::integrate::aniso::check as check_aniso;
+use crate::integrate::aniso::{check as check_aniso, glass::QUANTITY};
 use crate::integrate::glass::{SMALLEST_MU, Side, check as check_glass};
 use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Ggx};
@@ -21,7 +21,7 @@ pub fn aniso(
     phi: Option<f64>,
     run: Run,
 ) -> Result<[Sampled; 2], IntegrateError> {
-    check_aniso(alpha, mu, phi)?;
+    check_aniso("ggx-reflection-aniso", alpha, mu, phi)?;
     check_positive("ggx-reflection-aniso", &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)])?;
     check_samples(run)?;
     let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
@@ -57,16 +57,40 @@ pub(crate) fn glass_of<D: Distribution>(
     check_glass(quantity, lobe.alpha(), mu, ior)?;
     check_positive(quantity, &[("alpha", lobe.alpha())])?;
     check_samples(run)?;
-    let eta = match side {
-        Side::Outside => 1.0 / ior,
-        Side::Inside => ior,
-    };
-    let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
+    drawn_glass((smith, lobe), draw::view(mu), (ior, side), run)
+}
+
+/// `ggx-glass-aniso` by Monte Carlo: R, T and loss.
+pub fn aniso_glass(
+    smith: Smith,
+    alpha: [f64; 2],
+    [mu, phi]: [f64; 2],
+    (ior, side): (f64, Side),
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
+    check_aniso(QUANTITY, alpha, mu, Some(phi))?;
+    check_glass(QUANTITY, 1.0, mu, ior)?;
+    check_positive(QUANTITY, &[("alpha_x", alpha[0]), ("alpha_y", alpha[1])])?;
+    check_samples(run)?;
+    let (sine, (sin_phi, cos_phi)) = (((1.0 - mu) * (1.0 + mu)).sqrt(), ops::sincos(phi));
+    drawn_glass((smith, alpha), [sine * cos_phi, sine * sin_phi, mu], (ior, side), run)
+}
+
+fn drawn_glass<L: Lobe>(
+    (smith, lobe): (Smith, L),
+    view: Vec3,
+    (ior, side): (f64, Side),
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
     if !super::GLASS_DRAWS.contains(&run.draw) {
         let must = "of glass must be ndf or visible";
         return Err(IntegrateError::Option { option: "draw", value: run.draw.name().into(), must });
     }
-    let means = replicas(run, |x| one_of_glass((smith, run.draw), lobe, eta, view, x));
+    let eta = match side {
+        Side::Outside => 1.0 / ior,
+        Side::Inside => ior,
+    };
+    let means = replicas(run, |x| one_of_glass((smith, run.draw), &lobe, eta, view, x));
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
@@ -80,23 +104,23 @@ pub fn coat(smith: Smith, alpha: f64, ior: f64, run: Run) -> Result<[Sampled; 3]
         let mu = x[2].sqrt().max(SMALLEST_MU);
         let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
         let way = (smith, Draw::VisibleNormal);
-        let [r, t, _] = one_of_glass(way, Ggx(alpha), 1.0 / ior, view, x);
-        [r, t, one_of_glass(way, Ggx(alpha), ior, view, x)[0]]
+        let [r, t, _] = one_of_glass(way, &Ggx(alpha), 1.0 / ior, view, x);
+        [r, t, one_of_glass(way, &Ggx(alpha), ior, view, x)[0]]
     });
     Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
 }
 
 /// Reflected, transmitted and lost energy of one normal. The weight of a normal by D cos is that of a
 /// visible one, G2/G1(v) on either side, times G1(v) (v.h)/(mu_v h_z).
-fn one_of_glass<D: Distribution>(
+fn one_of_glass<L: Lobe>(
     (smith, draw): (Smith, Draw),
-    lobe: D,
+    lobe: &L,
     eta: f64,
     view: Vec3,
     x: [f64; DIMENSIONS],
 ) -> Weights {
     let drawn = draw == Draw::Normal;
-    let normal = if drawn { lobe.normal(x[0], x[1]) } else { lobe.visible_normal(view, x[0], x[1]) };
+    let normal = if drawn { lobe.normal(x) } else { lobe.visible_normal(view, x) };
     let of_view = lobe.lambda_towards(view);
     let (mirrored, cosine) = ggx::mirror(view, normal);
     if drawn && cosine <= 0.0 {

@@ -180,7 +180,7 @@ fn values(
 /// # Errors
 /// A point that is not covered.
 pub fn one(path: Path, smith: Smith, place: &Place, tolerance: f64) -> Result<Work, IntegrateError> {
-    aniso::check(place.alpha, place.mu, place.phi)?;
+    aniso::check(aniso::QUANTITY, place.alpha, place.mu, place.phi)?;
     if !place.is_covered() {
         let (input, value, domain) =
             ("mu", place.mu, "is below 1e-4, or alpha_x and alpha_y are too far apart");

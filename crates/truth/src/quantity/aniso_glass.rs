@@ -1,0 +1,71 @@
+//! `ggx-glass-aniso`: energies of a rough dielectric interface with one width along the tangent and
+//! another across it.
+
+use super::aniso::{PHI, width};
+use super::{Choice, Fresnel, Input, Quantity, Variant};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
+use crate::integrate::{IntegrateError, aniso, glass};
+
+/// `ggx-glass-aniso`: reflected and transmitted energy, their sum and 1 less the sum, from either side,
+/// at an azimuth of the view.
+#[derive(Clone, Copy, Debug)]
+pub struct GgxGlassAniso;
+
+impl Quantity for GgxGlassAniso {
+    fn name(&self) -> &'static str {
+        aniso::glass::QUANTITY
+    }
+
+    fn inputs(&self) -> &'static [Input] {
+        const {
+            &[
+                width("alpha_x"),
+                width("alpha_y"),
+                Input::new("mu", [glass::SMALLEST_MU, 1.0]).usually([0.01, 1.0]),
+                Input { optional: false, ..PHI },
+                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
+            ]
+        }
+    }
+
+    fn outputs(&self) -> &'static [&'static str] {
+        &["R", "T", "E", "loss", "error"]
+    }
+
+    fn choices(&self) -> &'static [Choice] {
+        &[Choice::Smith, Choice::Side]
+    }
+
+    fn tolerance(&self, _: &Variant) -> f64 {
+        aniso::glass::TOLERANCE
+    }
+
+    fn smallest_alpha(&self) -> f64 {
+        aniso::ALPHA[0]
+    }
+
+    fn fresnel(&self) -> Option<Fresnel> {
+        Some(Fresnel::Dielectric)
+    }
+
+    fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
+        let v = aniso::glass::glass(smith, [x[0], x[1]], [x[2], x[3]], (x[4], side), tolerance)?;
+        Ok(vec![v.r, v.t, v.e, v.loss, v.error])
+    }
+
+    fn microseconds(&self, _: &[&str]) -> f64 {
+        1e4
+    }
+
+    fn draws(&self) -> &'static [Draw] {
+        monte_carlo::GLASS_DRAWS
+    }
+
+    fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
+        let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
+        let [r, t, loss] = monte_carlo::aniso_glass(smith, [x[0], x[1]], [x[2], x[3]], (x[4], side), run)?;
+        // The replicas of R and T are correlated: the sum's error is that of its complement.
+        Ok(vec![r, t, Sampled { value: r.value + t.value, ..loss }, loss])
+    }
+}
