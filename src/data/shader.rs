@@ -290,7 +290,8 @@ fn corner_function(name: &str, axes: &[Axis], given: &Given) -> Result<String, S
             axis.call()?
         );
         place += &format!(" + {} * (first_{letter} + next_{letter})", decimal(depth));
-        weight += &format!(" * mix(1.0 - part_{letter}, part_{letter}, next_{letter})");
+        // The part of the next where it is 1, and what that leaves where it is 0.
+        weight += &format!(" * abs(1.0 - next_{letter} - part_{letter})");
         depth *= n;
     }
     let weight = weight.trim_start_matches("1.0 * ");
