@@ -60,6 +60,30 @@ impl TexelFormat {
             TexelFormat::Unorm8 | TexelFormat::Unorm16 => x,
         }
     }
+
+    /// Appends a number as it is stored, little-endian: of a format of integers the nearest in [0, 1].
+    pub fn write(self, x: f64, bytes: &mut Vec<u8>) {
+        match self {
+            TexelFormat::Unorm8 => bytes.push((255.0 * x).round() as u8),
+            TexelFormat::Unorm16 => bytes.extend(((65535.0 * x).round() as u16).to_le_bytes()),
+            TexelFormat::F16 => bytes.extend(half::f16::from_f64(x).to_le_bytes()),
+            TexelFormat::F32 => bytes.extend((x as f32).to_le_bytes()),
+        }
+    }
+
+    /// The numbers that are stored in these bytes.
+    pub fn read(self, bytes: &[u8]) -> Vec<f64> {
+        match self {
+            TexelFormat::Unorm8 => bytes.iter().map(|b| f64::from(*b) / 255.0).collect(),
+            TexelFormat::Unorm16 => {
+                bytes.as_chunks().0.iter().map(|b| f64::from(u16::from_le_bytes(*b)) / 65535.0).collect()
+            }
+            TexelFormat::F16 => {
+                bytes.as_chunks().0.iter().map(|b| half::f16::from_le_bytes(*b).to_f64()).collect()
+            }
+            TexelFormat::F32 => bytes.as_chunks().0.iter().map(|b| f32::from_le_bytes(*b).into()).collect(),
+        }
+    }
 }
 
 /// One channel: its name in the file and its texels, the first axis fastest.

@@ -8,7 +8,7 @@ use super::context::Context;
 use super::grid::{self, Grid};
 use super::table::BakedTable;
 use crate::approximate::{Fit, Region, lerp};
-use crate::data::{Channel, Source, Table, TexelFormat};
+use crate::data::{Source, Table, TexelFormat};
 use crate::emit::lookup::Readable;
 use crate::report::explore::{
     Drawn, Explored, ExploredApproximation, ROWS, SIDE, Standing, TableTexels, TruthTexels, between, view,
@@ -248,13 +248,7 @@ fn texels(table: &Table, size: [usize; 2]) -> TableTexels {
     let format = if table.format == TexelFormat::F16 { TexelFormat::F16 } else { TexelFormat::F32 };
     let mut bytes = Vec::new();
     for i in 0..size[0] * size[1] {
-        for Channel { texels, .. } in &table.channels {
-            if format == TexelFormat::F16 {
-                bytes.extend(half::f16::from_f64(texels[i]).to_le_bytes());
-            } else {
-                bytes.extend((texels[i] as f32).to_le_bytes());
-            }
-        }
+        table.channels.iter().for_each(|channel| format.write(channel.texels[i], &mut bytes));
     }
     TableTexels { size, channels: table.channels.len(), format, data: STANDARD.encode(bytes) }
 }

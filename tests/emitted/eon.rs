@@ -87,8 +87,8 @@ fn compilers_take_the_files() {
     compiled(&CLAY);
 }
 
-/// Ours at seven operations is within a tenth of what was published at twelve, and at twelve nine times nearer; the
-/// page that shows how the effect was added has the figures.
+/// Ours at seven operations is within a tenth of what was published at twelve, and at twelve nine times
+/// nearer; the page that shows how the effect was added has the figures.
 #[test]
 fn ours_beat_the_published_polynomial() {
     let all = baked(

@@ -264,8 +264,8 @@ fn loosely(written: &Tape, fused: &Tape, x: &[f32]) -> Vec<f32> {
 /// most accurate formula's error.
 const MOVES: f32 = 3e-6;
 
-/// How far the normal of a proxy turns in an edge, times the width of that edge: edges move by 2.5 ulp of 1 over
-/// a distance.
+/// How far the normal of a proxy turns in an edge, times the width of that edge: edges move by 2.5 ulp of 1
+/// over a distance.
 const TURNS: f32 = 3e-7;
 
 /// What a value may fall below 0 by where a renderer puts an input beyond the stated domain.

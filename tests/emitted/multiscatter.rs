@@ -96,7 +96,8 @@ fn directions_can_be_exchanged_and_nothing_is_added_where_nothing_is_lost() {
         assert!((there - back).abs() <= 1e-6 * there, "{there} {back}");
     }
     assert_eq!(lobe([1.0, 1.0, 1.0, 1.0]), 0.0);
-    // Where nothing is lost, errors of both E leave little: here the energy of a lobe that is the same everywhere.
+    // Where nothing is lost, errors of both E leave little: here the energy of a lobe that is the same
+    // everywhere.
     for e_avg in [1.0, 1.0005] {
         let left = PI * lobe([1.0, 0.9995, 0.9995, e_avg]);
         assert!(left > 0.0 && left < 0.002, "{e_avg}: {left}");

@@ -443,8 +443,8 @@ pub fn described(language: Language, k: usize, emitted: &Emitted) -> (String, St
     (format!("{planes}{probe}"), format!("planes_{k}, probe_{k}"))
 }
 
-/// What the functions of a language return, each at its points, by one program that calls them all; none where the
-/// compiler is not there.
+/// What the functions of a language return, each at its points, by one program that calls them all; none
+/// where the compiler is not there.
 pub fn found(language: Language, jobs: &[(&Emitted, &[Point])]) -> Option<Vec<Vec<f32>>> {
     let all: Vec<u8> = jobs.iter().flat_map(|(_, points)| bytes(points)).collect();
     let (mut from, mut declarations, mut bodies) = (0, String::new(), Vec::new());

@@ -265,7 +265,8 @@ fn indices_of_refraction_begin_at_one() {
     assert!(notes[0].text.contains("are [2.71, 3.09], and glass ends at 1 and 3"), "{notes:?}");
 }
 
-/// The largest spread is that of the smallest of Abbe's numbers; roughness may be less where light is refracted.
+/// The largest spread is that of the smallest of Abbe's numbers; roughness may be less where light is
+/// refracted.
 #[test]
 fn dispersion_and_roughness_of_transmission() {
     let of = |before: &str, input: &str| {

@@ -94,13 +94,8 @@ impl Texels {
         size.width = (size.width >> level).max(1);
         size.height = (size.height >> level).max(1);
         let values = size.width * size.height * size.depth_or_array_layers * self.channels();
-        let texels = (0..values).map(texel);
-        let bytes: Vec<u8> = match self.format {
-            TexelFormat::Unorm8 => texels.map(|x| (255.0 * x) as u8).collect(),
-            TexelFormat::Unorm16 => texels.flat_map(|x| ((65535.0 * x) as u16).to_le_bytes()).collect(),
-            TexelFormat::F16 => texels.flat_map(|x| half::f16::from_f32(x).to_le_bytes()).collect(),
-            TexelFormat::F32 => texels.flat_map(f32::to_le_bytes).collect(),
-        };
+        let mut bytes = Vec::new();
+        (0..values).for_each(|i| self.format.write(texel(i).into(), &mut bytes));
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(size.width * self.format.bytes() as u32 * self.channels()),

@@ -34,6 +34,8 @@ pub struct Glass {
     names: [&'static str; 2],
     quantity: &'static dyn Sided,
     prefixes: &'static [&'static str],
+    /// Times what GGX takes.
+    price: f64,
 }
 
 /// Of GGX.
@@ -42,6 +44,7 @@ pub static GGX: Glass = Glass {
     names: ["glass", "ggx_glass_albedo"],
     quantity: &GGX_GLASS,
     prefixes: &["ggx_glass_", "path_tracer_"],
+    price: 1.0,
 };
 
 /// Of Beckmann's distribution, in our layout.
@@ -50,6 +53,7 @@ pub static BECKMANN: Glass = Glass {
     names: ["beckmann-glass", "beckmann_glass_albedo"],
     quantity: &BECKMANN_GLASS,
     prefixes: &["beckmann_glass_"],
+    price: 2.3,
 };
 
 /// Seconds on one core of a sampled and of an optimised texel of one side, and of the truth at the
@@ -84,7 +88,7 @@ impl Family for Glass {
 
     fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
         let texel = if jobs[i].layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
-        jobs[i].texels() as f64 * texel + TRUTH_S
+        self.price * (jobs[i].texels() as f64 * texel + TRUTH_S)
     }
 
     fn note(&self, layout: Layout) -> Option<&'static str> {

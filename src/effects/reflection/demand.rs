@@ -30,9 +30,9 @@ pub(super) struct TruthPrice {
 pub(super) const GGX_PRICE: TruthPrice =
     TruthPrice { judged: [0.65e-6, 7e-6], certified: 0.65e-6, blends: 0.9 };
 
-/// Of Beckmann, by integrals of single points.
+/// Of Beckmann, whose B is integrated at single points.
 pub(super) const BECKMANN_PRICE: TruthPrice =
-    TruthPrice { judged: [20e-6, 15e-6], certified: 1.3e-6, blends: 6.5 };
+    TruthPrice { judged: [2e-6, 8e-6], certified: 0.65e-6, blends: 2.8 };
 
 /// Seconds of one optimised texel of a table of E: some 17 truths and its share of the
 /// optimisation.
@@ -106,8 +106,8 @@ pub struct FitJob {
 impl Reflection {
     /// Demands for tables and for fits, of each material of the distribution that is rough.
     pub(super) fn wanted(&self, scene: &Scene) -> Vec<Demand> {
-        // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does not
-        // parse is a defect, which the bake names.
+        // Of a metal's call beside the normalisation: it takes the form for three channels. A text that does
+        // not parse is a defect, which the bake names.
         let coloured = LazyCell::new(|| compensation::coloured_ops().unwrap_or(0));
         let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
             let beside = if is_coloured(material) { *coloured } else { 0 };

@@ -1,6 +1,6 @@
 //! A Vulkan device that runs compute shaders.
 
-use lobefit::data::Table;
+use lobefit::data::{Table, TexelFormat};
 
 /// What to install where there is none.
 pub const INSTALL: &str =
@@ -85,9 +85,10 @@ impl Gpu {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let texel = |i: usize| table.channels.iter().map(move |c| half::f16::from_f64(c.texels[i]));
-        let texels = table.size().iter().product();
-        let bytes: Vec<u8> = (0..texels).flat_map(texel).flat_map(half::f16::to_le_bytes).collect();
+        let texels: usize = table.size().iter().product();
+        let mut bytes = Vec::new();
+        let numbers = (0..texels).flat_map(|i| table.channels.iter().map(move |c| c.texels[i]));
+        numbers.for_each(|x| TexelFormat::F16.write(x, &mut bytes));
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(columns * 2 * channels as u32),

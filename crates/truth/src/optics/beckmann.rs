@@ -122,8 +122,8 @@ const fn series(order: usize) -> [f64; SERIES] {
 /// Of I_0 and I_1.
 const BESSEL: [[f64; SERIES]; 2] = [series(0), series(1)];
 
-/// sqrt(k) times each moment as a polynomial in 16/k - 1, k >= 8, each within 2e-15 of itself: interpolated at 60
-/// Chebyshev nodes in 40 digits, from Bessel functions (mpmath 1.3), and cut off.
+/// sqrt(k) times each moment as a polynomial in 16/k - 1, k >= 8, each within 2e-15 of itself: interpolated
+/// at 60 Chebyshev nodes in 40 digits, from Bessel functions (mpmath 1.3), and cut off.
 const BEYOND: (&[f64], &[f64], &[f64]) = (
     &[
         0.40217650944500843,
