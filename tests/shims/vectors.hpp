@@ -43,6 +43,9 @@ inline float3 operator*(float3 a, float b) { return float3(a.x * b, a.y * b, a.z
 inline float3 operator*(float3 a, float3 b) { return float3(a.x * b.x, a.y * b.y, a.z * b.z); }
 inline float3 operator/(float3 a, float b) { return float3(a.x / b, a.y / b, a.z / b); }
 
+inline float4 operator+(float4 a, float4 b) { return float4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w); }
+inline float4 operator*(float4 a, float b) { return float4(a.x * b, a.y * b, a.z * b, a.w * b); }
+
 inline float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline float abs(float x) { return std::fabs(x); }
 inline float min(float x, float y) { return y < x ? y : x; }
