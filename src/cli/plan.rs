@@ -63,8 +63,8 @@ struct Planned<'a> {
 
 /// The plan for people.
 fn text(plan: &Plan, notes: &[Note]) -> String {
-    let name = if plan.scene == UNNAMED { "without a name".into() } else { visible(&plan.scene) };
-    let mut out = format!("scene {name}\n");
+    let named = plan.scene != UNNAMED;
+    let mut out = if named { format!("scene {}\n", visible(&plan.scene)) } else { String::new() };
     if plan.is_empty() {
         out += "nothing to bake\n";
     }

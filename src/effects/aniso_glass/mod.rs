@@ -33,7 +33,7 @@ pub struct AnisoGlass;
 const TOLERANCE: f64 = 1e-4;
 
 /// Seconds of a truth on one core, of both sides together.
-const TRUTH_S: f64 = 0.034;
+const TRUTH_S: f64 = 0.018;
 
 /// Points of a region at which every table is judged, and how many texels call for one more.
 const POINTS: u32 = 32;
