@@ -45,6 +45,11 @@ impl Layout {
         }
     }
 
+    /// Whether the azimuth of the view is a coordinate.
+    pub fn has_azimuth(self) -> bool {
+        matches!(self, Layout::Azimuth | Layout::FiveAxis)
+    }
+
     /// Axes of a table.
     pub fn axes(self) -> usize {
         match self {

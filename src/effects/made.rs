@@ -92,8 +92,8 @@ impl Made {
         })
     }
 
-    /// Notes an error that was measured and what error that is; of several, which have units of their own, the
-    /// first counts and the metric states the others.
+    /// Notes an error that was measured and what error that is; of several, which have units of their own,
+    /// the first counts and the metric states the others.
     pub fn measured(&mut self, error: Option<f64>, metric: &str) {
         let finding = &mut self.part.finding;
         match error.filter(|_| !finding.metric.is_empty()) {

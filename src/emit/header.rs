@@ -49,10 +49,7 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
     lines.push(format!("texel: {} (the EXR names its channels so)", parts(table)));
     lines.push(format!("decode: {}", meaning.join(", ")));
     if table.axes.len() > 3 {
-        lines.push(
-            "textures and EXR hold the hyperslices as slices: the first of a slice is that of z fastest"
-                .into(),
-        );
+        lines.push("textures and EXR hold the blocks of slices one behind another, along z".into());
     }
     let filter = ["bilinear", "trilinear", "quadrilinear", "quintilinear"][table.axes.len().clamp(2, 5) - 2];
     lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
@@ -62,7 +59,7 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
 
 /// What the function of a table's coordinates says of them.
 pub fn coordinates_line(table: &Table, stem: &str) -> String {
-    let words = ["columns", "rows", "slices", "slices of slices", "slices of these"];
+    let words = ["columns", "rows", "slices", "blocks of slices", "blocks of these"];
     let axes = words.iter().zip(&table.axes).map(|(what, axis)| {
         let Axis { name, min, max, .. } = axis;
         format!("{what} {} in [{min}, {max}]", printed(name))
@@ -131,7 +128,7 @@ fn parts(table: &Table) -> String {
 
 /// What the axes of a table are, in order.
 const AXES: [&str; 5] =
-    ["columns (x)", "rows (y, first row at the top)", "slices (z)", "slices of slices", "slices of these"];
+    ["columns (x)", "rows (y, first row at the top)", "slices (z)", "blocks of slices", "blocks of these"];
 
 fn fresnel_of(quantity: &str) -> Option<Fresnel> {
     quantity::find(quantity).and_then(Quantity::fresnel)

@@ -145,20 +145,23 @@ struct TableFile {
     /// a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`,
     /// which takes separable Smith and alpha = roughness whatever the scene says, has its own size and
     /// takes no `max_error`, and `azimuth`, which is for anisotropic materials. With
-    /// five, of glass with anisotropy and its default: `five-axis`, over mu, azimuth, roughness, anisotropy and ior.
+    /// five, of glass with anisotropy and its default: `five-axis`, over mu, azimuth, roughness, anisotropy
+    /// and ior.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
     /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
     /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
-    /// 128x128x32, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the last three together), and 4 slices where the materials have one anisotropy or one index of refraction.
+    /// 128x128x32, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the last three together),
+    /// and 4 slices where the materials have one anisotropy or one index of refraction.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,
-    /// `unorm8` half the bytes; both hold [0, 1], which layouts of signed texels (`azimuth`, `area-lights`, and
-    /// `homogeneous` for `split-sum`) do not keep to.
+    /// `unorm8` half the bytes; both hold [0, 1], which layouts of signed texels (`azimuth`, `area-lights`,
+    /// and `homogeneous` for `split-sum`) do not keep to.
     format: Maybe<Word<TexelFormat>>,
-    /// What the table is looked up for; default `albedo`, the only one with a third axis and of `area-lights`.
+    /// What the table is looked up for; default `albedo`, the only one with a third axis and of
+    /// `area-lights`.
     serves: Maybe<Word<Serves>>,
     /// Limit on the lookup error, of `area-lights` on the share of a square light; the bake fails where it is
     /// exceeded. Default of two axes without `size`, but for `area-lights`: 0.001 for `albedo`, 0.003 for

@@ -235,8 +235,8 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
     );
 }
 
-/// A budget without an error asks for the most accurate within it, whatever another material puts up with, and
-/// whatever the other's call takes beside the formula.
+/// A budget without an error asks for the most accurate within it, whatever another material puts up with,
+/// and whatever the other's call takes beside the formula.
 #[test]
 fn a_budget_alone_is_no_less_accurate_beside_others() {
     let lenient = metal("a", r#"{"max_ops": 17, "max_error": 0.3}"#);
@@ -274,7 +274,8 @@ fn pages_change_no_function() {
     let [shown, hidden] = [true, false].map(|reports| {
         let baked = baked_with(reports, r#""languages": ["wgsl"],"#, &format!("{steel}, {plastic}"));
         let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
-        // The head has the command and the recipe; a coupling is looked at where any fit of the job errs most.
+        // The head has the command and the recipe; a coupling is looked at where any fit of the job errs
+        // most.
         let lines = text.lines().skip(2).filter(|line| !line.contains("the largest found at"));
         lines.map(String::from).collect::<Vec<_>>()
     });

@@ -87,8 +87,8 @@ fn a_renamed_material_passes_by_its_values() {
     let text = std::fs::read_to_string(&manifest).expect("a manifest");
     std::fs::write(&manifest, text.replace("\"of\": \"a\"", "\"of\": \"b\"")).expect("written");
     assert_eq!(check(&renamed), Some(1), "a name that is none of the scene's");
-    // A figure in a comment may be off, but no error may be stated smaller than it is; a constant is exact, in
-    // code and in the manifest.
+    // A figure in a comment may be off, but no error may be stated smaller than it is; a constant is exact,
+    // in code and in the manifest.
     let edit = |file: &str, old: &str, after: &str, new: &str| {
         let path = folder.path().join(file);
         let text = std::fs::read_to_string(&path).expect("text");

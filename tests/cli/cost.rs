@@ -189,7 +189,8 @@ fn what_nothing_keeps_names_the_nearest() {
     }
 }
 
-/// Of lookups of a probe the one within a budget is the most accurate, though all have the error of one width.
+/// Of lookups of a probe the one within a budget is the most accurate, though all have the error of one
+/// width.
 #[test]
 fn a_budget_takes_the_most_accurate_lookup_within_it() {
     let probe = br#"{"schema_version": 1, "materials": [], "probes": [{"name": "hall", "roughness": [0.3, 0.6], "rho": [0.5, 2],

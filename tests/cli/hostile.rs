@@ -8,7 +8,8 @@ use crate::common::{limited, stderr};
 /// The largest file of a user.
 const BYTES: usize = 16 << 20;
 
-/// A file: its name, its bytes, what the program is asked to do with it, the exit code, and words of the error.
+/// A file: its name, its bytes, what the program is asked to do with it, the exit code, and words of the
+/// error.
 type Case = (&'static str, fn() -> Vec<u8>, &'static [&'static str], i32, &'static str);
 
 const SCENE: &str = r#"{"schema_version":1,"materials":["#;

@@ -104,8 +104,8 @@ pub trait Family: Sync {
     /// A region without the slices that the tables have.
     fn points(&self, region: &Region, finer: bool) -> Result<LookupPoints, BuildError>;
 
-    /// How many points even in the coordinates of a table of so many texels judge it besides, where the truth is
-    /// too dear to close in on the largest error.
+    /// How many points even in the coordinates of a table of so many texels judge it besides, where the truth
+    /// is too dear to close in on the largest error.
     fn judged_at(&self, _texels: usize) -> Option<u32> {
         None
     }

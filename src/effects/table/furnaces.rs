@@ -33,7 +33,7 @@ struct Group<'a> {
 /// where its table would be clamped.
 pub fn findings<F: Sliced>(family: &F, tables: &[BakedTable]) -> Result<Vec<FurnaceFinding>, BakeError> {
     // With the azimuth in the table there is no mean to compensate by.
-    let means = || tables.iter().filter(|t| ![Layout::Azimuth, Layout::FiveAxis].contains(&t.layout));
+    let means = || tables.iter().filter(|t| !t.layout.has_azimuth());
     let mut values: Vec<f64> = means().flat_map(|t| shown_slices(family, &t.region)).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();

@@ -141,7 +141,7 @@ pub fn demand(
         let anisotropy = Slices { axis: SliceAxis::Anisotropy, range: material.anisotropy };
         spans.push((anisotropy.axis.name(), wide(anisotropy, want.layout)));
     }
-    if [Layout::Azimuth, Layout::FiveAxis].contains(&want.layout) {
+    if want.layout.has_azimuth() {
         // The albedo is even about both tangents.
         spans.push(("phi", Span::new([0.0, FRAC_PI_2])));
     }

@@ -67,7 +67,8 @@ impl TableLookup {
         &LETTERS[..self.sizes.len().min(TEXTURE_AXES)]
     }
 
-    /// The further arguments of the coordinates, one for each fetch of a table of more axes than a texture has.
+    /// The further arguments of the coordinates, one for each fetch of a table of more axes than a texture
+    /// has.
     pub(super) fn corners(&self) -> Vec<String> {
         let beyond = self.sizes.len().saturating_sub(TEXTURE_AXES);
         let next = |i: usize| (0..beyond).map(|k| format!("{}.0", i >> k & 1)).collect::<Vec<_>>().join(", ");

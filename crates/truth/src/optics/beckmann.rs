@@ -102,7 +102,8 @@ pub(crate) fn falling(x: f64) -> f64 {
     if inside { value } else { 0.0 }
 }
 
-/// k from which moments are taken from [`BEYOND`]. Below it differences of the series lose two digits at most.
+/// k from which moments are taken from [`BEYOND`]. Below it differences of the series lose two digits at
+/// most.
 const SERIES_TO: f64 = 8.0;
 
 /// Terms of the series of Bessel functions, of which 1e-16 is left at [`SERIES_TO`].
@@ -205,8 +206,8 @@ const BEYOND: (&[f64], &[f64], &[f64]) = (
 );
 
 /// exp(-steep) times the means over psi of x^n exp(-x), x = k (1 - cos psi), for n = 0, 1, 2 and k >= 0: with
-/// scaled Bessel functions I_0, k (I_0 - I_1) and k^2 (2 (I_0 - I_1) - I_1/k). For large k they are 1, 1/2 and
-/// 3/4 of 1/sqrt(2 pi k).
+/// scaled Bessel functions I_0, k (I_0 - I_1) and k^2 (2 (I_0 - I_1) - I_1/k). For large k they are 1, 1/2
+/// and 3/4 of 1/sqrt(2 pi k).
 fn moments(k: f64, steep: f64) -> [f64; 3] {
     let horner = |terms: &[f64], x: f64| terms.iter().rev().fold(0.0, |sum, term| sum * x + term);
     if k < SERIES_TO {
@@ -248,7 +249,8 @@ impl Distribution for Beckmann {
     }
 
     /// With tan^2 = tan^2(D/2) + alpha^2 k (1 - cos psi), k = sin(theta) sin(theta_l)/(2 alpha^2 cos^2(S/2)
-    /// cos^2(D/2)), D is (1 + tan^2)^2 exp(-tan^2/alpha^2)/(pi alpha^2), and its integral a sum of [`moments`].
+    /// cos^2(D/2)), D is (1 + tan^2)^2 exp(-tan^2/alpha^2)/(pi alpha^2), and its integral a sum of
+    /// [`moments`].
     fn azimuth_integral(self, polar: &Polar) -> f64 {
         let (a2, cos2) = (self.0 * self.0, polar.cos_d * polar.cos_d);
         let steep = polar.sin_d * polar.sin_d / (a2 * cos2);
