@@ -217,10 +217,10 @@ fn a_bake_that_is_killed_tears_nothing_and_the_next_one_is_whole() {
 fn a_bake_that_is_broken_off_leaves_what_was_there() {
     let folder = tempfile::tempdir().expect("a folder");
     let (at, cache) = (folder.path(), folder.path().join("cache"));
+    std::fs::write(at.join("scene.json"), SCENES[0]).expect("written");
     assert!(lobefit_with(&cache, at, &["bake", "-", "--out", "out"], SCENES[1].as_bytes()).status.success());
     let before = of_folder(&at.join("out"));
-    // The built-in scene takes seconds: a busy machine has time to interrupt it.
-    let mut child = start(&cache, at, &["bake", "--out", "out", "--no-cache"]);
+    let mut child = start(&cache, at, &["bake", "scene.json", "--out", "out", "--no-cache"]);
     first_stage(&mut child);
     interrupt(&mut child);
     let status = child.wait().expect("a child");
