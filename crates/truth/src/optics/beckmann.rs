@@ -291,14 +291,6 @@ impl Distribution for Beckmann {
         let length = (normal[0] * normal[0] + normal[1] * normal[1] + 1.0).sqrt();
         normal.map(|k| k / length)
     }
-
-    /// The part 1 - exp(-r^2) of all normals has slopes within alpha r of 0.
-    fn normal(self, u: f64, v: f64) -> Vec3 {
-        let (sine, cosine) = ops::sincos(2.0 * PI * u);
-        let radius = self.0 * (-ops::log1p(-v)).sqrt();
-        let length = (1.0 + radius * radius).sqrt();
-        [radius * cosine / length, radius * sine / length, 1.0 / length]
-    }
 }
 
 /// The slope below which a part `u` of (1 - x tan) exp(-x^2), x <= 1/tan, lies.

@@ -81,9 +81,6 @@ pub trait Distribution: Copy + Sync {
     /// A normal visible from `view` (of unit length, above the surface), drawn by two numbers in
     /// [0, 1).
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3;
-
-    /// A normal by D cos, drawn by two numbers in [0, 1).
-    fn normal(self, u: f64, v: f64) -> Vec3;
 }
 
 /// GGX, or Trowbridge-Reitz (1975): [`ggx`].
@@ -174,9 +171,5 @@ impl Distribution for Ggx {
 
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
         ggx::visible_normal([self.0; 2], view, u, v)
-    }
-
-    fn normal(self, u: f64, v: f64) -> Vec3 {
-        ggx::normal([self.0; 2], u, v)
     }
 }

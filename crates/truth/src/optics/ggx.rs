@@ -76,14 +76,6 @@ pub fn visible_normal_at(
     normalise([alpha[0] * x, alpha[1] * y, z])
 }
 
-/// A normal by D cos, drawn by two numbers in [0, 1): the part v of all normals has slopes within alpha
-/// sqrt(v/(1 - v)) of 0.
-pub fn normal(alpha: [f64; 2], u: f64, v: f64) -> Vec3 {
-    let (sine, cosine) = ops::sincos(2.0 * std::f64::consts::PI * u);
-    let radius = v.sqrt();
-    normalise([alpha[0] * radius * cosine, alpha[1] * radius * sine, (1.0 - v).sqrt()])
-}
-
 /// The direction `view` mirrored about `normal`, with the cosine v.h.
 pub fn mirror(view: Vec3, normal: Vec3) -> (Vec3, f64) {
     let cosine = view[0] * normal[0] + view[1] * normal[1] + view[2] * normal[2];

@@ -74,8 +74,4 @@ impl Distribution for SchlickSmith {
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
         self.ggx.visible_normal(view, u, v)
     }
-
-    fn normal(self, u: f64, v: f64) -> Vec3 {
-        self.ggx.normal(u, v)
-    }
 }

@@ -58,8 +58,12 @@ pub(super) trait Lobe: Sync {
     fn lambda(&self, direction: Vec3) -> f64;
     /// Lambda of a direction on either side.
     fn lambda_towards(&self, direction: Vec3) -> f64;
-    fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3;
     fn visible_normal(&self, view: Vec3, x: [f64; DIMENSIONS]) -> Vec3;
+
+    /// A normal by D cos: one visible from above, where nothing is masked.
+    fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3 {
+        self.visible_normal([0.0, 0.0, 1.0], x)
+    }
 }
 
 impl<D: Distribution> Lobe for D {
@@ -75,10 +79,6 @@ impl<D: Distribution> Lobe for D {
 
     fn lambda_towards(&self, direction: Vec3) -> f64 {
         Distribution::lambda_towards(*self, direction)
-    }
-
-    fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3 {
-        Distribution::normal(*self, x[0], x[1])
     }
 
     fn visible_normal(&self, view: Vec3, x: [f64; DIMENSIONS]) -> Vec3 {
@@ -103,10 +103,6 @@ impl Lobe for [f64; 2] {
 
     fn lambda_towards(&self, direction: Vec3) -> f64 {
         ggx::lambda_towards(*self, direction)
-    }
-
-    fn normal(&self, x: [f64; DIMENSIONS]) -> Vec3 {
-        ggx::normal(*self, x[0], x[1])
     }
 
     fn visible_normal(&self, view: Vec3, x: [f64; DIMENSIONS]) -> Vec3 {
