@@ -250,7 +250,7 @@ impl Distribution for Beckmann {
 
     /// With tan^2 = tan^2(D/2) + alpha^2 k (1 - cos psi), k = sin(theta) sin(theta_l)/(2 alpha^2 cos^2(S/2)
     /// cos^2(D/2)), D is (1 + tan^2)^2 exp(-tan^2/alpha^2)/(pi alpha^2), and its integral a sum of
-    /// [`moments`].
+    /// `moments`.
     fn azimuth_integral(self, polar: &Polar) -> f64 {
         let (a2, cos2) = (self.0 * self.0, polar.cos_d * polar.cos_d);
         let steep = polar.sin_d * polar.sin_d / (a2 * cos2);
