@@ -43,13 +43,15 @@ pub fn rgb(fit: &Fit, is_coloured: bool) -> Option<String> {
     (normalises && is_coloured).then(|| format!("{}_rgb", fit.hypothesis.name()))
 }
 
-/// One fit below a header.
+/// One fit below a header, and in half precision the function of two evaluations at once.
 ///
 /// # Errors
 /// A formula that cannot be printed.
 pub fn function(language: Language, fit: &Fit, lines: &[String]) -> Result<String, BakeError> {
     let text = code::print(language, &fit.hypothesis, &fit.coefficients(), lines)?.text;
-    Ok(format!("\n{text}"))
+    let header = [format!("Two evaluations of {} at once, each within its error.", fit.hypothesis.name())];
+    let pair = code::print_pair(language, &fit.hypothesis, &fit.coefficients(), &header)?;
+    Ok(format!("\n{text}{}", pair.map_or_else(String::new, |pair| format!("\n{pair}"))))
 }
 
 /// The comment of the formula's file, with a line after it where there is any.

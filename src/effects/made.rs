@@ -18,7 +18,7 @@ use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose, words};
 use crate::scene::Scene;
 use crate::store::Files;
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{Language, pair_of};
 use lobefit_shade::comment::comment;
 
 /// What one effect adds to the files of a bake. The same recipe gives the same part, so one that an
@@ -200,8 +200,8 @@ impl Made {
         let entries = &mut self.part.entries;
         for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {
             let entry = FitEntry::new(effect, alpha_map, &fit.approximation);
-            let function = fit.hypothesis.name().to_string();
-            entries.fits.extend(entry.map(|entry| more(i, fit, FitEntry { function, ..entry })));
+            let (function, pair) = (fit.hypothesis.name().to_string(), pair_of(&fit.hypothesis));
+            entries.fits.extend(entry.map(|entry| more(i, fit, FitEntry { function, pair, ..entry })));
         }
         entries.fits_left_out.extend(dropped.iter().map(|dropped| FitLeftOut {
             effect: effect.into(),

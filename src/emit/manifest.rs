@@ -228,6 +228,9 @@ pub struct FitEntry {
     /// 1 + f0 (N - 1) of a normalisation N, for a last argument f0 of three channels; if a metal calls it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rgb: Option<String>,
+    /// Two evaluations at once, vectors of two numbers to such a vector; of formulas of f16 without branches.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pair: Option<String>,
     /// What its arguments are, in order.
     pub inputs: Vec<String>,
     /// Hypothesis.
@@ -433,6 +436,7 @@ impl FitEntry {
             alpha_map: alpha_map.into(),
             function: approximation.name.clone(),
             rgb: None,
+            pair: None,
             inputs: formula.inputs.clone(),
             hypothesis: formula.hypothesis.clone(),
             norm: formula.norm.clone(),

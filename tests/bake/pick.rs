@@ -151,6 +151,10 @@ fn half_precision_is_picked_and_certified_in_f16() {
     let heads = [
         ("fits/lobefit.wgsl", "\nenable f16;\n"),
         ("fits/lobefit.wgsl", "fn ggx_energy_compensation(roughness: f16, n_dot_v: f16) -> f16 {"),
+        (
+            "fits/lobefit.wgsl",
+            "fn ggx_energy_compensation_pair(roughness: vec2<f16>, n_dot_v: vec2<f16>) -> vec2<f16> {",
+        ),
         ("fits/lobefit.wgsl", "_rgb(roughness: f16, n_dot_v: f16, f0: vec3<f16>) -> vec3<f16> {"),
         (
             "fits/lobefit.hlsl",
@@ -163,6 +167,8 @@ fn half_precision_is_picked_and_certified_in_f16() {
     for (file, head) in heads {
         assert!(text(file).contains(head), "{file}: {head}\n{}", text(file));
     }
+    assert_eq!(fit["pair"], "ggx_energy_compensation_pair");
+    assert!(!text("fits/lobefit.h").contains("_pair("), "C has no half precision");
 }
 
 /// Every formula that is not refused in half precision is finite at points of its own, and within

@@ -53,17 +53,17 @@ fn planes(kind: &str) -> usize {
 
 /// A shader that holds a file and calls each of its functions, for the stage `frag`.
 fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
-    let value = |kind: &String| match kind.as_str() {
+    let value = |kind: &String| match kind.trim_start_matches("mediump ") {
         "bool" => "(p.x > 0.5)".to_string(),
         "float" => "p.x".to_string(),
-        "mediump float" => "p.x".to_string(),
         "uint" | "highp uint" => "uint(p.x)".to_string(),
         "min16float" => "min16float(p.x)".to_string(),
         // planes: the head of the file has an array of as many
         kind if kind.ends_with(']') => format!("planes_{}", planes(kind)),
-        "float2" | "float3" | "float4" | "vec2" | "vec3" | "vec4" => {
+        "min16float2" | "float2" | "float3" | "float4" | "vec2" | "vec3" | "vec4" => {
             format!(
-                "{kind}({})",
+                "{}({})",
+                kind.trim_start_matches("mediump "),
                 ["p.x", "p.y", "p.z", "p.w"][..kind[kind.len() - 1..].parse().unwrap()].join(", ")
             )
         }

@@ -12,7 +12,7 @@ use emit_support::programs::compile_library;
 use emit_support::say;
 use fit_support::parse;
 use lobefit_shade::Hypothesis;
-use lobefit_shade::code::{Float, Language, Printed, print};
+use lobefit_shade::code::{Float, Language, Printed, pair_of, print, print_pair};
 use lobefit_shade::comment::comment;
 
 /// How far, in ulp, functions may lie from the tape whose transcendental functions are the
@@ -106,13 +106,76 @@ fn compilers_take_half_precision() {
     for language in [Language::Hlsl, Language::Glsl] {
         assert!(compile(language, &file(language, &half)).is_none_or(|functions| functions >= half.len()));
     }
-    let text = file(Language::Wgsl, &half);
+    valid_in_half(&file(Language::Wgsl, &half));
+}
+
+fn valid_in_half(text: &str) {
     assert!(text.contains("enable f16;") && !text.contains("f32"), "{text}");
-    let module =
-        naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+    let module = naga::front::wgsl::parse_str(text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
     let capabilities = naga::valid::Capabilities::SHADER_FLOAT16;
     let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities);
-    validator.validate(&module).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+    validator.validate(&module).unwrap_or_else(|e| panic!("{}", e.emit_to_string(text)));
+}
+
+/// A file of the formulas that have pairs, two evaluations at once, and those formulas.
+fn pairs(language: Language) -> (String, Vec<Hypothesis>) {
+    let pair = |h: &Hypothesis| print_pair(language, h, &starts(h), &["A pair.".into()]).expect("a function");
+    let printed: Vec<(String, Hypothesis)> =
+        halves().into_iter().filter_map(|h| pair(&h).map(|text| (text, h))).collect();
+    let (texts, hypotheses): (Vec<String>, Vec<Hypothesis>) = printed.into_iter().unzip();
+    (format!("{}{}", language.preamble(Float::F16), texts.join("\n")), hypotheses)
+}
+
+/// Each component is an evaluation, whatever the other is, where a compiler keeps 32 bits.
+#[test]
+fn pairs_are_two_evaluations() {
+    for (language, vector) in
+        [(Language::Hlsl, "min16float2"), (Language::Glsl, "vec2"), (Language::Msl, "half2")]
+    {
+        let (code, hypotheses) = pairs(language);
+        assert!(hypotheses.len() > halves().len() / 3, "{} of {}", hypotheses.len(), halves().len());
+        let call = |h: &Hypothesis| {
+            let both = |components: [&str; 2]| {
+                let [x, y] = components;
+                let arguments: Vec<String> = (0..h.inputs().len())
+                    .map(|k| format!("{vector}({x}, {y})").replace('#', &k.to_string()))
+                    .collect();
+                format!("{}({})", pair_of(h).expect("a pair"), arguments.join(", "))
+            };
+            let (x, y) = (both(["p[#]", "0.5f"]), both(["0.25f", "p[#]"]));
+            [format!("        put({x}.x);\n"), format!("        put({y}.y);\n")].concat()
+        };
+        let main = loops(INPUTS, &hypotheses.iter().map(call).collect::<Vec<_>>());
+        let Some(found) = run(language, &code, &main, &points(), Contraction::Off) else { continue };
+        assert_eq!(found.len(), 2 * hypotheses.len() * POINTS);
+        let each = found.chunks_exact(2 * POINTS);
+        for (hypothesis, found) in hypotheses.iter().zip(each) {
+            let exact = printed(language, &hypothesis.clone().in_float(Float::F32)).exact;
+            for (i, a) in values(hypothesis).into_iter().enumerate() {
+                for b in [found[2 * i], found[2 * i + 1]] {
+                    let same = a.to_bits() == b.to_bits() || (!exact && ulps(a, b) <= TRANSCENDENTAL);
+                    assert!(
+                        same,
+                        "{} in {}, point {i}: {a:?} and {b:?}",
+                        hypothesis.name(),
+                        language.title()
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn compilers_take_pairs() {
+    for language in [Language::Hlsl, Language::Glsl] {
+        let (text, hypotheses) = pairs(language);
+        assert!(compile(language, &text).is_none_or(|functions| functions >= hypotheses.len()));
+    }
+    valid_in_half(&pairs(Language::Wgsl).0);
+    for language in [Language::Rust, Language::C] {
+        assert!(pairs(language).1.is_empty());
+    }
 }
 
 /// Lines that would end a comment, swallow the line after it, or hide what it is.

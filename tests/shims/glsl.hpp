@@ -24,6 +24,8 @@ inline vec4 textureLod(const sampler3D &table, vec3 uvw, float) { return table.s
 inline float sign(float x) { return x > 0.0f ? 1.0f : (x < 0.0f ? -1.0f : 0.0f); }
 inline float inversesqrt(float x) { return rsqrt(x); }
 inline float mix(float x, float y, float t) { return x * (1.0f - t) + y * t; }
+inline vec2 inversesqrt(vec2 x) { return rsqrt(x); }
+inline vec2 mix(vec2 x, vec2 y, vec2 t) { return vec2(mix(x.x, y.x, t.x), mix(x.y, y.y, t.y)); }
 
 }  // namespace glsl
 

@@ -29,6 +29,7 @@ template <typename T> struct Texture3D : table {
 inline int sign(float x) { return (x > 0.0f) - (x < 0.0f); }
 inline float lerp(float x, float y, float t) { return x + (y - x) * t; }
 inline float mad(float x, float y, float z) { return std::fma(x, y, z); }
+inline float2 mad(float2 x, float2 y, float2 z) { return fma(x, y, z); }
 
 }  // namespace hlsl
 

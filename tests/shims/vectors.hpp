@@ -12,6 +12,8 @@ namespace shim {
 
 struct float2 {
     float x, y;
+    // A number beside a vector is each of its components.
+    float2(float s) : x(s), y(s) {}
     float2(float x, float y) : x(x), y(y) {}
 };
 
@@ -68,6 +70,19 @@ inline float smoothstep(float lo, float hi, float x) {
     const float t = clamp((x - lo) / (hi - lo), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }
+
+// Two evaluations at once.
+#define PAIRED(name) inline float2 name(float2 a) { return float2(name(a.x), name(a.y)); }
+#define PAIRED_OF_TWO(name) inline float2 name(float2 a, float2 b) { return float2(name(a.x, b.x), name(a.y, b.y)); }
+#define PAIRED_OPERATOR(sign) \
+    inline float2 operator sign(float2 a, float2 b) { return float2(a.x sign b.x, a.y sign b.y); }
+PAIRED(abs) PAIRED(saturate) PAIRED(sqrt) PAIRED(rsqrt) PAIRED(exp) PAIRED(exp2) PAIRED(log) PAIRED(log2)
+PAIRED(floor) PAIRED(sin) PAIRED(cos)
+PAIRED_OF_TWO(min) PAIRED_OF_TWO(max) PAIRED_OF_TWO(pow)
+PAIRED_OPERATOR(+) PAIRED_OPERATOR(-) PAIRED_OPERATOR(*) PAIRED_OPERATOR(/)
+inline float2 operator-(float2 a) { return float2(-a.x, -a.y); }
+inline float2 clamp(float2 x, float2 lo, float2 hi) { return min(max(x, lo), hi); }
+inline float2 fma(float2 x, float2 y, float2 z) { return float2(fma(x.x, y.x, z.x), fma(x.y, y.y, z.y)); }
 
 // Texels with columns fastest and slices slowest; channels that a table lacks are zero, and the last is one.
 struct table {

@@ -13,6 +13,7 @@ pub(super) const C: Family = Family {
     linkage: "static inline ",
     qualifier: "",
     number: "float",
+    both: "",
     suffix: "f",
     constant: "const ",
     // C99 has its `bool` in another header, and C++ has none of C99's `_Bool`

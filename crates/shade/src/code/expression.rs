@@ -174,7 +174,14 @@ impl Writer<'_> {
 
     /// Operands separated by commas.
     pub fn list(&self, operands: &[Expr]) -> String {
-        operands.iter().map(|e| self.expression(e, false).text).collect::<Vec<_>>().join(", ")
+        operands.iter().map(|e| self.value(e, false)).collect::<Vec<_>>().join(", ")
+    }
+
+    /// An expression that stands alone: of two evaluations at once a vector, be it of literals.
+    pub fn value(&self, expr: &Expr, typed: bool) -> String {
+        let text = self.expression(expr, typed).text;
+        let both = || self.printer.both(&text);
+        (!self.anchored(expr)).then(both).flatten().unwrap_or(text)
     }
 
     fn binary(&self, op: Binary, a: &Expr, b: &Expr, typed: bool) -> Text {
@@ -313,7 +320,7 @@ impl Writer<'_> {
 
     /// One statement.
     fn line(&self, start: &str, value: &Expr, end: &str, depth: usize, out: &mut String) {
-        let text = format!("{start}{}{end}", self.expression(value, false).text);
+        let text = format!("{start}{}{end}", self.value(value, false));
         out.push_str(&lines(&text, depth));
     }
 }

@@ -16,6 +16,9 @@ pub(super) struct Family {
     pub qualifier: &'static str,
     /// The type of numbers.
     pub number: &'static str,
+    /// What makes a number of a literal, where a number is the numbers of two evaluations; empty where
+    /// the literal is one.
+    pub both: &'static str,
     /// After a literal.
     pub suffix: &'static str,
     /// Before the type of a value that keeps its value.
@@ -76,7 +79,7 @@ impl Family {
     }
 
     fn clamp(&self, writer: &Writer, operands: &[Expr]) -> Text {
-        let [x, lo, hi] = [0, 1, 2].map(|i| writer.expression(&operands[i], false).text);
+        let [x, lo, hi] = [0, 1, 2].map(|i| writer.value(&operands[i], false));
         match (self.call)(Builtin::Clamp) {
             Ok(name) if ordered(&operands[1], &operands[2]) => Text::atom(format!("{name}({x}, {lo}, {hi})")),
             _ => self.between(&x, [lo, hi]),
@@ -134,6 +137,10 @@ impl Printer for Family {
 
     fn number(&self, x: f32, _: bool) -> String {
         self.spelled(x)
+    }
+
+    fn both(&self, literal: &str) -> Option<String> {
+        (!self.both.is_empty()).then(|| format!("{}({literal})", self.both))
     }
 
     fn truth(&self, x: bool) -> &'static str {

@@ -13,6 +13,7 @@ pub(super) const GLSL: Family = Family {
     linkage: "",
     qualifier: "",
     number: "float",
+    both: "",
     suffix: "",
     // a `const` had a constant for its value before GLSL 4.20
     constant: "",
@@ -31,6 +32,9 @@ pub(super) const GLSL: Family = Family {
 
 /// The same in half precision. Literals have no precision of their own.
 pub(super) const HALF: Family = Family { qualifier: "mediump ", ..GLSL };
+
+/// Two evaluations at once in half precision.
+pub(super) const PAIR: Family = Family { number: "vec2", both: "vec2", ..HALF };
 
 /// The table holds its sampler.
 const TEXTURES: Textures = Textures {

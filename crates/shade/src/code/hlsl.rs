@@ -13,6 +13,7 @@ pub(super) const HLSL: Family = Family {
     linkage: "",
     qualifier: "",
     number: "float",
+    both: "",
     suffix: "f",
     constant: "const ",
     truth: ["bool", "false", "true"],
@@ -31,6 +32,9 @@ pub(super) const HLSL: Family = Family {
 /// The same in half precision. A literal has no suffix: the type of what it stands beside is its
 /// own.
 pub(super) const HALF: Family = Family { number: "min16float", suffix: "", vector: "min16float", ..HLSL };
+
+/// Two evaluations at once in half precision. A literal beside a vector is each of its components.
+pub(super) const PAIR: Family = Family { number: "min16float2", ..HALF };
 
 const TEXTURES: Textures = Textures {
     resources: &[("table", "Texture#D<float4>"), ("linear_clamp", "SamplerState")],

@@ -44,6 +44,17 @@ impl Language {
         }
     }
 
+    /// The printer of two evaluations at once in half precision; none where a language has none.
+    pub(super) fn pair_printer(self) -> Option<&'static dyn Printer> {
+        match self {
+            Language::Wgsl => Some(&wgsl::PAIR),
+            Language::Hlsl => Some(&hlsl::PAIR),
+            Language::Glsl => Some(&glsl::PAIR),
+            Language::Msl => Some(&msl::PAIR),
+            Language::Rust | Language::C => None,
+        }
+    }
+
     /// The printer where the type of numbers makes no difference.
     fn plain(self) -> &'static dyn Printer {
         self.printer(Float::F32)

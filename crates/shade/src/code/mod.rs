@@ -40,6 +40,7 @@ mod language;
 mod lines;
 mod msl;
 mod names;
+mod pair;
 mod printer;
 mod rust;
 mod rust_table;
@@ -137,6 +138,29 @@ pub fn print(
     let formula = specialise(hypothesis, coefficients)?;
     let text = function::print(language.printer(formula.float), &formula, header)?;
     Ok(printed(text, language, &formula))
+}
+
+/// Two evaluations of the fit at once in half precision, of vectors of two numbers, under the name of
+/// [`pair_of`]; none in a language without half precision, and of a formula that has no pair.
+///
+/// # Errors
+/// As [`print`].
+pub fn print_pair(
+    language: Language,
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    header: &[String],
+) -> Result<Option<String>, CodeError> {
+    let (Some(printer), Some(name)) = (language.pair_printer(), pair_of(hypothesis)) else { return Ok(None) };
+    let formula = specialise(&hypothesis.renamed(&name), coefficients)?;
+    function::print(printer, &formula, header).map(Some)
+}
+
+/// The name of the function that evaluates a formula of f16 twice at once; none of f32, and of a
+/// formula that branches or compares, which vectors do not.
+pub fn pair_of(hypothesis: &Hypothesis) -> Option<String> {
+    let has = hypothesis.float() == Float::F16 && pair::has(hypothesis.formula());
+    has.then(|| format!("{}_pair", hypothesis.name()))
 }
 
 /// One function of a formula without parameters, `header` as its documentation; what it calls

@@ -13,6 +13,7 @@ pub(super) const MSL: Family = Family {
     linkage: "inline ",
     qualifier: "",
     number: "float",
+    both: "",
     suffix: "f",
     constant: "const ",
     truth: ["bool", "false", "true"],
@@ -29,6 +30,9 @@ pub(super) const MSL: Family = Family {
 
 /// The same in half precision.
 pub(super) const HALF: Family = Family { number: "half", suffix: "h", vector: "half", ..MSL };
+
+/// Two evaluations at once in half precision.
+pub(super) const PAIR: Family = Family { number: "half2", both: "half2", ..HALF };
 
 const TEXTURES: Textures = Textures {
     resources: &[("table", "texture#d<float>"), ("linear_clamp", "sampler")],

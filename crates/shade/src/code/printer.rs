@@ -41,6 +41,12 @@ pub(super) trait Printer: Sync {
     /// A literal; `typed` where nothing else says its type.
     fn number(&self, x: f32, typed: bool) -> String;
 
+    /// What stands where a literal alone is the value of two evaluations at once; none where a number
+    /// is a number.
+    fn both(&self, _literal: &str) -> Option<String> {
+        None
+    }
+
     /// true or false.
     fn truth(&self, x: bool) -> &'static str {
         if x { "true" } else { "false" }

@@ -15,13 +15,18 @@ pub(super) struct Wgsl {
     suffix: &'static str,
     /// See [`Printer::enables`].
     enables: &'static str,
+    /// Whether a number is the numbers of two evaluations.
+    is_pair: bool,
 }
 
 /// The printer of WGSL.
-pub(super) const WGSL: Wgsl = Wgsl { number: "f32", suffix: "f", enables: "" };
+pub(super) const WGSL: Wgsl = Wgsl { number: "f32", suffix: "f", enables: "", is_pair: false };
 
 /// The same in half precision.
-pub(super) const HALF: Wgsl = Wgsl { number: "f16", suffix: "h", enables: "enable f16;\n" };
+pub(super) const HALF: Wgsl = Wgsl { number: "f16", suffix: "h", enables: "enable f16;\n", is_pair: false };
+
+/// Two evaluations at once in half precision.
+pub(super) const PAIR: Wgsl = Wgsl { number: "vec2<f16>", is_pair: true, ..HALF };
 
 const FACTS: Facts = Facts {
     name: "wgsl",
@@ -65,6 +70,10 @@ impl Printer for Wgsl {
     fn number(&self, x: f32, typed: bool) -> String {
         let text = decimal(x);
         if typed { format!("{text}{}", self.suffix) } else { text }
+    }
+
+    fn both(&self, literal: &str) -> Option<String> {
+        self.is_pair.then(|| format!("{}({literal})", self.number))
     }
 
     fn kind(&self, kind: Kind) -> String {
@@ -119,7 +128,7 @@ impl Printer for Wgsl {
         // condition.
         let numbers = if builtin == Builtin::Select { &operands[..2] } else { operands };
         let typed = typed || !numbers.iter().any(|e| writer.anchored(e));
-        let printed: Vec<String> = operands.iter().map(|e| writer.expression(e, typed).text).collect();
+        let printed: Vec<String> = operands.iter().map(|e| writer.value(e, typed)).collect();
         Text::atom(format!("{name}({})", printed.join(", ")))
     }
 
