@@ -19,6 +19,7 @@ use lobefit::cli::CliError;
 use lobefit::emit::include::Include;
 use lobefit::store::{self, Files, MANIFEST};
 use lobefit::timing::isa::{IsaFunction, IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
+use lobefit_shade::code::{Float, Language};
 use shader::Shader;
 use worker::{Machine, Source};
 
@@ -59,11 +60,13 @@ struct Compiled {
 impl Jobs {
     /// All functions of an include file, in those of the precisions that it can have.
     fn of(include: &Include, files: &Files, precisions: &[Precision]) -> Result<Jobs, GpuError> {
-        let wrong = |e: naga::front::wgsl::ParseError| GpuError::Bake {
-            place: "fits/lobefit.wgsl".into(),
-            reason: e.emit_to_string(&include.text),
-        };
-        let module = naga::front::wgsl::parse_str(&include.text).map_err(wrong)?;
+        let wrong = |reason| GpuError::Bake { place: "fits/lobefit.wgsl".into(), reason };
+        if include.text.contains(Language::Wgsl.preamble(Float::F16).trim()) {
+            let reason = "its functions are in f16; bake without `precision`: those of f32 are compiled in f16 and packed too";
+            return Err(wrong(reason.into()));
+        }
+        let parsed = naga::front::wgsl::parse_str(&include.text);
+        let module = parsed.map_err(|e| wrong(e.emit_to_string(&include.text)))?;
         let mut names: Vec<&str> = module.functions.iter().filter_map(|(_, f)| f.name.as_deref()).collect();
         names.sort_unstable();
         let mut jobs = Jobs::default();

@@ -47,6 +47,18 @@ fn find<'a>(record: &'a IsaRecord, function: &str, family: &str, precision: Prec
     rows.find(|row| row.precision == precision).unwrap_or_else(|| panic!("no {function} on {family}"))
 }
 
+/// Its rows of f32 and of packed f16 cannot be made.
+#[test]
+fn a_bake_in_half_precision_is_refused() {
+    let folder = baked("enable f16;\nfn f(x: f16) -> f16 { return x + x; }\n");
+    let Some((code, printed, error)) = run(folder.path(), &[]) else { return };
+    assert_eq!((code, printed.as_str()), (2, ""), "{error}");
+    assert!(
+        error.contains("fits/lobefit.wgsl: its functions are in f16; bake without `precision`"),
+        "{error}"
+    );
+}
+
 #[test]
 fn the_committed_record_is_what_its_compiler_makes_on_every_run() {
     let Some((code, printed, error)) = run(&root(), &["--json"]) else { return };
