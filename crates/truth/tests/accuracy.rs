@@ -30,7 +30,7 @@ fn every_quantity_has_ways_and_all_that_is_drawn_agrees() {
             let study = Study::new(quantity, is_hard).unwrap_or_else(|e| panic!("{name}: {e}"));
             let mut ways = 0;
             for (draw, points) in draws.iter().flat_map(|draw| Points::ALL.map(|points| (*draw, points))) {
-                let Ok(found) = study.sampled(Run { samples: 1 << 13, seed: 3, points, draw }) else {
+                let Ok(found) = study.sampled(Run { samples: 1 << 12, seed: 3, points, draw }) else {
                     continue;
                 };
                 ways += 1;
@@ -62,8 +62,11 @@ fn orders_are_those_of_theory() {
         assert!((random - 0.5).abs() < 0.12, "{draw}: {random}");
         assert!(sobol > random + 0.15, "{draw}: {sobol}");
     }
-    let panel = order("one panel", None);
-    assert!(panel > 2.0 * order("visible", Some("sobol")), "{panel}");
+    // At the easy point the second rule of one panel is at the truth's own bound already.
+    let (study, curves) = self::curves("ggx-reflection", true, 8);
+    let panel =
+        curves.iter().find(|curve| curve.way == "one panel").and_then(|c| c.order(2.0 * study.truth[1]));
+    assert!(panel.is_some_and(|order| order > 4.0), "{panel:?}");
 }
 
 #[test]
