@@ -297,7 +297,7 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("fits/hypotheses/")
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
-            || entry.kind == Kind::File && counts::placed(name)
+            || entry.kind == Kind::File && (counts::placed(name) || name.starts_with("reports/offline/"))
             || entry.kind == Kind::File && [BUILD_FILE, PAGE].contains(&name)
             || entry.kind == Kind::File && studies::placed(name);
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);

@@ -5,7 +5,7 @@ mod limited;
 mod page;
 mod record;
 
-pub use from::{bake_in, counts_in, times_in};
+pub use from::{bake_in, counts_in, offline_in, times_in};
 pub use page::Beside;
 pub(super) use page::PAGE;
 pub use record::{RECORD_BYTES, RecordPlace};
@@ -41,6 +41,8 @@ Examples:
                                         write the page of a record again
   lobefit cost examples/every-formula.json --page reports/cost.html
                                         write the page of what accuracy costs, by the records in reports/
+  lobefit cost --offline --record reports/offline/mine.json
+                                        measure every way to compute every quantity, which the page of costs shows
   lobefit cost --isa                    compile every emitted function for three families of AMD GPUs, and count instructions
   lobefit cost --isa --from . --families vega10,gfx1036
                                         for these families, of the bake in this folder
@@ -78,7 +80,7 @@ pub const FAMILIES: &str = "amd";
 
 /// Options of `cost`.
 #[derive(Args)]
-#[command(group(ArgGroup::new("recorded").args(["gpu", "isa", "weights"])))]
+#[command(group(ArgGroup::new("recorded").args(["gpu", "isa", "weights", "offline"])))]
 #[command(group(ArgGroup::new("limited").args(["budget", "max_error", "max_bytes"]).multiple(true).conflicts_with_all(["recorded", "page"])))]
 #[command(group(ArgGroup::new("compared").args(["weights", "page"])))]
 #[command(group(ArgGroup::new("counted").args(["isa", "weights"])))]
@@ -116,6 +118,10 @@ pub struct Options {
     /// Fewer threads and repeats: for software drivers and for trying out
     #[arg(long, requires = "gpu")]
     pub reduced: bool,
+    /// Measure every way to compute every quantity instead, on one thread: error against evaluations and
+    /// seconds, for --record
+    #[arg(long, requires = "record", conflicts_with_all = ["scene", "json"])]
+    pub offline: bool,
     /// Compile the emitted functions for families of GPUs instead, and count instructions
     #[arg(long)]
     pub isa: bool,
@@ -188,6 +194,9 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     if options.budget.is_some() || options.max_error.is_some() || options.max_bytes.is_some() {
         return limited::verb(options);
     }
+    if let Some(path) = options.record.as_ref().filter(|_| options.offline) {
+        return record::offline(options, path);
+    }
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
@@ -225,7 +234,6 @@ fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, Cli
         let empty = Timings {
             origin,
             device: device(rayon::current_num_threads()),
-            points: Vec::new(),
             tables: None,
             evaluations: Vec::new(),
             lookups: Vec::new(),

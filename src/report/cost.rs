@@ -1,6 +1,6 @@
 //! What accuracy costs: every formula on the GPUs of every vendor.
 
-use super::{GpuRecord, Origin, Study};
+use super::{GpuRecord, OfflineRecord, Origin};
 use crate::emit::manifest::TableEntry;
 
 /// What the page of costs shows.
@@ -16,8 +16,8 @@ pub struct Costs {
     pub tables: Vec<TableEntry>,
     /// Times of functions.
     pub times: Vec<GpuRecord>,
-    /// Errors of integrators.
-    pub studies: Vec<Study>,
+    /// What accuracy costs offline, a processor each.
+    pub offline: Vec<OfflineRecord>,
 }
 
 /// What a cost is counted in.

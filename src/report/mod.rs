@@ -15,6 +15,7 @@ mod fold;
 mod gpu;
 mod html;
 mod json;
+mod offline;
 mod page;
 pub(crate) mod sections;
 mod timings;
@@ -27,8 +28,8 @@ pub use bar::{bar_from, without_absent};
 pub use cost::{CostJob, CostPoint, CostUnit, Costs};
 pub use findings::{
     Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
-    Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Marked, Measured, Offer, Origin, Purpose,
-    Role, SCHEMA_VERSION, Study, StudySeries, TableFinding,
+    Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Measured, Offer, Origin, Purpose, Role,
+    SCHEMA_VERSION, TableFinding,
 };
 pub use fold::{folded, folded_after};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
@@ -40,12 +41,10 @@ pub use lobefit_figures::{
     Worst, check, disc, displayed, luminance, signed,
 };
 pub use lobefit_math::numbers;
+pub use offline::{OfflineRecord, OfflineStudy};
 pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
 pub use sections::{figures, words};
-pub use timings::{
-    TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,
-    Timings,
-};
+pub use timings::{TimedApproximation, TimedEstimator, TimedLookup, TimedTableRun, TimedTables, Timings};
 
 /// A file to be written: path relative to the bake's folder, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -175,6 +174,14 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
     let figures = json::document("gpu.json", record)?;
     let hash = blake3::hash(&figures).to_hex();
     Ok((html(&sections::of_gpu(record, &hash)?), figures))
+}
+
+/// A record of what accuracy costs offline, as JSON.
+///
+/// # Errors
+/// As [`draft`].
+pub fn offline_record(record: &OfflineRecord) -> Result<Vec<u8>, ReportError> {
+    json::document("offline.json", record)
 }
 
 /// The page of what accuracy costs, as HTML.

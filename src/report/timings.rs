@@ -13,8 +13,6 @@ pub struct Timings {
     pub origin: Origin,
     /// The machine, in words.
     pub device: String,
-    /// Error against seconds at single points.
-    pub points: Vec<TimedPoint>,
     /// Whole tables against the path tracer's estimator; none where the scene calls for no such
     /// table.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -35,30 +33,6 @@ pub struct TimedLookup {
     pub fetches: u32,
     /// Nanoseconds per pixel in f64, measured.
     pub nanoseconds: f64,
-}
-
-/// Error against seconds at one point of a quantity's domain.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TimedPoint {
-    /// What makes the point worth looking at.
-    pub name: String,
-    /// GGX alpha.
-    pub alpha: f64,
-    /// Cosine.
-    pub mu: f64,
-    /// One per integrator.
-    pub series: Vec<TimedSeries>,
-}
-
-/// Error of one integrator against the time it took.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TimedSeries {
-    /// Name of the integrator.
-    pub name: String,
-    /// Seconds, positive.
-    pub seconds: Vec<f64>,
-    /// Absolute error at each.
-    pub error: Vec<f64>,
 }
 
 /// What one approximation takes at run time.

@@ -3,6 +3,7 @@
 
 pub mod costs;
 pub mod isa;
+pub mod offline;
 pub mod priced;
 pub mod record;
 mod tables;
@@ -15,16 +16,12 @@ use std::time::Instant;
 
 use crate::approximate::{Fit, FitStageError, Region, certification};
 use crate::bake::{BakeError, Baked};
-use crate::data::{Approximation, Smith, Source};
+use crate::data::{Approximation, Source};
 use crate::effects::demand::hull;
-use crate::effects::reflection::{POINTS, SAMPLERS};
 use crate::effects::table::Lookup;
 use crate::effects::{Effect, catalogue};
-use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
+use crate::report::{Origin, TimedApproximation, Timings};
 use crate::scene::Scene;
-use lobefit_truth::integrate::monte_carlo::{self, Run};
-use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
-use lobefit_truth::integrate::{IntegrateError, PanelRule};
 use lobefit_truth::points::Points;
 
 /// The version of a record, whatever else is in it.
@@ -34,25 +31,17 @@ struct Versioned {
     schema_version: Value,
 }
 
-/// Runs of which the median is taken.
+/// Runs of which the fastest counts: what is measured is the work, not what else the machine does.
 const RUNS: usize = 5;
 
 /// Shortest time that a run is allowed to take: below it, the work is repeated within the run.
 const SHORTEST: f64 = 2e-3;
 
-/// Largest power of two of samples timed.
-const LOG2_SAMPLES: u32 = 20;
-
 /// 2^15 uniform points and half as many again: what formulas are evaluated at.
 const LOG2_POINTS: u32 = 15;
 
-/// A rounding floor: an error of 0 cannot be drawn on a logarithmic axis.
-const FLOOR: f64 = 1e-16;
-
-/// Measures the integrators at the study's points, and every formula and table of a bake.
+/// Measures every formula and table of a bake.
 pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
-    let points = POINTS.into_iter().map(|(name, alpha, mu)| point(scene.smith, name, alpha, mu));
-    let points = points.collect::<Result<_, IntegrateError>>()?;
     // One thread: a time per evaluation is that of one core.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
@@ -62,67 +51,25 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let tables = if sliced { Some(tables::tables()?) } else { None };
     let timed = |effect: &&dyn Effect| effect.timed(scene, &|work| seconds(work));
     let lookups = pool.install(|| catalogue().iter().flat_map(timed).collect());
-    Ok(Timings { origin, device, points, tables, evaluations, lookups })
+    Ok(Timings { origin, device, tables, evaluations, lookups })
 }
 
-/// Median seconds of one execution.
+/// Seconds of one execution.
 fn seconds(mut work: impl FnMut()) -> f64 {
     work();
     let mut repeats = 1_u32;
     loop {
-        let mut times: Vec<f64> = (0..RUNS)
-            .map(|_| {
-                let start = Instant::now();
-                (0..repeats).for_each(|_| work());
-                start.elapsed().as_secs_f64()
-            })
-            .collect();
-        times.sort_by(f64::total_cmp);
-        let median = times[RUNS / 2];
-        if median >= SHORTEST || repeats >= 1 << 20 {
-            return median / f64::from(repeats);
+        let times = (0..RUNS).map(|_| {
+            let start = Instant::now();
+            (0..repeats).for_each(|_| work());
+            start.elapsed().as_secs_f64()
+        });
+        let shortest = times.fold(f64::INFINITY, f64::min);
+        if shortest >= SHORTEST || repeats >= 1 << 20 {
+            return shortest / f64::from(repeats);
         }
         repeats *= 4;
     }
-}
-
-fn point(smith: Smith, name: &str, alpha: f64, mu: f64) -> Result<TimedPoint, IntegrateError> {
-    let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
-    let mut series = Vec::new();
-    for (name, points, draw) in SAMPLERS {
-        let mut one = TimedSeries { name: name.into(), seconds: Vec::new(), error: Vec::new() };
-        for log2 in (8..=LOG2_SAMPLES).step_by(2) {
-            let run = Run { samples: 1 << log2, seed: 1, points, draw };
-            one.error.push(monte_carlo::reflection(smith, alpha, mu, run)?.e.standard_error);
-            one.seconds.push(seconds(|| {
-                let _ = black_box(monte_carlo::reflection(smith, black_box(alpha), mu, run));
-            }));
-        }
-        series.push(one);
-    }
-    series.extend(quadrature(smith, alpha, mu, truth));
-    Ok(TimedPoint { name: name.into(), alpha, mu, series })
-}
-
-/// The rules of the study: few nodes over the whole range, and the graded panels of the product.
-fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [TimedSeries; 2] {
-    let timed = |name: &str, rules: &[PanelRule], graded: bool| {
-        let mut one = TimedSeries { name: name.into(), seconds: Vec::new(), error: Vec::new() };
-        for rule in rules {
-            let value = albedo_work(smith, alpha, mu, rule, graded).value;
-            one.error.push((value - truth).abs().max(FLOOR));
-            one.seconds.push(seconds(|| {
-                black_box(albedo_work(smith, black_box(alpha), mu, rule, graded));
-            }));
-        }
-        one
-    };
-    let whole = [8, 16, 24, 32].map(PanelRule::new);
-    let graded = [0, 1].map(|i| Effort::ladder()[i].outer.clone());
-    [
-        timed("quadrature, one panel", &whole, false),
-        timed("quadrature, graded panels (as shipped)", &graded, true),
-    ]
 }
 
 fn evaluations(scene: &Scene, baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {

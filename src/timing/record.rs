@@ -33,6 +33,12 @@ pub enum RecordError {
         /// What the reader says.
         reason: String,
     },
+    /// No record of `lobefit cost --offline`.
+    #[error("no record of lobefit cost --offline --record: {reason}")]
+    Offline {
+        /// What the reader says.
+        reason: String,
+    },
     /// A record of another version of this program.
     #[error(
         "schema_version {found}, this version reads {SCHEMA_VERSION}; measure again with lobefit cost --gpu --record"

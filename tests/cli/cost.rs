@@ -42,13 +42,6 @@ fn it_writes_positive_times_beside_a_bake_and_nothing_else() {
     assert_eq!(std::fs::read(reports.join("timings.json")).expect("written"), printed);
     assert_ne!(std::fs::read(reports.join("timings.html")).expect("written"), b"older");
     let times: Value = serde_json::from_slice(&printed).expect("one JSON document");
-    let points = times["points"].as_array().expect("a list");
-    assert!(points.len() >= 2, "an easy and a hard point");
-    for series in points.iter().flat_map(|p| p["series"].as_array().expect("a list")) {
-        positive(&series["seconds"]);
-        positive(&series["error"]);
-        assert_eq!(series["seconds"].as_array().map(Vec::len), series["error"].as_array().map(Vec::len));
-    }
     let evaluations = times["evaluations"].as_array().expect("a list");
     assert!(evaluations.len() >= 12, "the published formulas at least");
     for one in evaluations {
@@ -83,7 +76,7 @@ fn a_scene_without_rough_speculars_is_not_measured() {
     assert!(run(&["--quiet"]).is_empty());
     for options in [&["--json"][..], &["--quiet", "--json"]] {
         let times: Value = serde_json::from_slice(&run(options)).expect("one JSON document");
-        for key in ["points", "evaluations"] {
+        for key in ["evaluations"] {
             assert_eq!(times[key], serde_json::json!([]), "{key}");
         }
         assert!(

@@ -11,6 +11,7 @@ mod docs;
 mod floors;
 mod from_outside;
 mod languages;
+mod offline;
 mod readme;
 mod texts;
 mod toy_effect;

@@ -2,7 +2,7 @@
 
 use crate::report_support;
 
-use lobefit::report::{self, Findings, ReportError, Study, StudySeries};
+use lobefit::report::{self, Findings, ReportError};
 use report_support::{findings, timings};
 
 /// Something done to findings.
@@ -42,10 +42,6 @@ fn numbers_that_are_not_finite_are_named() {
         (
             Box::new(|f| furnace(f).rows[1].factors[2][3] = f64::NAN),
             "row ggx-dfg 32x32 f16, column 2[3] is not finite",
-        ),
-        (
-            Box::new(|f| f.studies[1].series[0].error[0] = f64::NAN),
-            "study hard: Monte Carlo, uniform: error[0] is not finite",
         ),
         (
             Box::new(|f| f.tables[0].channels[1].texels[9] = f64::NAN),
@@ -103,15 +99,6 @@ fn empty_and_mismatched_lists_are_named() {
             "row ggx-dfg 32x32 f16 has 6 entries, expected 7",
         ),
         (Box::new(|f| furnace(f).amplification = 0.0), "furnace: amplification must be positive"),
-        (Box::new(|f| f.studies[0].series.clear()), "easy: α 0.25, μ 0.7: series is empty"),
-        (
-            Box::new(|f| {
-                f.studies[0].series[1].error.pop();
-            }),
-            "visible normals: error has 19 entries, expected 20",
-        ),
-        (Box::new(|f| f.studies[0].series[0].error[0] = -1.0), "uniform: error[0] must not be negative"),
-        (Box::new(|f| f.studies[0].series[0].evaluations[0] = 0), "must be positive on a logarithmic axis"),
     ];
     for (spoil, expected) in cases {
         let message = refused(spoil);
@@ -147,8 +134,6 @@ fn names_from_a_scene_cannot_leave_their_place() -> Result<(), Box<dyn std::erro
     }
     spoilt.approximations[15].source = HOSTILE.into();
     furnace(&mut spoilt).rows[2].name = HOSTILE.into();
-    spoilt.studies[0].name = HOSTILE.into();
-    spoilt.studies[0].series[0].name = HOSTILE.into();
     let files = report::page("reflection", &spoilt)?.files("");
     let html = std::str::from_utf8(&files[0].bytes)?;
     assert_eq!(html.matches("<script").count(), 1, "no markup from names");
@@ -162,13 +147,6 @@ fn names_from_a_scene_cannot_leave_their_place() -> Result<(), Box<dyn std::erro
 #[test]
 fn odd_but_legal_data_is_shown() -> Result<(), ReportError> {
     let mut odd = findings();
-    odd.studies.push(Study {
-        name: "exact everywhere".into(),
-        alpha: 1.0,
-        mu: 1.0,
-        series: vec![StudySeries { name: "quadrature".into(), evaluations: vec![8], error: vec![0.0] }],
-        marked: None,
-    });
     odd.truths[0].values.fill(1.0);
     for value in &mut odd.fits[0].error.values {
         *value = 0.0;

@@ -201,31 +201,6 @@ fn averages() -> AverageFinding {
     }
 }
 
-fn study(name: &str, alpha: f64, mu: f64, hardness: f64) -> Study {
-    let series = |name: &str, counts: std::ops::Range<u32>, error: &dyn Fn(f64) -> f64| {
-        let evaluations: Vec<u64> = counts.map(|k| 1 << k).collect();
-        let error = evaluations.iter().map(|&n| error(n as f64)).collect();
-        StudySeries { name: name.into(), evaluations, error }
-    };
-    Study {
-        name: name.into(),
-        alpha,
-        mu,
-        series: vec![
-            series("Monte Carlo, uniform", 4..24, &|n| hardness / n.sqrt() * (1.0 + 0.3 * ops::sin(n))),
-            series("Monte Carlo, visible normals", 4..24, &|n| 0.2 / n.sqrt() * (1.0 + 0.3 * ops::cos(n))),
-            series("scrambled Sobol, visible normals", 4..24, &|n| 0.2 / n * (1.0 + 0.4 * ops::cos(2.0 * n))),
-            series("quadrature", 2..9, &|n| if n > 100.0 { 0.0 } else { ops::exp(-n / 3.0) * hardness }),
-        ],
-        marked: Some(Marked {
-            name: "10 million samples, f32 running sum".into(),
-            evaluations: 10_000_000,
-            noise: hardness / 3162.0,
-            bias: 8.6e-4,
-        }),
-    }
-}
-
 /// What made the synthetic page.
 pub fn origin() -> Origin {
     Origin {
@@ -306,27 +281,12 @@ pub fn findings() -> Findings {
         fits: FITS.map(fit).to_vec(),
         averages: Some(averages()),
         furnace: Some(furnace()),
-        studies: vec![study("easy", 0.25, 0.7, 1.0), study("hard", 0.01, 0.02, 30.0)],
     }
 }
 
 /// A measurement's worth of timings.
 #[allow(dead_code)] // not every test file that shares this one measures time
 pub fn timings() -> Timings {
-    let point = |s: &Study| TimedPoint {
-        name: s.name.clone(),
-        alpha: s.alpha,
-        mu: s.mu,
-        series: s
-            .series
-            .iter()
-            .map(|s| TimedSeries {
-                name: s.name.clone(),
-                seconds: s.evaluations.iter().map(|&n| n as f64 * 3.1e-8 + 2e-7).collect(),
-                error: s.error.clone(),
-            })
-            .collect(),
-    };
     let findings = findings();
     let timed = |a: &ApproximationFinding| TimedApproximation {
         name: a.name.clone(),
@@ -342,7 +302,6 @@ pub fn timings() -> Timings {
     Timings {
         origin: Origin { command: "lobefit cost".into(), ..findings.origin.clone() },
         device: "an imaginary processor, 2 cores".into(),
-        points: findings.studies.iter().map(point).collect(),
         tables: Some(timed_tables()),
         evaluations: findings.approximations.iter().map(timed).collect(),
         lookups: vec![TimedLookup {

@@ -8,6 +8,7 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::panels;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo::sobol;
+use lobefit_truth::integrate::walk::through;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{GGX_GLASS, GGX_REFLECTION, GgxCoat, Quantity, Variant};
@@ -102,34 +103,6 @@ impl Layers {
         is_above.then(|| (met, (1.0 + of_view) / (1.0 + of_view + self.lambda(z))))
     }
 
-    /// A walk on the facets of the coat until the ray leaves (Heitz, Hanika, d'Eon and Dachsbacher 2016),
-    /// with heights even in [-1, 1]: the direction, and whether it leaves above.
-    fn multiple(&self, w: Vector, from_above: bool, random: &mut Pcg64) -> (Vector, bool) {
-        // In the frame of the ray's own medium, which is above: the ray's direction and the share of the
-        // heights below it.
-        let (mut ray, mut below, mut is_above) = (scaled(w, -1.0), 1.0, from_above);
-        loop {
-            let u: f64 = random.random();
-            let z = ray[2].clamp(-1.0 + 1e-12, 1.0 - 1e-12);
-            let lambda = if z > 0.0 { self.lambda(z) } else { -1.0 - self.lambda(z) };
-            let leaves = if z > 0.0 { f64::powf(below, lambda) } else { 0.0 };
-            if u >= 1.0 - leaves {
-                return (if is_above { ray } else { scaled(ray, -1.0) }, is_above);
-            }
-            below = (below / (1.0 - u).powf(1.0 / lambda)).clamp(0.0, 1.0);
-            let w = scaled(ray, -1.0);
-            let normal = self.visible_normal(w, random);
-            let eta = if is_above { 1.0 / self.ior } else { self.ior };
-            ray = match self.meet(w, normal, eta, random) {
-                Met::Reflected(ray) => ray,
-                Met::Refracted(ray) => {
-                    (is_above, below) = (!is_above, 1.0 - below);
-                    scaled(ray, -1.0)
-                }
-            };
-        }
-    }
-
     /// What the base sends up of light from w, and its weight but for the albedo.
     fn base(&self, w: Vector, random: &mut Pcg64) -> Option<(Vector, f64)> {
         let Some(alpha) = self.metal else { return Some((Layers::diffuse(random), 1.0)) };
@@ -159,7 +132,7 @@ impl Layers {
                 let (Met::Reflected(ray) | Met::Refracted(ray)) = met;
                 (is_reflected == is_above, if is_above { ray } else { scaled(ray, -1.0) })
             } else {
-                let (ray, leaves_above) = self.multiple(w, is_above, random);
+                let (ray, leaves_above) = through([self.alpha, self.ior], w, is_above, random);
                 (leaves_above, ray)
             };
             if leaves_above {

@@ -5,10 +5,10 @@ use std::path::Path;
 use super::super::CliError;
 use super::RECORD_BYTES;
 use crate::emit::manifest::Manifest;
-use crate::report::GpuRecord;
+use crate::report::{GpuRecord, OfflineRecord};
 use crate::store::{self, Files, MANIFEST};
 use crate::timing::isa::{self, IsaRecord};
-use crate::timing::record;
+use crate::timing::{offline, record};
 
 /// Largest file of a bake that is read, bytes.
 const FILE_BYTES: u64 = 64 << 20;
@@ -45,6 +45,14 @@ pub fn times_in(folder: &Path) -> Result<Vec<GpuRecord>, CliError> {
 /// A file that is no record.
 pub fn counts_in(folder: &Path) -> Result<Vec<IsaRecord>, CliError> {
     all_in(folder, isa::FOLDER, IsaRecord::read)
+}
+
+/// Offline costs that are recorded in a folder.
+///
+/// # Errors
+/// A file that is no record.
+pub fn offline_in(folder: &Path) -> Result<Vec<OfflineRecord>, CliError> {
+    all_in(folder, offline::FOLDER, offline::read)
 }
 
 fn all_in<T>(

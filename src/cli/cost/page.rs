@@ -6,14 +6,12 @@ use super::super::CliError;
 use super::super::input::{self, Input};
 use super::super::output::{Outcome, print};
 use super::super::progress::Bar;
-use super::from::{bake_in, counts_in, times_in};
+use super::from::{bake_in, counts_in, offline_in, times_in};
 use super::{Options, origin};
-use crate::approximate::Memo;
 use crate::bake::{BakeError, Baked, Selection};
-use crate::effects::reflection::bake::findings::reported;
 use crate::emit::manifest::Manifest;
 use crate::plan;
-use crate::report::{Costs, GpuRecord, bar_from, cost_page};
+use crate::report::{Costs, GpuRecord, OfflineRecord, bar_from, cost_page};
 use crate::store::{Files, Folder, MANIFEST};
 use crate::timing::costs::costs;
 use crate::timing::isa::IsaRecord;
@@ -45,6 +43,7 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
 pub struct Beside {
     counts: Vec<IsaRecord>,
     times: Vec<GpuRecord>,
+    offline: Vec<OfflineRecord>,
     manifest: Manifest,
 }
 
@@ -54,10 +53,10 @@ impl Beside {
     /// # Errors
     /// A file that is no record; a folder without a manifest of this version.
     pub fn read(folder: &Path) -> Result<Beside, CliError> {
-        let (counts, times) = (counts_in(folder)?, times_in(folder)?);
+        let (counts, times, offline) = (counts_in(folder)?, times_in(folder)?, offline_in(folder)?);
         let (files, _) = bake_in(folder)?;
         let manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
-        Ok(Beside { counts, times, manifest })
+        Ok(Beside { counts, times, offline, manifest })
     }
 
     /// The page at `path` of the formulas of a scene, which is baked.
@@ -76,9 +75,8 @@ impl Beside {
             origin.pages = bar_from("").map_err(BakeError::from)?;
             origin = origin.with_figures("../manifest.json");
         }
-        let studies = reported(input.scene.smith, &Memo::default())?;
-        let (tables, times) = (self.manifest.entries.tables, self.times);
-        Ok(cost_page(&Costs { origin, units, jobs, tables, times, studies }).map_err(BakeError::from)?)
+        let (tables, times, offline) = (self.manifest.entries.tables, self.times, self.offline);
+        Ok(cost_page(&Costs { origin, units, jobs, tables, times, offline }).map_err(BakeError::from)?)
     }
 }
 

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use super::super::CliError;
 use super::super::output::{Outcome, print};
-use super::Options;
-use crate::report::GpuRecord;
+use super::{Options, device};
+use crate::bake::BakeError;
+use crate::report::{GpuRecord, offline_record};
 use crate::store::{self, Files, Folder};
-use crate::timing::record;
+use crate::timing::{offline, record};
 
 /// Largest record that is read, bytes.
 pub const RECORD_BYTES: u64 = 16 << 20;
@@ -63,6 +64,21 @@ impl RecordPlace {
         }
         Ok(())
     }
+}
+
+/// Measures what accuracy costs offline, and writes the record.
+pub(super) fn offline(options: &Options, path: &Path) -> Result<Outcome, CliError> {
+    let place = RecordPlace::of("--record", path)?;
+    let mut folder = place.open()?;
+    let say = |text: &str| {
+        if !options.quiet {
+            eprintln!("{text}");
+        }
+    };
+    let record = offline::offline(device(1), offline::MOST, say)?;
+    let bytes = offline_record(&record).map_err(BakeError::from)?;
+    folder.write(&Files::from([(place.names[0].clone(), bytes)]))?;
+    Ok(Outcome::Done)
 }
 
 /// Writes the page of a record again, and the record as this version writes it.

@@ -21,7 +21,6 @@ use crate::scene::{Material, Scene};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::{CERTIFIED, FitJob, JUDGED, REACHED};
 pub use fits::{FitSpec, fit_all};
-pub use lobefit_truth::integrate::accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{build, sampled};
 

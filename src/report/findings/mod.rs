@@ -14,7 +14,7 @@ use crate::scene::UNNAMED;
 pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use answer::{Answer, Measured, Offer, Purpose, Role};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
-pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
+pub use furnace::{Furnace, FurnaceRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
 /// Version of the shape of the reports' JSON files.
@@ -85,8 +85,6 @@ pub struct Findings {
     /// Spheres in a white environment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<Furnace>,
-    /// Error against evaluations at single points.
-    pub studies: Vec<Study>,
 }
 
 impl Findings {
@@ -113,7 +111,6 @@ impl Findings {
             fits: Vec::new(),
             averages: None,
             furnace: None,
-            studies: Vec::new(),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! The page of what accuracy costs: charts of formulas, what the next digit costs, and integrators.
 
-use super::{SCREEN, figures, study, words};
+use super::{SCREEN, figures, offline, words};
 use crate::emit::manifest::TableEntry;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::{
     Block, CostJob, CostPoint, CostUnit, Costs, Dot, GpuRecord, GpuRow, Page, ReportError, Scatter, Section,
-    Spread, Study, TextTable, folded,
+    Spread,
 };
-use lobefit_math::ops;
 
 /// Errors that a reader may ask for, falling.
 const LIMITS: [f64; 10] = [0.1, 0.03, 0.01, 0.003, 0.001, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6];
@@ -21,10 +20,8 @@ const MANY: usize = 30;
 
 pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
     let mut sections = vec![frontiers(costs)?, digits(costs)];
-    if let Some(mut offline) = study::section(&costs.studies)? {
-        let curves = Block::Packed(std::mem::take(&mut offline.blocks));
-        offline.blocks = vec![Block::Table(orders(&costs.studies)), folded("Curves", vec![curves])];
-        sections.push(offline);
+    for record in &costs.offline {
+        sections.extend(offline::section(record)?);
     }
     Ok(Page {
         title: "What accuracy costs".into(),
@@ -201,31 +198,4 @@ fn rows(job: &CostJob, units: usize) -> Vec<Vec<String>> {
         Some([vec![limit.to_string(), name.to_string()], cells].concat())
     };
     told.map_while(row).collect()
-}
-
-/// The order of convergence of each integrator: how the error falls from the first measured point
-/// to the last above rounding.
-fn orders(studies: &[Study]) -> TextTable {
-    let mut rows = Vec::new();
-    for study in studies {
-        for series in &study.series {
-            let above = series.error.iter().take_while(|error| **error > study::ROUNDED).count();
-            let of = |i: usize| Some((*series.evaluations.get(i)? as f64, *series.error.get(i)?));
-            let order = above.checked_sub(1).filter(|last| *last > 0).and_then(|last| {
-                let ((n, e), (m, f)) = (of(0)?, of(last)?);
-                Some(significant(-ops::log(f / e) / ops::log(m / n), 2))
-            });
-            let least = series.error.iter().copied().fold(f64::INFINITY, f64::min);
-            rows.push(vec![
-                study.name.clone(),
-                series.name.clone(),
-                order.unwrap_or_else(|| "–".into()),
-                significant(least, 2),
-            ]);
-        }
-    }
-    let columns = [("point", false), ("integrator", false), ("order", true), ("least error", true)];
-    let caption = "Order p: over the measured range the error falls like 1/nᵖ in n evaluations. A dash: rounding from the first \
-                   or second point on.";
-    words::table(&columns, rows, caption)
 }

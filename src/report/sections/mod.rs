@@ -10,8 +10,8 @@ pub(crate) mod fits;
 pub(crate) mod furnace;
 mod gpu;
 mod index;
+pub mod offline;
 mod selection;
-mod study;
 pub(crate) mod tables;
 mod timed_tables;
 mod timings;
@@ -37,7 +37,6 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(&findings.tables)?);
     sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);
-    sections.extend(study::section(&findings.studies)?);
     Ok(Page {
         title: findings.origin.title("lobefit report", effect),
         origin: findings.origin.clone(),

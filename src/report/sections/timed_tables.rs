@@ -1,6 +1,6 @@
 //! Whole tables: error against seconds, ours and the path tracer's.
 
-use super::{figures, study, words};
+use super::{figures, offline, words};
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
     Block, Curves, ReportError, Section, Series, Spread, Style, TimedTableRun, TimedTables, check,
@@ -97,7 +97,7 @@ fn chart(tables: &TimedTables) -> Curves {
         y: ("absolute error of E".into(), Spread::Log),
         series,
         annotations: Vec::new(),
-        guides: study::guides(),
+        guides: offline::guides(),
         y_limits: None,
         size: (560.0, 360.0),
     }

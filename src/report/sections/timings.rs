@@ -1,16 +1,13 @@
 //! The page of measured times.
 
-use super::{figures, study, words};
+use super::{figures, words};
 use crate::report::{
-    Bar, Bars, Block, Curves, Dot, Page, ReportError, Scatter, Section, Series, Spread, Style,
-    TimedApproximation, TimedLookup, TimedPoint, TimedSeries, Timings, check,
+    Bar, Bars, Block, Dot, Page, ReportError, Scatter, Section, Spread, TimedApproximation, TimedLookup,
+    Timings,
 };
 
 pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
     let mut sections = Vec::new();
-    if !timings.points.is_empty() {
-        sections.push(offline(timings)?);
-    }
     if let Some(tables) = &timings.tables {
         sections.push(super::timed_tables::section(tables)?);
     }
@@ -30,48 +27,6 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
         ),
         sections,
     })
-}
-
-fn offline(timings: &Timings) -> Result<Section, ReportError> {
-    let charts: Vec<Curves> = timings.points.iter().map(chart).collect::<Result<_, _>>()?;
-    let exact = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&0.0));
-    let rounding = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&study::FLOOR));
-    let caption = format!(
-        "Absolute error against seconds for one point, both logarithmic.{}{}",
-        if exact { study::TRIANGLE } else { "" },
-        if rounding { study::ROUNDING } else { "" },
-    );
-    Ok(Section {
-        id: "offline".into(),
-        title: "Offline: error against seconds".into(),
-        lead: "How long each integrator takes to an accuracy, at an easy and at a hard point.".into(),
-        blocks: vec![figures(&charts, &caption)?],
-    })
-}
-
-fn chart(point: &TimedPoint) -> Result<Curves, ReportError> {
-    let section = format!("timings {}", point.name);
-    check::finite(&section, "alpha", point.alpha)?;
-    check::finite(&section, "mu", point.mu)?;
-    let series = point.series.iter().enumerate();
-    let series = series.map(|(i, s)| line(&section, i, s)).collect::<Result<_, _>>()?;
-    Ok(Curves {
-        title: study::title(&point.name, point.alpha, point.mu),
-        x: ("seconds".into(), Spread::Log),
-        y: ("absolute error of E".into(), Spread::Log),
-        series,
-        annotations: Vec::new(),
-        guides: study::guides(),
-        y_limits: None,
-        size: (440.0, 340.0),
-    })
-}
-
-fn line(section: &str, i: usize, s: &TimedSeries) -> Result<Series, ReportError> {
-    check::size(section, &format!("{}: error", s.name), s.error.len(), s.seconds.len())?;
-    study::errors(section, &s.name, &s.error)?;
-    let points = s.seconds.iter().copied().zip(s.error.iter().copied()).collect();
-    Ok(Series { name: s.name.clone(), points, style: Style::Marked(i), end: None })
 }
 
 fn run_time(timings: &Timings) -> Result<Section, ReportError> {

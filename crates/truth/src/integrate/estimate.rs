@@ -1,5 +1,6 @@
 //! A value with the bound of its error, and the panel rule that gives both.
 
+use super::count;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::lanes::{self, F8, LANES};
 
@@ -100,6 +101,7 @@ impl PanelRule {
     /// not.
     #[inline(always)]
     pub fn panel_of(&self, a: f64, b: f64, integrand: &impl Integrand) -> f64 {
+        count::add(self.nodes());
         let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
         let mut total = 0.0;
         for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
@@ -118,6 +120,7 @@ impl PanelRule {
 
     /// Calls `f` with every node of [a, b] and its weight.
     pub fn each(&self, a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
+        count::add(self.nodes());
         let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
         for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
             for (node, weight) in nodes.iter().zip(weights) {
@@ -137,6 +140,7 @@ impl PanelRule {
     pub fn panels_of_all<const N: usize>(&self, cuts: &[f64], f: &impl Fn(&F8) -> [F8; N]) -> [f64; N] {
         let mut sums = [0.0; N];
         for cut in cuts.windows(2) {
+            count::add(self.nodes());
             let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
             let mut totals = [0.0; N];
             for (nodes, weights) in self.nodes.iter().zip(&self.weights) {

@@ -1,8 +1,8 @@
 //! A quantity at a point, integrated to a value with an error bound.
 
-pub mod accuracy;
 pub mod aniso;
 pub mod brdf;
+pub mod count;
 mod error;
 mod estimate;
 pub mod glass;

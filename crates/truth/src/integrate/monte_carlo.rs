@@ -14,8 +14,10 @@ pub use draw::Draw;
 pub(crate) use draws::{Draws, of_replicas};
 pub use draws::{Points, REPLICAS};
 
+pub(crate) use draw::{traced, view};
 pub use lobes::{aniso, aniso_glass, coat, glass, sobol};
 pub(crate) use lobes::{check_positive, glass_of, refract, shadowing};
+pub(crate) use lobes::{traced_glass, view_at};
 
 use super::IntegrateError;
 use super::reflection::check_inputs;

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Variant};
+use super::{Asked, Choice, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
 use crate::integrate::aniso::fast::{self, Interpolants, Place};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, Path, aniso};
@@ -23,10 +23,9 @@ pub(super) const PHI: Input = Input {
     ..Input::new("phi", [f64::MIN, f64::MAX]).usually([0.0, std::f64::consts::FRAC_PI_2])
 };
 
-/// A width; fits begin where lobes are as wide as in published comparisons.
-pub(super) const fn width(name: &'static str) -> Input {
-    Input::new(name, WIDTHS).usually([0.02, 1.0])
-}
+/// The widths; fits begin where lobes are as wide as in published comparisons.
+pub(super) const ALPHA_X: Input = Input::new("alpha_x", WIDTHS).usually([0.02, 1.0]).studied([0.5, 0.02]);
+pub(super) const ALPHA_Y: Input = Input::new("alpha_y", WIDTHS).usually([0.02, 1.0]).studied([0.25, 0.8]);
 
 /// Finest tolerance of the interpolants, of the mean and at an azimuth: finer than it, the rule of
 /// the nodes errs where alpha and mu are both near 1e-4.
@@ -96,7 +95,7 @@ impl Quantity for GgxReflectionAniso {
     }
 
     fn inputs(&self) -> &'static [Input] {
-        const { &[width("alpha_x"), width("alpha_y"), MU, PHI] }
+        const { &[ALPHA_X, ALPHA_Y, MU, PHI] }
     }
 
     fn outputs(&self) -> &'static [&'static str] {
@@ -140,5 +139,9 @@ impl Quantity for GgxReflectionAniso {
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let smith = variant.smith(self.name())?;
         Ok(monte_carlo::aniso(smith, [x[0], x[1]], x[2], given(x[3]), run)?.to_vec())
+    }
+
+    fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
+        Some(monte_carlo::traced(variant.smith?, [x[0], x[1]], monte_carlo::view_at(x[2], x[3])))
     }
 }

@@ -1,8 +1,8 @@
 //! `ggx-glass-aniso`: energies of a rough dielectric interface with one width along the tangent and
 //! another across it.
 
-use super::aniso::{PHI, width};
-use super::{Choice, Fresnel, Input, Quantity, Variant};
+use super::aniso::{ALPHA_X, ALPHA_Y, PHI};
+use super::{Choice, Fresnel, Input, MU, Quantity, Variant};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, aniso, glass};
 
@@ -19,9 +19,9 @@ impl Quantity for GgxGlassAniso {
     fn inputs(&self) -> &'static [Input] {
         const {
             &[
-                width("alpha_x"),
-                width("alpha_y"),
-                Input::new("mu", [glass::SMALLEST_MU, 1.0]).usually([0.01, 1.0]),
+                ALPHA_X,
+                ALPHA_Y,
+                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
                 Input { optional: false, ..PHI },
                 Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
             ]

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::reflection::TRUTH_ERROR;
 use super::{ALPHA, Asked, Choice, Input, Quantity, Truth, Variant, check_unit};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
+use crate::integrate::walk::{Walks, white};
 use crate::integrate::{IntegrateError, reflection};
 use crate::points::hull;
 
@@ -95,5 +96,9 @@ impl Quantity for GgxAverage {
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let (e, loss) = monte_carlo::average(variant.smith(self.name())?, x[0], run)?;
         Ok(vec![e, loss])
+    }
+
+    fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {
+        Some(white(x[0], [0.0, 1.0], walks))
     }
 }

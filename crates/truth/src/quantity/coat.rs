@@ -26,6 +26,7 @@ use super::glass::GGX_GLASS;
 use super::{ALPHA, Asked, Choice, Input, Quantity, Residual, Truth, Use, Variant, check_domain, check_unit};
 use crate::integrate::glass::{self, Side, table};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::walk::{Walks, escape};
 use crate::integrate::{Estimate, IntegrateError};
 use crate::optics::Smith;
 use crate::points::{Points, hull};
@@ -273,5 +274,9 @@ impl Quantity for GgxCoat {
         let standard_error = e.standard_error / (x[1] * x[1]);
         let [escape, k] = internal(e.value, x[1]).map(|value| Sampled { value, standard_error });
         Ok(vec![escape, k, e, t, k_single])
+    }
+
+    fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {
+        Some(escape([x[0], x[1]], walks))
     }
 }

@@ -68,7 +68,7 @@ impl Quantity for EonSingle {
     }
 
     fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("roughness", [0.0, 1.0]), MU] }
+        const { &[Input::new("roughness", [0.0, 1.0]).studied([0.5, 1.0]), MU] }
     }
 
     fn outputs(&self) -> &'static [&'static str] {

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Fresnel, Input, Quantity, Truth, Variant};
+use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{self, Energies, Kernel, Tabled};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
-use crate::integrate::{IntegrateError, glass};
+use crate::integrate::{IntegrateError, count, glass};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::Ggx;
@@ -24,13 +24,16 @@ pub struct Glass<D> {
     name: &'static str,
     /// The distribution of a width.
     lobe: fn(f64) -> D,
+    /// Whether it is the lobe of the path tracer.
+    is_traced: bool,
 }
 
 /// `ggx-glass`.
-pub static GGX_GLASS: Glass<Ggx> = Glass { name: "ggx-glass", lobe: Ggx };
+pub static GGX_GLASS: Glass<Ggx> = Glass { name: "ggx-glass", lobe: Ggx, is_traced: true };
 
 /// `beckmann-glass`.
-pub static BECKMANN_GLASS: Glass<Beckmann> = Glass { name: "beckmann-glass", lobe: Beckmann };
+pub static BECKMANN_GLASS: Glass<Beckmann> =
+    Glass { name: "beckmann-glass", lobe: Beckmann, is_traced: false };
 
 /// The glass of either distribution, as makers of tables ask for it.
 pub trait Sided: Quantity {
@@ -221,6 +224,7 @@ fn in_groups<T: Send>(
     let parts: Vec<(Vec<T>, u64)> =
         inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
     let evaluations = parts.iter().map(|(_, n)| n).sum();
+    count::add(evaluations as usize);
     Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
 }
 
@@ -233,7 +237,7 @@ impl<D: Tabled> Quantity for Glass<D> {
         const {
             &[
                 ALPHA,
-                Input::new("mu", [glass::SMALLEST_MU, 1.0]).usually([0.01, 1.0]),
+                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
                 Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
             ]
         }
@@ -296,5 +300,12 @@ impl<D: Tabled> Quantity for Glass<D> {
         // The replicas of R and T are correlated: the sum's error is that of its complement.
         let e = Sampled { value: r.value + t.value, ..loss };
         Ok(vec![r, t, e, loss])
+    }
+
+    /// The path tracer has tables of GGX, and draws visible normals.
+    fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
+        let (lobe, at) = ((self.lobe)(x[0]), (x[2], variant.side?));
+        let smith = variant.smith.filter(|_| self.is_traced)?;
+        Some(monte_carlo::traced_glass(smith, lobe, monte_carlo::view(x[1]), at))
     }
 }

@@ -41,6 +41,7 @@ use rayon::prelude::*;
 use crate::integrate::IntegrateError;
 use crate::integrate::brdf::{self, Brdf};
 use crate::integrate::monte_carlo::{Draw, Run, Sampled};
+use crate::integrate::walk::Walks;
 use crate::points::Points;
 
 /// An input: a number of a range.
@@ -54,6 +55,8 @@ pub struct Input {
     pub usual: [f64; 2],
     /// Whether it is a ratio: points are even in its logarithm.
     pub is_ratio: bool,
+    /// Values at which ways to compute a quantity are compared: an easy one and a hard one.
+    pub studied: [f64; 2],
     /// Whether it may be absent. [`Quantity::at`] then takes a NaN in its place, and the truth is
     /// the mean over the input.
     pub optional: bool,
@@ -62,21 +65,28 @@ pub struct Input {
 impl Input {
     /// An input that must be given; its usual range is what [0, 1] has of the domain.
     pub const fn new(name: &'static str, domain: [f64; 2]) -> Input {
-        let usual = [domain[0].max(0.0), domain[1].min(1.0)];
-        Input { name, domain, usual, is_ratio: false, optional: false }
+        let all = Input { name, domain, usual: domain, studied: domain, is_ratio: false, optional: false };
+        all.usually([domain[0].max(0.0), domain[1].min(1.0)])
     }
 
-    /// The same with another usual range.
+    /// The same with another usual range; it is studied in its middle and near its lower end.
     pub const fn usually(self, usual: [f64; 2]) -> Input {
-        Input { usual, ..self }
+        let [low, high] = usual;
+        Input { usual, studied: [0.5 * (low + high), low + (high - low) / 64.0], ..self }
+    }
+
+    /// The same, studied at an easy and at a hard value.
+    pub const fn studied(self, studied: [f64; 2]) -> Input {
+        Input { studied, ..self }
     }
 }
 
-/// The GGX width alpha in [0, 1]; 0 is a mirror.
-pub(crate) const ALPHA: Input = Input::new("alpha", [0.0, 1.0]);
+/// The GGX width alpha in [0, 1]; 0 is a mirror. It is hard where the path tracer's running sum is at its
+/// worst.
+pub(crate) const ALPHA: Input = Input::new("alpha", [0.0, 1.0]).studied([0.5, 0.016]);
 
 /// Cosine of the angle between view and normal. Its usual range is that of published comparisons.
-pub(crate) const MU: Input = Input::new("mu", [0.0, 1.0]).usually([0.01, 1.0]);
+pub(crate) const MU: Input = Input::new("mu", [0.0, 1.0]).usually([0.01, 1.0]).studied([0.7, 0.11]);
 
 /// A function with a truth.
 pub trait Quantity: Sync {
@@ -220,11 +230,49 @@ pub trait Quantity: Sync {
         &[]
     }
 
+    /// Which output ways to compute it are compared by: E, or the first.
+    fn studied(&self) -> usize {
+        self.outputs().iter().position(|output| *output == "E").unwrap_or(0)
+    }
+
+    /// Rules for this output alone, beside [`Quantity::at`]: a value by each step of each.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    fn rules(&self, variant: &Variant, x: &[f64]) -> Result<Vec<Rule<'_>>, IntegrateError> {
+        let _ = (variant, x);
+        Ok(Vec::new())
+    }
+
+    /// One sample of this output from random numbers, as the path tracer draws it for its tables; `None` of a
+    /// quantity that it has no table of.
+    fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
+        let _ = (variant, x);
+        None
+    }
+
+    /// This output by a random walk over facets; `None` where there is no walk.
+    fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {
+        let _ = (x, walks);
+        None
+    }
+
     /// Whether its variants say this.
     fn has(&self, choice: Choice) -> bool {
         self.choices().contains(&choice)
     }
 }
+
+/// A rule of quadrature, and a value by each of its steps from few nodes to many.
+pub struct Rule<'a> {
+    /// Its name.
+    pub name: &'static str,
+    /// Its steps.
+    pub steps: Vec<Box<dyn Fn() -> f64 + 'a>>,
+}
+
+/// One sample from numbers in [0, 1).
+pub type Trace<'a> = Box<dyn Fn([f64; 3]) -> f64 + 'a>;
 
 /// Points that fits leave out.
 #[derive(Debug)]

@@ -2,10 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit};
+use super::{
+    ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Rule, Trace, Truth, Use, Variant, check_unit,
+};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
-use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, split_of};
-use crate::integrate::{Estimate, IntegrateError, reflection};
+use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, on_one_panel, split_of};
+use crate::integrate::walk::{Walks, white};
+use crate::integrate::{Estimate, IntegrateError, PanelRule, reflection};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
@@ -20,29 +23,35 @@ pub struct Reflection<D> {
     name: &'static str,
     /// The distribution of a width.
     lobe: fn(f64) -> D,
+    /// Whether it is the lobe of the path tracer and of the random walk.
+    is_walked: bool,
     /// For each Smith form, E alone, and E and B.
     known: [[Interpolant<D>; 2]; 2],
 }
 
 /// `ggx-reflection`.
-pub static GGX_REFLECTION: Reflection<Ggx> = Reflection::new(reflection::QUANTITY, Ggx);
+pub static GGX_REFLECTION: Reflection<Ggx> = Reflection::new(reflection::QUANTITY, Ggx, true);
 
 /// `beckmann-reflection`.
-pub static BECKMANN_REFLECTION: Reflection<Beckmann> = Reflection::new("beckmann-reflection", Beckmann);
+pub static BECKMANN_REFLECTION: Reflection<Beckmann> =
+    Reflection::new("beckmann-reflection", Beckmann, false);
 
 /// `ggx-reflection` as renderers compute it that follow Karis (2013): with Schlick's shadowing, by k
 /// = alpha/2, k = (roughness + 1)^2/8 and k = alpha. Of their variants only the separable has a
 /// source.
 pub static SCHLICK_SMITH: [Reflection<SchlickSmith>; 3] = [
-    Reflection::new(reflection::QUANTITY, SchlickSmith::of_images),
-    Reflection::new(reflection::QUANTITY, SchlickSmith::of_lights),
-    Reflection::new(reflection::QUANTITY, SchlickSmith::of_alpha),
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_images, false),
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_lights, false),
+    Reflection::new(reflection::QUANTITY, SchlickSmith::of_alpha, false),
 ];
 
 /// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8
 /// over alpha and mu in [1e-4, 1], held by `tests/effects/reflection_field.rs`. The texels of
 /// tables are made with sixteen and are better.
 pub const TRUTH_ERROR: f64 = 1e-7;
+
+/// Nodes of the rule on one panel.
+const WHOLE: [usize; 6] = [8, 16, 24, 32, 40, 48];
 
 /// Least points of one task.
 const CHUNK: usize = 256;
@@ -84,7 +93,7 @@ impl<D: Distribution> Lobe for Reflection<D> {
 }
 
 impl<D: Distribution> Reflection<D> {
-    const fn new(name: &'static str, lobe: fn(f64) -> D) -> Reflection<D> {
+    const fn new(name: &'static str, lobe: fn(f64) -> D, is_walked: bool) -> Reflection<D> {
         let known = [
             [
                 Interpolant::new(lobe, Smith::Correlated, false),
@@ -92,7 +101,7 @@ impl<D: Distribution> Reflection<D> {
             ],
             [Interpolant::new(lobe, Smith::Separable, false), Interpolant::new(lobe, Smith::Separable, true)],
         ];
-        Reflection { name, lobe, known }
+        Reflection { name, lobe, is_walked, known }
     }
 
     /// E, and B where `split` says so, at millions of points.
@@ -226,5 +235,29 @@ impl<D: Distribution> Quantity for Reflection<D> {
         let smith = variant.smith(self.name)?;
         let v = monte_carlo::reflection_of(self.name, smith, (self.lobe)(x[0]), x[1], run)?;
         Ok(vec![v.e, v.a, v.b, v.loss])
+    }
+
+    fn rules(&self, variant: &Variant, x: &[f64]) -> Result<Vec<Rule<'_>>, IntegrateError> {
+        let (smith, lobe, mu) = (variant.smith(self.name)?, (self.lobe)(x[0]), x[1]);
+        let whole = |n: usize| {
+            let rule = PanelRule::new(n);
+            Box::new(move || on_one_panel(smith, lobe, mu, &rule)) as Box<dyn Fn() -> f64>
+        };
+        let graded = |effort: &'static Effort| {
+            Box::new(move || albedo_of(smith, lobe, mu, &effort.outer)) as Box<dyn Fn() -> f64>
+        };
+        Ok(vec![
+            Rule { name: "one panel", steps: WHOLE.map(whole).into() },
+            Rule { name: "graded panels", steps: Effort::ladder().iter().map(graded).collect() },
+        ])
+    }
+
+    fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
+        let (smith, lobe, view) = (variant.smith?, (self.lobe)(x[0]), monte_carlo::view(x[1]));
+        self.is_walked.then(|| monte_carlo::traced(smith, lobe, view))
+    }
+
+    fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {
+        self.is_walked.then(|| white(x[0], [x[1]; 2], walks))
     }
 }

@@ -1,20 +1,16 @@
 //! What the bake found out, for the report.
 
 use super::pictures::Exact;
-use crate::approximate::{Dropped, Fit, Memo, Region};
+use crate::approximate::{Dropped, Fit, Region};
 use crate::data::{Smith, Source, Use};
 use crate::effects::context::Context;
-use crate::effects::reflection::{Reflection, Study, studies};
+use crate::effects::reflection::Reflection;
 use crate::effects::selection::{Selected, selected};
 use crate::effects::table::{BakedTable, finding};
 use crate::effects::{BakeError, Made, Part, page};
 use crate::report::numbers::brief;
 use crate::report::sections::words;
-use crate::report::{
-    self, ApproximationFinding, AverageFinding, Field, Findings, Furnace, Marked, Ruler, StudySeries,
-    TableFinding,
-};
-use crate::store::Key;
+use crate::report::{ApproximationFinding, AverageFinding, Field, Findings, Furnace, Ruler, TableFinding};
 use lobefit_truth::quantity::{GgxAverage, Quantity};
 
 /// How often the furnace's departure from white is amplified.
@@ -71,7 +67,6 @@ pub fn findings(
         .filter_map(|t| table(of, t, &made.part, context).transpose())
         .collect::<Result<_, _>>()?;
     found.approximations = approximations(tables, fits);
-    found.studies = reported(smith, &context.memo)?;
     Ok(found)
 }
 
@@ -175,38 +170,5 @@ pub fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static s
         (Some(table), None) => (Some(table), "lookup error of the worst table"),
         (None, Some(fit)) => (Some(fit), "furnace error |E N − 1| of the best normalisation"),
         (None, None) => (None, "neither a table nor a normalisation was made"),
-    }
-}
-
-/// The studies of accuracy as pages show them: twenty million samples, the same of every scene.
-///
-/// # Errors
-/// A truth that cannot be integrated.
-pub fn reported(smith: Smith, memo: &Memo) -> Result<Vec<report::Study>, BakeError> {
-    let studies = memo.kept(Key::of("studies").with(smith.name()), || studies(smith))?;
-    Ok(studies.iter().map(study).collect())
-}
-
-fn study(study: &Study) -> report::Study {
-    let sources = &study.sources;
-    report::Study {
-        name: study.name.clone(),
-        alpha: study.alpha,
-        mu: study.mu,
-        series: study
-            .series
-            .iter()
-            .map(|s| StudySeries {
-                name: s.name.clone(),
-                evaluations: s.points.iter().map(|p| p.0 as u64).collect(),
-                error: s.points.iter().map(|p| p.1).collect(),
-            })
-            .collect(),
-        marked: Some(Marked {
-            name: "the path tracer: 10 million samples, f32 running sum".into(),
-            evaluations: sources.samples as u64,
-            noise: sources.noise,
-            bias: sources.bias,
-        }),
     }
 }

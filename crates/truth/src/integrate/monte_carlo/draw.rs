@@ -51,7 +51,7 @@ impl Draw {
 }
 
 /// What the estimators ask of a lobe.
-pub(super) trait Lobe: Sync {
+pub(crate) trait Lobe: Sync {
     /// Whether visible normals are drawn by the lobe's own masking.
     const MATCHED: bool;
     fn density(&self, normal: Vec3) -> f64;
@@ -111,7 +111,7 @@ impl Lobe for [f64; 2] {
 }
 
 /// The view of a cosine, in the plane of x and z.
-pub(super) fn view(mu: f64) -> Vec3 {
+pub(crate) fn view(mu: f64) -> Vec3 {
     [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]
 }
 
@@ -133,6 +133,15 @@ pub(super) fn sample<L: Lobe>(
             by_light(smith, lobe, view, (x[0], x[1].max(f64::MIN_POSITIVE), 1.0))
         }
     }
+}
+
+/// The light that a sample of visible normals keeps.
+pub(crate) fn traced<'a, L: Lobe + 'a>(
+    smith: Smith,
+    lobe: L,
+    view: Vec3,
+) -> Box<dyn Fn([f64; 3]) -> f64 + 'a> {
+    Box::new(move |x| sample((smith, Draw::VisibleNormal), &lobe, view, x)[0])
 }
 
 fn by_visible_normal<L: Lobe>(smith: Smith, lobe: &L, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {

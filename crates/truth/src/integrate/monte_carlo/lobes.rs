@@ -24,13 +24,17 @@ pub fn aniso(
     check_aniso("ggx-reflection-aniso", alpha, mu, phi)?;
     check_positive("ggx-reflection-aniso", &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)])?;
     check_samples(run)?;
-    let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
     let means = replicas(run, |x| {
-        let (sin_phi, cos_phi) = ops::sincos(phi.unwrap_or(2.0 * std::f64::consts::PI * x[2]));
-        let view = [sine * cos_phi, sine * sin_phi, mu];
+        let view = view_at(mu, phi.unwrap_or(2.0 * std::f64::consts::PI * x[2]));
         draw::sample((smith, run.draw), &alpha, view, x)
     });
     Ok([column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[2])])
+}
+
+/// The view of a cosine and an azimuth.
+pub(crate) fn view_at(mu: f64, phi: f64) -> Vec3 {
+    let (sine, (sin_phi, cos_phi)) = (((1.0 - mu) * (1.0 + mu)).sqrt(), ops::sincos(phi));
+    [sine * cos_phi, sine * sin_phi, mu]
 }
 
 /// `ggx-glass` by Monte Carlo: R, T and loss.
@@ -72,8 +76,7 @@ pub fn aniso_glass(
     check_glass(QUANTITY, 1.0, mu, ior)?;
     check_positive(QUANTITY, &[("alpha_x", alpha[0]), ("alpha_y", alpha[1])])?;
     check_samples(run)?;
-    let (sine, (sin_phi, cos_phi)) = (((1.0 - mu) * (1.0 + mu)).sqrt(), ops::sincos(phi));
-    drawn_glass((smith, alpha), [sine * cos_phi, sine * sin_phi, mu], (ior, side), run)
+    drawn_glass((smith, alpha), view_at(mu, phi), (ior, side), run)
 }
 
 fn drawn_glass<L: Lobe>(
@@ -86,12 +89,30 @@ fn drawn_glass<L: Lobe>(
         let must = "of glass must be ndf or visible";
         return Err(IntegrateError::Option { option: "draw", value: run.draw.name().into(), must });
     }
-    let eta = match side {
+    let means = replicas(run, |x| one_of_glass((smith, run.draw), &lobe, eta(ior, side), view, x));
+    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+}
+
+/// n_view/n_far.
+fn eta(ior: f64, side: Side) -> f64 {
+    match side {
         Side::Outside => 1.0 / ior,
         Side::Inside => ior,
-    };
-    let means = replicas(run, |x| one_of_glass((smith, run.draw), &lobe, eta, view, x));
-    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+    }
+}
+
+/// The light that a sample of visible normals keeps on both sides.
+pub(crate) fn traced_glass<'a, L: Lobe + 'a>(
+    smith: Smith,
+    lobe: L,
+    view: Vec3,
+    (ior, side): (f64, Side),
+) -> Box<dyn Fn([f64; 3]) -> f64 + 'a> {
+    let eta = eta(ior, side);
+    Box::new(move |x| {
+        let [r, t, _] = one_of_glass((smith, Draw::VisibleNormal), &lobe, eta, view, x);
+        r + t
+    })
 }
 
 /// Averages of `ggx-coat` at alpha in [1e-4, 1] and ior in [1, 4]: what is reflected from outside, what

@@ -42,25 +42,12 @@ pub(super) fn lost<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
     above + below
 }
 
-/// A value of E and the integrand evaluations that it took.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Work {
-    /// E.
-    pub value: f64,
-    /// Integrand evaluations.
-    pub evaluations: usize,
-}
-
-/// E(alpha, mu) with its cost, on the graded panels or on one panel over the whole range: for
-/// studies of what accuracy costs. alpha > 0, mu in [0, 1].
-pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: bool) -> Work {
-    let view = View::new(smith, Ggx(alpha), mu);
-    let mut cuts = view.cuts();
-    if !graded {
-        cuts = vec![cuts[0], cuts[cuts.len() - 1]];
-    }
-    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u));
-    Work { value, evaluations: (cuts.len() - 1) * rule.nodes() }
+/// E of a lobe on one panel over the whole range, in place of the graded panels: what they are worth.
+/// alpha > 0, mu in [0, 1].
+pub(crate) fn on_one_panel<D: Distribution>(smith: Smith, lobe: D, mu: f64, rule: &PanelRule) -> f64 {
+    let view = View::new(smith, lobe, mu);
+    let cuts = view.cuts();
+    rule.panel(cuts[0], cuts[cuts.len() - 1], &|u| albedo_integrand(&view, u))
 }
 
 #[inline(always)]

@@ -19,7 +19,8 @@ pub mod hemisphere;
 mod interpolant;
 mod schlick;
 
-pub use albedo::{Work, albedo, albedo_work, loss};
+pub(crate) use albedo::on_one_panel;
+pub use albedo::{albedo, loss};
 pub use average::{Average, average};
 pub use effort::Effort;
 pub use interpolant::{Interpolant, Known};

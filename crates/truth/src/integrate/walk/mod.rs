@@ -12,6 +12,7 @@
 //! decide the first facet, a PCG stream per replica all that follows. Replicas run in parallel and
 //! are summed in order, so that the result does not depend on the threads.
 
+mod interface;
 mod path;
 
 use rand::{RngExt, SeedableRng};
@@ -21,6 +22,7 @@ use rayon::prelude::*;
 use super::IntegrateError;
 use super::monte_carlo::{MOST_SAMPLES, Sampled};
 use super::reflection::SMALLEST_ALPHA;
+pub use interface::{escape, through};
 use lobefit_math::sobol::{DIMENSIONS, Sobol};
 use lobefit_math::sum;
 use path::{Path, Tally};
@@ -94,6 +96,15 @@ pub fn walk(
         })
         .collect();
     Ok(walked(&tallies, walks.paths))
+}
+
+/// E of single scattering of a white surface: what leaves after one bounce. The walk follows every path to
+/// its end all the same.
+///
+/// # Errors
+/// As [`walk`].
+pub fn white(alpha: f64, mu: [f64; 2], walks: Walks) -> Result<Sampled, IntegrateError> {
+    Ok(walk(alpha, mu, walks, &|_| [1.0; CHANNELS])?.bounces[0][0])
 }
 
 /// Means and standard errors over the replicas.

@@ -31,6 +31,7 @@ pub use lit::{LIGHT, LIT_WIDTH};
 
 use super::{Asked, Choice, Input, Quantity, Truth, Use, Variant};
 use crate::integrate::IntegrateError;
+use crate::integrate::count;
 use crate::integrate::monte_carlo::shadowing;
 use crate::optics::Smith;
 use crate::optics::ggx::{self, Vec3};
@@ -41,8 +42,8 @@ use lobefit_math::{chebyshev, ops, sum, vector};
 const SMITH: Smith = Smith::Correlated;
 
 /// Inputs that all have.
-const ALPHA: Input = Input::new("alpha", [1e-4, 1.0]);
-const MU: Input = Input::new("mu", [0.01, 1.0]);
+const ALPHA: Input = Input { domain: [1e-4, 1.0], usual: [1e-4, 1.0], ..super::ALPHA };
+const MU: Input = Input { domain: [0.01, 1.0], ..super::MU };
 
 /// Numbers that a light is drawn with.
 const DIMENSIONS: usize = 6;
@@ -141,6 +142,7 @@ impl Spread {
     /// Of so many lights about an axis, drawn by a sequence with a shift.
     fn new(axis: Vec3, drawn: usize, shift: &Draw, light: impl Fn(&Draw) -> Light) -> Spread {
         let sequence = Recurrence::new(DIMENSIONS);
+        count::add(drawn);
         let mut spread = Spread { bins: vec![0.0; BINS], energy: 0.0, drawn };
         for i in 0..drawn {
             let draw = std::array::from_fn(|k| {
