@@ -61,15 +61,23 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
         }
     }
     // A file that says nothing of itself.
-    let alone = [TABLES[0].0, ".dds"].concat();
-    write("alone.dds", &files[&format!("tables/{alone}")]);
-    let (code, _, err) = audit(folder.path(), "alone.dds", "", &[]);
-    assert!(code == Some(2) && err.contains("alone.dds: does not say which quantity it stands for"), "{err}");
-    let missing = "; its sidecar alone.dds.json is missing: a table of lobefit is read as what the sidecar beside it says";
-    assert!(err.contains(missing), "{err}");
+    let missing = |extension: &str| {
+        format!(
+            "; its sidecar alone.{extension}.json is missing: a table of lobefit is read as what the sidecar beside it says"
+        )
+    };
+    for (extension, is_named) in [("dds", false), ("npy", false), ("ktx2", true)] {
+        let (own, alone) = (format!("tables/{}.{extension}", TABLES[0].0), format!("alone.{extension}"));
+        write(&alone, &files[&own]);
+        let (code, _, err) = audit(folder.path(), &alone, "", &[]);
+        let undecided = format!("{alone}: does not say which quantity it stands for");
+        assert!(code == Some(2) && err.contains(&undecided), "{err}");
+        // A KTX2 file of ours says who wrote it; one of others misses nothing.
+        assert_eq!(err.contains(&missing(extension)), is_named, "{err}");
+    }
     let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
-    let (code, _, err) = audit(folder.path(), "alone.dds", "ggx-reflection:E", &read);
-    assert!(code == Some(1) && err.contains("audit failed: ") && err.contains(missing), "{err}");
+    let (code, _, err) = audit(folder.path(), "alone.ktx2", "ggx-reflection:E", &read);
+    assert!(code == Some(1) && err.contains("audit failed: ") && err.contains(&missing("ktx2")), "{err}");
     // Another certificate, and another name of a channel.
     let (name, quantity) = TABLES[0];
     let file = format!("{name}.ktx2.json");
