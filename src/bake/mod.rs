@@ -80,7 +80,8 @@ pub struct Selection<'a> {
 /// Bakes a plan. Nothing is integrated, fitted, emitted or reported that it does not call for.
 ///
 /// Errors: a hypothesis that is refused, a search that does not end in a minimum, data that is not
-/// finite. A promise that is not kept is no error here: it stands in [`Baked::broken`].
+/// finite. A promise that is not kept is no error here: it stands in [`Baked::broken`], with every other of
+/// the scene, and effects that promise nothing are not made.
 pub fn bake(
     scene: &Scene,
     plan: &Plan,
@@ -119,11 +120,21 @@ pub fn context<'a>(
     Ok(Context { scene, hypotheses, recipe, memo: Memo::new(cache.filter(|_| is_known)), pages, progress })
 }
 
-/// The work of effects. The end of each effect's work, where its own parts have run dry, overlaps
-/// with the next effect's.
+/// The work of effects, in their order; where a promise is not kept, of those that promise something alone.
+/// The end of each effect's work, where its own parts have run dry, overlaps with the next effect's.
 fn made(effects: &[&Called], whole: bool, context: &Context) -> Result<Vec<Made>, BakeError> {
-    let made = effects.par_iter().with_max_len(1).map(|called| cached::made(called, whole, context));
-    made.collect::<Vec<_>>().into_iter().collect()
+    let each = |effects: &[&Called]| {
+        let made = effects.par_iter().with_max_len(1).map(|called| cached::made(called, whole, context));
+        made.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Made>, BakeError>>()
+    };
+    let (promising, others): (Vec<&Called>, Vec<&Called>) =
+        effects.iter().partition(|called| called.is_promised());
+    let mut made = each(&promising)?;
+    if made.iter().all(|made| made.broken.is_empty()) {
+        made.extend(each(&others)?);
+    }
+    made.sort_by_key(|made| effects.iter().position(|called| called.by == made.part.by));
+    Ok(made)
 }
 
 /// The files of parts that were kept and of others that were made.

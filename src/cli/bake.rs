@@ -1,6 +1,5 @@
 //! `lobefit bake`: the main job.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -14,6 +13,7 @@ use super::output::{Outcome, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
+use crate::data::natural;
 use crate::effects::{PATH_TRACER, PATH_TRACER_CONVENTIONS, rule};
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
@@ -219,8 +219,10 @@ fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<Str
     let (dear, ours): (Vec<_>, Vec<_>) = baked.dropped.iter().partition(|dropped| dropped.norm == "any");
     lines.extend(dear.iter().map(|dropped| format!("{} left out: {}", dropped.hypothesis, dropped.reason)));
     if !ours.is_empty() {
-        let names: BTreeSet<&str> = ours.iter().map(|dropped| dropped.hypothesis.as_str()).collect();
-        let names = names.into_iter().collect::<Vec<_>>().join(", ");
+        let mut names: Vec<&str> = ours.iter().map(|dropped| dropped.hypothesis.as_str()).collect();
+        names.sort_by(|a, b| natural(a, b));
+        names.dedup();
+        let names = names.join(", ");
         lines.push(format!("without a reliable fit over this scene's ranges, and left out: {names} (why: manifest.json, fits_left_out)"));
     }
     if plan.is_empty() {
@@ -256,7 +258,7 @@ fn written_files(baked: &Baked, written: &Written, changed: Option<Vec<String>>,
 /// What the mark before a function means; none where no function is marked.
 fn recommended(calls: &[Call]) -> Option<String> {
     let mut rules: Vec<String> = calls.iter().filter(|call| call.is_preferred(calls)).map(rule).collect();
-    rules.sort();
+    rules.sort_by(|a, b| natural(a, b));
     rules.dedup();
     (!rules.is_empty()).then(|| format!("{MARK} is recommended: {}", rules.join("; ")))
 }
@@ -266,7 +268,8 @@ fn recommended(calls: &[Call]) -> Option<String> {
 fn read_by_engines(baked: &Baked, out: &Path) -> Option<String> {
     let of = |verb: &str, start: &str| {
         let read = baked.files.keys().filter(|file| !file.ends_with(SIDECAR));
-        let ends: Vec<&str> = read.filter_map(|file| file.strip_prefix(start)).collect();
+        let mut ends: Vec<&str> = read.filter_map(|file| file.strip_prefix(start)).collect();
+        ends.sort_by(|a, b| natural(a, b));
         let at = out.join(start).display().to_string();
         match ends[..] {
             [] => None,

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
-use crate::data::Vendor;
+use crate::data::{Vendor, natural};
 use crate::emit::call::{Around, Call, Callers, How, NAMED, OVER, TIMES, Uses, arounds, callers};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
@@ -85,6 +85,7 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
     let row = |(around, of): (&Around, Uses)| {
         let mut by_value: BTreeMap<Option<&str>, Vec<&str>> = BTreeMap::new();
         of.into_iter().for_each(|(function, value)| by_value.entry(value).or_default().push(function));
+        by_value.values_mut().for_each(|functions| functions.sort_by(|a, b| natural(a, b)));
         let does = |(value, functions): (Option<&str>, Vec<&str>)| match (around.how, value) {
             (How::Calls, _) => format!("calls {}", functions.join(", ")),
             (How::TakesValue, Some(value)) => format!("{value} from {}", functions.join(" or ")),
@@ -96,7 +97,8 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
     let written = [(OVER, "E"), (TIMES, "N")].into_iter().filter_map(|(how, value)| {
         let of: BTreeSet<&str> =
             calls.iter().filter(|c| c.then.as_deref() == Some(how)).map(|c| &*c.function).collect();
-        let of: Vec<&str> = of.into_iter().collect();
+        let mut of: Vec<&str> = of.into_iter().collect();
+        of.sort_by(|a, b| natural(a, b));
         (!of.is_empty())
             .then(|| [format!("  {how}, f the lobe"), format!("{value} from {}", of.join(" or "))])
     });

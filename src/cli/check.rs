@@ -16,6 +16,7 @@ use super::output::{Outcome, print, print_json, say, say_broken, say_each};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, Silent, changed, compare};
+use crate::data::natural;
 use crate::plan;
 use crate::report::without_absent;
 use crate::scene::escape::visible;
@@ -310,7 +311,11 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
 pub(super) fn for_shaders(changed: &[String]) -> String {
     match changed {
         [] => "no number and no code that a shader reads changed".into(),
-        files => format!("numbers or code that a shader reads changed in {}", files.join(", ")),
+        files => {
+            let mut files = files.to_vec();
+            files.sort_by(|a, b| natural(a, b));
+            format!("numbers or code that a shader reads changed in {}", files.join(", "))
+        }
     }
 }
 

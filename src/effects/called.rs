@@ -200,6 +200,12 @@ impl Called {
         }
     }
 
+    /// Whether the scene limits the error or the cost of a job, so that its bake may not keep a promise.
+    pub fn is_promised(&self) -> bool {
+        let is_limited = |job: &JobSummary| job.expected_error.is_some();
+        self.jobs.iter().any(is_limited) || self.work.iter().any(Job::is_promised)
+    }
+
     /// Its only job.
     ///
     /// # Errors

@@ -250,6 +250,11 @@ impl Job {
         self.promises = max_error.map(|max_error| Promise { max_ops, max_error, by }).into_iter().collect();
     }
 
+    /// Whether a bake of it may not keep what the scene asks for.
+    pub fn is_promised(&self) -> bool {
+        !self.promises.is_empty() || self.goals.max_ops.is_some()
+    }
+
     /// What became of goals that differ: `max_ops 5 of a and 20 of b became 20`.
     pub fn merging(&self) -> Option<String> {
         let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "no limit".to_string(), |n| n.to_string());

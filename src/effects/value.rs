@@ -84,10 +84,10 @@ pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Mad
     for job in &called.work {
         let unknown = || BakeError::Internal(format!("{}: no fits of {}", called.effect, job.name));
         let own = all.iter().find(|own| own.of == job.name).ok_or_else(unknown)?;
-        let more = own.add(&mut made, job, context)?;
-        if !made.broken.is_empty() {
-            return Ok(made);
+        if !made.broken.is_empty() && !job.is_promised() {
+            continue;
         }
+        let more = own.add(&mut made, job, context)?;
         page = match (page, more) {
             (Some(mut page), Some(more)) => {
                 page.join(more);
@@ -96,7 +96,7 @@ pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Mad
             (page, more) => page.or(more),
         };
     }
-    if let Some(page) = page {
+    if let Some(page) = page.filter(|_| made.broken.is_empty()) {
         made.findings(&Findings { effects: vec![made.part.finding.clone()], ..page })?;
     }
     Ok(made)
@@ -165,7 +165,7 @@ impl ValueFits<'_> {
         let table = self.table.as_ref().map(|table| table.bake(job, context)).transpose()?;
         let (tables, broken) = table.unwrap_or_default();
         made.broken.extend(broken);
-        if !made.broken.is_empty() {
+        if !made.broken.is_empty() && !job.is_promised() {
             return Ok(None);
         }
         context.progress.stage(&format!("fits of {}", self.of));

@@ -2,7 +2,7 @@
 //! before them.
 
 use crate::data::{
-    ARGUMENT_NAMES, Approximation, Axis, Certificate, Decode, Form, Half, Place, Smith, Table,
+    ARGUMENT_NAMES, Approximation, Axis, Certificate, Decode, Form, Half, Place, Registration, Smith, Table,
 };
 use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
@@ -54,7 +54,22 @@ pub fn table_lines(table: &Table, decode: Decode, certificate: &Certificate) -> 
     let filter = ["bilinear", "trilinear", "quadrilinear", "quintilinear"][table.axes.len().clamp(2, 5) - 2];
     lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
     lines.extend(both_line(decode));
+    lines.extend(judged_line(table, certificate));
     lines
+}
+
+/// Where a drop-in table counts, whose axes run on, as engines read them: those of the shader's own layout
+/// end where it does.
+fn judged_line(table: &Table, certificate: &Certificate) -> Option<String> {
+    let one = |axis: &Axis| {
+        let [low, high] = *certificate.domain.get(&axis.name)?;
+        let runs_on = axis.registration == Registration::Centre && (axis.min < low || axis.max > high);
+        runs_on.then(|| format!("{} in [{low}, {high}]", printed(&axis.name)))
+    };
+    let judged: Vec<String> = table.axes.iter().filter_map(one).collect();
+    (!judged.is_empty()).then(|| {
+        format!("Use it for {}: beyond, where its axes run on, nothing is promised.", judged.join(", "))
+    })
 }
 
 /// What the function of a table's coordinates says of them.
@@ -98,6 +113,7 @@ pub fn lookup_lines(
         format!("Error: max {max_abs}, rms {} over {}.", short(*rms), domain.join(", ")),
     ];
     lines.extend(both_line(decode));
+    lines.extend(judged_line(table, certificate));
     lines.extend(note.map(String::from));
     lines
 }

@@ -13,6 +13,7 @@ mod five_axes;
 mod only;
 mod parallax;
 mod pick;
+mod promised;
 mod regions;
 mod scenes;
 mod sheen;

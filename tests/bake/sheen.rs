@@ -275,6 +275,9 @@ fn a_table_of_the_sheen_drops_in_with_its_certificate() {
     assert_eq!(manifest["tables"][0]["quantity"], "sheen-charlie");
     let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
     assert!(text.contains("fn sheen_lookup(") && text.contains("fn sheen_base_scale("), "{text}");
+    // Its axes run over [0, 1], as engines read them: where it counts is said.
+    let counts = "Use it for n_dot_v in [0.1, 1], roughness in [0.2, 1]";
+    assert!(text.contains(counts), "{text}");
     // Half as many texels a side more keep this limit: no more is measured to say what does.
     let broken = plain(&with(&format!(r#""tables": [{table}, "max_error": {}}}]"#, 0.9 * stated))).broken;
     assert!(

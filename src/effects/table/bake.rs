@@ -68,8 +68,9 @@ impl BakedTable {
     }
 }
 
-/// Bakes the jobs in order; returns also the promises that tables do not keep: a line each, of the
-/// last table of a job with a line for each choice that keeps it.
+/// Bakes the jobs; returns the tables in their order, and the promises that tables do not keep: a line each,
+/// of the last table of a job with a line for each choice that keeps it. Jobs that promise something come
+/// first, and where a promise is not kept no others are baked.
 ///
 /// # Errors
 /// A truth that cannot be integrated.
@@ -80,7 +81,13 @@ pub fn bake(
 ) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
     let (mut broken, mut baked) = (Vec::new(), Vec::new());
     let mut judges: Vec<((Smith, Region, bool), Arc<Judge>)> = Vec::new();
-    for (i, job) in jobs.iter().enumerate() {
+    let mut order: Vec<usize> = (0..jobs.len()).collect();
+    order.sort_by_key(|i| !jobs[*i].is_promised());
+    for i in order {
+        let job = &jobs[i];
+        if !broken.is_empty() && !job.is_promised() {
+            break;
+        }
         context.progress.stage(&format!("table {}", job.names.join(" and ")));
         let key = (job.smith, job.region(), family.finer(job, jobs));
         let judge = match judges.iter().find(|(known, _)| *known == key) {
@@ -101,9 +108,10 @@ pub fn bake(
         }
         broken.extend(unkept);
         broken.extend(tables.iter().filter_map(|table| unjudged(job, table)));
-        baked.extend(tables);
+        baked.push((i, tables));
     }
-    Ok((baked, broken))
+    baked.sort_by_key(|(i, _)| *i);
+    Ok((baked.into_iter().flat_map(|(_, tables)| tables).collect(), broken))
 }
 
 /// The tables of job `i`; where the size is open, the smallest that keep the limit, or without a limit
@@ -176,6 +184,11 @@ fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
 }
 
 impl TableJob {
+    /// Whether the scene limits its error.
+    fn is_promised(&self) -> bool {
+        self.max_error.is_some() || self.unjudged_by.is_some()
+    }
+
     /// Where the job's lookups must hold.
     pub fn region(&self) -> Region {
         let TableJob { roughness, mu, slices, anisotropy, alpha_map, .. } = *self;

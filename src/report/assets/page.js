@@ -25,7 +25,7 @@ document.querySelectorAll(".wide table").forEach((table) => {
     const text = (row) => row.cells[column].textContent.trim();
     const value = figures ? (row) => number(text(row)) : text;
     const nothing = figures ? Number.isNaN : (x) => x === "" || x === "\u2013";
-    const order = figures ? (x, y) => x - y || 0 : (x, y) => x.localeCompare(y);
+    const order = figures ? (x, y) => x - y || 0 : (x, y) => x.localeCompare(y, undefined, { numeric: true });
     // Cells without a value are last, whatever the direction.
     const before = (a, b) => {
       const [x, y] = [value(a), value(b)];

@@ -41,6 +41,14 @@ pub enum AuditError {
 }
 
 impl AuditError {
+    /// What is wrong, without what it is wrong with.
+    pub(crate) fn reason(&self) -> String {
+        match self {
+            AuditError::Refused { reason, .. } => reason.clone(),
+            other => other.to_string(),
+        }
+    }
+
     /// Of a table or function.
     pub(crate) fn refused(what: &str, reason: impl Into<String>) -> AuditError {
         AuditError::Refused { what: what.into(), reason: reason.into() }

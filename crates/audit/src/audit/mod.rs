@@ -56,8 +56,8 @@ pub use published::Published;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
-pub(crate) use verdict::place;
 pub use verdict::{Grade, Verdict};
+pub(crate) use verdict::{first_line, place};
 pub use work::work;
 
 use best::{Best, CLOSE, Case, best, truth_of};

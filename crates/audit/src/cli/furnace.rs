@@ -7,9 +7,9 @@ use std::process::ExitCode;
 use clap::{Parser, ValueEnum};
 
 use super::origin::{named, origin, quoted};
-use super::source::SourceOptions;
+use super::source::{SourceOptions, say_left_out};
 use crate::audit::Grade;
-use crate::foreign::{self, ShaderFunction};
+use crate::foreign::{self, LeftOut, ShaderFunction};
 use crate::furnace::{self, Allowance, Asked, FurnaceFindings, Role};
 use lobefit::cli::CliError;
 use lobefit::cli::declared;
@@ -144,9 +144,17 @@ fn function(options: &Options, bytes: &[u8]) -> Result<ShaderFunction, CliError>
     if found.len() > 1 {
         let asked =
             Asked { roles: options.role.clone(), set: options.source.set.clone(), ..Asked::default() };
-        let whole: Vec<ShaderFunction> =
-            found.iter().filter(|f| furnace::is_brdf(f, &asked)).cloned().collect();
-        found = if whole.is_empty() { found } else { whole };
+        let mut left_out = std::mem::take(&mut found[0].left_out);
+        let unfit = |f: &ShaderFunction| furnace::unfit(f, &asked);
+        if found.iter().any(|f| unfit(f).is_none()) {
+            let why = |f: &ShaderFunction| Some(LeftOut::new(&f.signature, &unfit(f)?.reason()));
+            left_out.extend(found.iter().filter_map(why));
+            found.retain(|f| unfit(f).is_none());
+        }
+        found[0].left_out = left_out;
+    }
+    if !options.quiet {
+        say_left_out(&file, &found[0].left_out);
     }
     let names: Vec<&str> = found.iter().map(|f| f.signature.as_str()).collect();
     match names.as_slice() {

@@ -33,7 +33,7 @@ use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use source::SourceOptions;
+use source::{SourceOptions, say_left_out};
 use words::{
     Ranged, Size, axis, column, encoding, floor, form, range, raw_format, registration, side, size, wanted,
 };
@@ -249,7 +249,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let refused = match &said {
         Some(said) => of_stated(said, options.limit),
         None if done.fit == audit::Fit::Whole => reason(&done, options.limit),
-        None => reason(&done, options.limit) + &sidecar::missing(options),
+        None => reason(&done, options.limit) + &sidecar::missing(options, &bytes),
     };
     publish(options, folder, &found, &refused)
 }
@@ -349,20 +349,11 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
     })
 }
 
-/// Functions left out that are named.
-const NAMED: usize = 4;
-
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
     let functions = options.source.read(bytes, &file)?;
-    if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
-        let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
-        let others = function.left_out.len() - names.len();
-        let others = if others > 0 { format!(" and {others} others") } else { String::new() };
-        let names = names.join(", ");
-        say(&format!("{file}: left out, since they read textures or cannot be read: {names}{others}"));
-    }
+    let mut left_out = functions.first().map_or_else(Vec::new, |function| function.left_out.clone());
     let inputs = audit::inputs_of(options.wanted.0);
     let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
     let mut found = Vec::new();
@@ -370,8 +361,14 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     for function in &functions {
         match audit::sampled(function, options.wanted.0, &options.source.set, &scales) {
             Ok(sampled) => found.push((sampled, function)),
-            Err(error) => refused = refused.or(Some(error)),
+            Err(error) => {
+                left_out.push(foreign::LeftOut::new(&function.signature, &error.reason()));
+                refused = refused.or(Some(error));
+            }
         }
+    }
+    if !options.quiet && !found.is_empty() {
+        say_left_out(&file, &left_out);
     }
     let names: Vec<&str> = found.iter().map(|f| f.1.signature.as_str()).collect();
     let names = names.join("`, `");

@@ -16,6 +16,10 @@ use lobefit::store::{self, StoreError};
 /// Largest sidecar, bytes: those of a bake have some 4 kB.
 const BYTES: u64 = 1 << 20;
 
+/// How a file names this tool, and the bytes among which it does.
+const WRITER: &[u8] = b"KTXwriter\0lobefit ";
+const HEADER: usize = 4096;
+
 /// A sidecar with its name.
 pub(super) struct Beside {
     name: String,
@@ -52,10 +56,12 @@ fn path(options: &Options) -> OsString {
     path
 }
 
-/// What to say of a file that is not understood, where one of this tool would have a sidecar and this
-/// one has none; else nothing.
-pub(super) fn missing(options: &Options) -> String {
-    if container(options).is_none() || Path::new(&path(options)).exists() {
+/// What to say of a file that is not understood, where it says that this tool wrote it, as the header of a KTX2
+/// file does, and its sidecar is not there; else nothing.
+pub(super) fn missing(options: &Options, bytes: &[u8]) -> String {
+    let head = &bytes[..bytes.len().min(HEADER)];
+    let is_ours = container(options).is_some() && head.windows(WRITER.len()).any(|part| part == WRITER);
+    if !is_ours || Path::new(&path(options)).exists() {
         return String::new();
     }
     let file = file_name(options);

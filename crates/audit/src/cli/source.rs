@@ -6,7 +6,8 @@ use clap::Args;
 
 use super::origin::named;
 use super::words::setting;
-use crate::foreign::{ForeignError, ShaderFunction, Surroundings, read_functions};
+use crate::foreign::{ForeignError, LeftOut, ShaderFunction, Surroundings, read_functions};
+use lobefit::cli::output::say;
 
 #[derive(Args)]
 pub(super) struct SourceOptions {
@@ -39,4 +40,19 @@ impl SourceOptions {
         let set = self.set.iter().map(|(name, value)| named("--set", &format!("{name}={value}")));
         function.chain(define).chain(include).chain(set)
     }
+}
+
+/// Functions left out that are named.
+const NAMED: usize = 4;
+
+/// Says which functions of a file are left out, each with the reason.
+pub(super) fn say_left_out(file: &str, all: &[LeftOut]) {
+    if all.is_empty() {
+        return;
+    }
+    let mut named: Vec<String> =
+        all.iter().take(NAMED).map(|one| format!("`{}` ({})", one.name, one.reason)).collect();
+    let others = all.len() - named.len();
+    named.extend((others > 0).then(|| format!("{others} others")));
+    say(&format!("{file}: left out: {}", named.join(", ")));
 }

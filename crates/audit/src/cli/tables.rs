@@ -20,7 +20,7 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
         _ => Err(CliError::Usage(format!(
             "{file}: does not say which quantity it stands for; say it by --as: {}{}",
             QUANTITIES.map(|quantity| quantity.name()).join(", "),
-            sidecar::missing(options)
+            sidecar::missing(options, bytes)
         ))),
     }
 }
@@ -47,7 +47,7 @@ fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
 /// The tables of a file as its header has them, or the hints.
 fn read(options: &Options, bytes: &[u8], hints: &Hints) -> Result<Vec<foreign::ForeignTable>, CliError> {
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), hints);
-    tables.map_err(|error| match sidecar::missing(options) {
+    tables.map_err(|error| match sidecar::missing(options, bytes) {
         missing if missing.is_empty() => error.into(),
         missing => CliError::Usage(format!("{error}{missing}")),
     })

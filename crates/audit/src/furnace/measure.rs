@@ -169,9 +169,9 @@ impl Point {
     }
 }
 
-/// Whether what every argument of a function is given is known.
-pub fn is_brdf(function: &ShaderFunction, asked: &Asked) -> bool {
-    roles(function, &asked.roles, &asked.set).is_ok()
+/// Why it is not known what every argument of a function is given, if it is not.
+pub fn unfit(function: &ShaderFunction, asked: &Asked) -> Option<AuditError> {
+    roles(function, &asked.roles, &asked.set).err()
 }
 
 /// A BRDF in the furnace.

@@ -8,7 +8,7 @@ mod roles;
 mod rule;
 mod words;
 
-pub use measure::{Asked, Broken, Cell, Cosine, Energy, Furnace, Unusable, furnace, is_brdf};
+pub use measure::{Asked, Broken, Cell, Cosine, Energy, Furnace, Unusable, furnace, unfit};
 pub use page::{FurnaceFindings, furnace_page};
 pub use roles::{Role, Roles, role};
 pub use words::{Allowance, Judgement, judgement};

@@ -7,7 +7,7 @@ use lobefit::report::{
 use serde::Serialize;
 
 use super::measure::{Cell, Furnace, VIEWS};
-use super::words::{Judgement, energy};
+use super::words::{BAR, Judgement, energy};
 
 /// What a furnace found, for machines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -37,8 +37,16 @@ impl FurnaceFindings {
             text.push_str(&format!("- {point}\n"));
         }
         let rows = self.rows();
+        // Errors begin in one place of a column, however many digits they have.
+        let error = |cell: &str| cell.split_once(BAR).map_or(0, |(_, error)| error.chars().count());
+        let longest = |k: usize| rows.iter().map(|row| error(&row[k])).max().unwrap_or(0);
+        let aligned = |row: &Vec<String>| -> Vec<String> {
+            let cells = row.iter().enumerate();
+            cells.map(|(k, cell)| cell.clone() + &" ".repeat(longest(k) - error(cell))).collect()
+        };
+        let aligned: Vec<Vec<String>> = rows.iter().map(aligned).collect();
         let head: Vec<String> = self.columns();
-        let all: Vec<&Vec<String>> = std::iter::once(&head).chain(&rows).collect();
+        let all: Vec<&Vec<String>> = std::iter::once(&head).chain(&aligned).collect();
         let width = |k: usize| all.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
         let widths: Vec<usize> = (0..head.len()).map(width).collect();
         text.push('\n');

@@ -4,7 +4,7 @@ use lobefit::report::numbers::{brief, significant};
 use serde::Serialize;
 
 use super::measure::{Cell, Energy, Furnace};
-use crate::audit::{Grade, place};
+use crate::audit::{Grade, first_line, place};
 
 /// The verdict.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -63,7 +63,7 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let word = grade.word();
     let mut wrong = Vec::new();
     if unsure && !gains {
-        wrong.push("leaves the cosine of the light to the caller, or holds it (--cosine says)");
+        wrong.push("leaves out the light's cosine, or holds it (--cosine says)");
     } else {
         // In a failure what is sure is said.
         let said = |sure: bool, may: bool| if grade == Grade::Fail { sure } else { may };
@@ -83,25 +83,23 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     };
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let is_limited = limit.is_some() || allowance.loss.is_some();
-    let allowed_by = if is_limited { format!("the limit is {allowed}") } else { "no limit is given".into() };
-    let loss = allowance.loss.map_or_else(String::new, |loss| {
-        format!(", the least {} at {}, where {loss} may be lost", energy(least), place(&found.least.0.at))
+    let allowed_by = if is_limited { format!("; the limit is {allowed}") } else { String::new() };
+    let loss = allowance.loss.map(|loss| {
+        format!("; the least {} at {}, where {loss} may be lost", energy(least), place(&found.least.0.at))
     });
-    let line = format!(
-        "{word} white furnace: {name} {what}; the largest energy is {} at {}; {allowed_by}{loss}",
-        energy(most),
-        place(&cell.at)
-    );
-    Judgement { grade, line, points: points(found, gains) }
+    let found_text = format!(" {what}; the largest energy is {} at {}", energy(most), place(&cell.at));
+    let more: Vec<String> = loss.into_iter().collect();
+    let rest = first_line(["white furnace: ", name, &found_text], &more, &allowed_by);
+    Judgement { grade, line: format!("{word} {rest}"), points: points(found, gains) }
 }
 
-/// An energy with its error.
+/// What stands between an energy and its error.
+pub(super) const BAR: &str = " \u{b1} ";
+
+/// An energy with its error, which every one has: a quadrature's, or that of f32.
 pub(super) fn energy(e: Energy) -> String {
-    if e.error < 5e-6 {
-        brief(e.value, 5)
-    } else {
-        format!("{} \u{b1} {}", brief(e.value, 4), brief(e.error, 1))
-    }
+    let digits = if e.error < 5e-6 { 5 } else { 4 };
+    format!("{}{BAR}{}", brief(e.value, digits), brief(e.error, 1))
 }
 
 fn points(found: &Furnace, gains: bool) -> Vec<String> {
@@ -112,7 +110,7 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         };
         format!("{}{name} at {}", energy(cell.energy[*channel]), place(&cell.at))
     };
-    let (most, least) = (found.most.0.energy[found.most.1].value, found.least.0.energy[found.least.1].value);
+    let (most, least) = (found.most.0.energy[found.most.1].value, found.least.0.energy[found.least.1]);
     let advice = match (gains, most / std::f64::consts::PI) {
         (true, share) if (0.9..=1.05).contains(&share) => {
             " It is nearly pi: is the division by pi left to the caller?"
@@ -120,8 +118,9 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         (true, _) => " More comes back than came in: a light in such a room grows brighter at every bounce.",
         (false, _) => "",
     };
-    let lost = if least < 0.99 {
-        format!(" {} % of the light is lost there.", significant(100.0 * (1.0 - least), 3))
+    // What the error may make up for is no loss.
+    let lost = if least.value + least.error < 0.99 {
+        format!(" {} % of the light is lost there.", significant(100.0 * (1.0 - least.value), 3))
     } else {
         String::new()
     };

@@ -7,6 +7,7 @@ mod foreign_support;
 
 mod audit;
 mod cost;
+mod examples;
 mod furnace;
 mod hostile;
 mod ltc;

@@ -216,8 +216,19 @@ fn glsl_with_samplers_is_read_without_them() {
     assert_bits(&function, |x, y| [2.0 * x + y]);
     // What is asked for is read with what it needs, all else is left alone; where all are asked for,
     // those that cannot be read are named.
-    assert_eq!(function.left_out, Vec::<String>::new());
-    assert_eq!(functions(source, "a.glsl", None)[0].left_out, ["fetch", "through", "lookup", "bent"]);
+    assert!(function.left_out.is_empty());
+    let left_out = functions(source, "a.glsl", None)[0].left_out.clone();
+    let names: Vec<&str> = left_out.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["fetch", "through", "lookup", "bent"]);
+    for one in &left_out {
+        let (line, why) = one.reason.split_once(": ").expect("a place, and why");
+        assert!(line.contains(':') && !why.is_empty() && !why.contains(';'), "{one:?}");
+    }
+    // Of overloads that are asked for too.
+    let overloads = "struct M { sampler2D t; float r; };\nfloat f(M m, float x) { return texture(m.t, vec2(x)).x; }\n\
+                     float f(float x, float y) { return x + y; }";
+    let left_out = &one(overloads, "a.glsl", "f").left_out;
+    assert!(left_out.len() == 1 && left_out[0].name.starts_with("f(M"), "{left_out:?}");
     let asked = |name: &str| read_functions(source.as_bytes(), "a.glsl", Some(name)).unwrap_err().to_string();
     for name in ["fetch", "lookup"] {
         let message = asked(name);

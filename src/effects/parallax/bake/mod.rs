@@ -81,6 +81,9 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         }
         entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }
+    if !made.broken.is_empty() {
+        return Ok(made);
+    }
     made.limited = Some(limited(&lobes));
     if context.reports(called.effect) {
         for lobe in &lobes {

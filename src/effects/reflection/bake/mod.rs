@@ -40,13 +40,13 @@ fn printed(language: Language) -> Result<String, BakeError> {
 
 /// Bakes the effect.
 pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Result<Made, BakeError> {
-    // Tables first: they take less time than fits, and a limit that none keeps ends the bake.
     let (jobs, fit) = parted(&called.work);
     let jobs = TableJob::all(context.scene, jobs)?;
     let (tables, broken) = table::bake(of, &jobs, context)?;
     let mut made = Made::new(called, None, "");
     made.broken = broken;
-    if !made.broken.is_empty() {
+    // Every promise that is not kept is said at once: behind a table's that of a fit.
+    if !made.broken.is_empty() && !fit.is_some_and(Job::is_promised) {
         return Ok(made);
     }
     let FitSet { fits, dropped, nearest, unserved } = match fit {
@@ -54,15 +54,17 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
         None => FitSet::default(),
     };
     if let Some(job) = fit {
+        let of_tables = made.broken.len();
         made.promised(job, (&fits, &nearest), "fit", Use::NORMALISATION);
-        if let (Some(last), Some(limit)) = (made.broken.last_mut(), job.goals.max_error) {
+        let last = made.broken.iter_mut().skip(of_tables).last();
+        if let (Some(last), Some(limit)) = (last, job.goals.max_error) {
             let table = TableJob::open(context.scene, job.range("roughness")?, job.range("mu")?);
             *last += &format!("\n{}", table::table_instead(of, &table, limit, context)?);
         }
         made.broken.extend(unserved);
-        if !made.broken.is_empty() {
-            return Ok(made);
-        }
+    }
+    if !made.broken.is_empty() {
+        return Ok(made);
     }
     let (measured, metric) = findings::measured(&tables, &fits);
     made.part.finding = called.finding(measured, metric);

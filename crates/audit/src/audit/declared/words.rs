@@ -3,7 +3,7 @@
 use super::statement::Axis;
 use super::{Declared, SLACK};
 use crate::audit::column::Column;
-use crate::audit::verdict::{Grade, Verdict, listed, long, number, place, said_limit};
+use crate::audit::verdict::{Grade, Verdict, first_line, listed, long, number, place, said_limit};
 
 /// Letter, input, registration, formula.
 pub(super) fn axis(axis: &Axis, letter: &str) -> [String; 4] {
@@ -31,7 +31,8 @@ fn headline(found: &Declared, limit: Option<f64>) -> String {
     let off = worst.map_or(String::new(), |worst| {
         format!(", off by at most {} in lookups ({}; sampled)", number(worst.max), place(&worst.at))
     });
-    format!("{} {}: {} {so}{off}{}", found.quantity, listed(&held), found.what, said_limit(limit))
+    let what = format!("{} {}: ", found.quantity, listed(&held));
+    first_line([&what, &found.what, &format!(" {so}{off}")], &[], &said_limit(limit))
 }
 
 /// How the file says that it is read.

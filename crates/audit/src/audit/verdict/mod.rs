@@ -40,6 +40,29 @@ impl Grade {
     }
 }
 
+/// Most characters of a first line, which a terminal and a log show whole.
+const LINE: usize = 160;
+
+/// A first line behind its word: of the file's name as much as there is room for, and of `more`, which the
+/// points say too, the first that there is room for.
+pub(crate) fn first_line([what, file, found]: [&str; 3], more: &[String], limit: &str) -> String {
+    let length = |text: &str| text.chars().count();
+    let room = LINE - length(Grade::Unknown.word()) - 1 - length(limit);
+    let file_room = room.saturating_sub(length(what) + length(found));
+    let file = match length(file) <= file_room {
+        true => file.to_string(),
+        false => file.chars().take(file_room.saturating_sub(1)).chain(['\u{2026}']).collect(),
+    };
+    let mut line = format!("{what}{file}{found}");
+    for text in more {
+        if length(&line) + length(text) > room {
+            break;
+        }
+        line += text;
+    }
+    line + limit
+}
+
 /// What is said of a file. Displayed as its first line and a list of what the fields hold; a point of
 /// which there is nothing to say is left out.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,7 @@
 
 use super::reason::{only_plain_exceeds, reason};
 use super::words::{listed, number, percent, place, reading, readings_differ};
-use super::{Grade, Verdict, advice, defect, words};
+use super::{Grade, Verdict, advice, defect, first_line, words};
 use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
@@ -91,18 +91,20 @@ fn of_another(audit: &Audit) -> String {
 
 /// The end of a headline.
 pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
-    limit.map_or("; no limit is given".into(), |limit| format!("; the limit is {}", number(limit)))
+    limit.map_or_else(String::new, |limit| format!("; the limit is {}", number(limit)))
 }
 
 /// What it is, how far off it is where it is used, and the limit.
 fn headline(audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
-    let what = format!("{} {}: {}", audit.quantity, listed(&held), audit.what);
+    let what = format!("{} {}: ", audit.quantity, listed(&held));
+    let line =
+        |found: String, more: &[String], limit: &str| first_line([&what, &audit.what, &found], more, limit);
     let is_limited = limit.is_some();
     let limit = said_limit(limit);
     let worst = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.errors.as_ref()?)));
     let Some((of, worst)) = worst.reduce(|a, b| if b.1.max > a.1.max { b } else { a }) else {
-        return format!("{what} is not judged{limit}");
+        return first_line([&what, &audit.what, " is not judged"], &[], &limit);
     };
     let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
     let (max, at) = (number(worst.max) + &of, place(&worst.at));
@@ -110,22 +112,19 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
         let found = match (audit.source, &audit.published) {
             (Source::Table, _) => "fits no convention".into(),
             (Source::Function, None) => "is no approximation of it".into(),
-            (Source::Function, Some(known)) => {
-                format!("is `{}` ({}), no approximation of it", known.name, known.publication)
-            }
+            (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),
         };
-        return format!("{what} {found}; the nearest leaves {max} at {at}{limit}");
+        return line(format!(" {found}; the nearest leaves {max} at {at}"), &[], &limit);
     }
-    let limit = of_another(audit) + &limit;
+    let other = of_another(audit);
     if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
         let (error, at) = (number(error), place(&furnace.at));
-        return format!(
-            "{what} leaves |E N - 1| of at most {error} at {at} ({} points sampled){limit}",
-            worst.judged
-        );
+        let found = format!(" leaves |E N - 1| of at most {error} at {at}");
+        return line(found, &[other, format!(" ({} points sampled)", worst.judged)], &limit);
     }
     if audit.source == Source::Function {
-        return format!("{what} is off by at most {max} at {at} ({} points sampled){limit}", worst.judged);
+        let found = format!(" is off by at most {max} at {at}");
+        return line(found, &[other, format!(" ({} points sampled)", worst.judged)], &limit);
     }
     match largest_lookup(audit) {
         Some((of, lookup)) if lookup.max > worst.max => {
@@ -133,24 +132,22 @@ fn headline(audit: &Audit, limit: Option<f64>) -> String {
             // A limit is on the texels: the figure that is judged stands first.
             let worst_at = at;
             let at = match lookup.max > 1.01 * lookup.inner {
-                true => format!(
-                    "beyond the outermost texels, at {}; {} between them",
-                    place(&lookup.at),
-                    number(lookup.inner)
-                ),
+                true => format!("beyond the outermost texels, at {}", place(&lookup.at)),
                 false => place(&lookup.at),
             };
             let lookup = number(lookup.max);
+            let (texels, lookups) = (format!("{max} at texels"), format!("{lookup}{of} in lookups ({at})"));
             match is_limited {
-                true => format!(
-                    "{what} is off by at most {max} at texels ({worst_at}), {lookup}{of} in lookups ({at}){limit}"
-                ),
+                true => {
+                    let found = format!(" is off by at most {texels} ({worst_at})");
+                    line(found, &[other, format!(", {lookups}")], &limit)
+                }
                 false => {
-                    format!("{what} is off by at most {lookup}{of} in lookups ({at}), {max} at texels{limit}")
+                    line(format!(" is off by at most {lookups}"), &[other, format!(", {texels}")], &limit)
                 }
             }
         }
-        _ => format!("{what} is off by at most {max} at {at}{limit}"),
+        _ => line(format!(" is off by at most {max} at {at}"), &[other], &limit),
     }
 }
 

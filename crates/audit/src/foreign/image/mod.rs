@@ -123,9 +123,25 @@ fn claimed(file: &str, size: &[u64], channels: u64) -> Result<usize, ForeignErro
     if found > limits::VALUES as u128 || channels > limits::CHANNELS as u64 {
         let sides: Vec<String> = size.iter().map(u64::to_string).collect();
         let what = format!("values of {} texels of {channels} channels", sides.join(" x "));
-        return Err(ForeignError::too_large(file, &what, found, limits::VALUES));
+        let error = ForeignError::too_large(file, &what, found, limits::VALUES);
+        return Err(if channels > limits::CHANNELS as u64 {
+            error
+        } else {
+            error.beside(&largest(size, channels))
+        });
     }
     Ok(found as usize)
+}
+
+/// The largest table of as many equal sides and channels that is read.
+fn largest(size: &[u64], channels: u64) -> String {
+    let long = size.iter().filter(|side| **side > 1).count().max(1) as u32;
+    let most = limits::VALUES as u64 / channels.max(1);
+    // Of floating-point roots one may lie just above.
+    let near = lobefit_math::ops::pow(most as f64, 1.0 / f64::from(long)).round() as u64;
+    let side = if near.saturating_pow(long) > most { near - 1 } else { near };
+    let sides = vec![side.to_string(); long as usize].join(" x ");
+    format!("of so many channels {sides} texels are the most: make it smaller, or leave channels out")
 }
 
 /// Runs a reader of another crate: if it fails in a way that it does not foresee, that is an error

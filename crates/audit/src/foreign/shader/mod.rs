@@ -65,9 +65,34 @@ pub struct ShaderFunction {
     /// Scalars of its result, in order: an empty name for a single number, else `x y`, members of a
     /// structure, `out` arguments.
     pub results: Vec<String>,
-    /// Functions of its file that cannot be read, by name: of the first where all were asked for.
-    pub left_out: Vec<String>,
+    /// Functions of its file, or overloads, that were asked for with it and cannot be read: of the first.
+    pub left_out: Vec<LeftOut>,
     program: Arc<Program>,
+}
+
+/// A function that is left aside.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its name, of an overload with the types of its arguments.
+    pub name: String,
+    /// Why, in a clause, with its line.
+    pub reason: String,
+}
+
+impl LeftOut {
+    /// By the message of its error, of which advice stands behind the first clause.
+    pub fn new(name: impl Into<String>, why: &str) -> LeftOut {
+        let clause = why.split(": ").next().unwrap_or_default().split("; ").next().unwrap_or_default();
+        LeftOut { name: name.into(), reason: clause.into() }
+    }
+
+    fn unread(name: String, why: &ForeignError) -> LeftOut {
+        let LeftOut { name, reason } = LeftOut::new(name, &why.message);
+        match why.place.trim_start_matches([':', ' ']) {
+            "" => LeftOut { name, reason },
+            place => LeftOut { name, reason: format!("{place}: {reason}") },
+        }
+    }
 }
 
 /// Stack of threads that parse and run: both recurse over nested blocks.
@@ -114,36 +139,44 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
             return Err(source.no_such(entry.trim(), name.trim(), &all));
         }
         // Of several overloads those that can be read are meant.
-        let read: Vec<_> = found.into_iter().map(|i| one(source, i)).collect();
-        return match read.iter().any(Result::is_ok) {
-            true => Ok(read.into_iter().filter_map(Result::ok).collect()),
-            false => read.into_iter().collect(),
-        };
+        let (found, refused) = parted(source, found, |i| source.item(i).signature());
+        return if found.is_empty() { refused.map_or(Ok(found), Err) } else { Ok(found) };
     }
-    let (mut found, mut first, mut left_out) = (Vec::new(), None, Vec::new());
     let all = source.functions(None);
     if all.len() > limits::FUNCTIONS {
         let message = format!("{} functions, and the limit is {}: name one", all.len(), limits::FUNCTIONS);
         return Err(ForeignError::new(&source.file, message));
     }
+    let (found, refused) = parted(source, all, |i| source.item(i).name().to_string());
+    match refused {
+        _ if !found.is_empty() => Ok(found),
+        Some(error) => Err(error),
+        None => Err(source.no_function()),
+    }
+}
+
+/// Those of a source's functions that can be read, the first with the others, and why the first of these
+/// cannot.
+fn parted(
+    source: &Source,
+    all: Vec<usize>,
+    named: impl Fn(usize) -> String,
+) -> (Vec<ShaderFunction>, Option<ForeignError>) {
+    let (mut found, mut first, mut left_out) = (Vec::new(), None, Vec::new());
     for i in all {
         match one(source, i) {
             Ok(function) => found.push(function),
             Err(error) => {
-                left_out.push(source.item(i).name().to_string());
+                left_out.push(LeftOut::unread(named(i), &error));
                 first = first.or(Some(error));
             }
         }
     }
-    left_out.dedup();
-    match first {
-        _ if !found.is_empty() => {
-            found[0].left_out = left_out;
-            Ok(found)
-        }
-        Some(error) => Err(error),
-        None => Err(source.no_function()),
+    left_out.dedup_by(|later, before| later.name == before.name);
+    if let Some(one) = found.first_mut() {
+        one.left_out = left_out;
     }
+    (found, first)
 }
 
 /// Most inputs of a function.

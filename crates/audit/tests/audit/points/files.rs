@@ -87,8 +87,8 @@ fn point_15_a_verdict_is_a_line_and_five_points() {
         "FAIL",
         &[
             "ggx-reflection E: shipped is off by at most 0.003 at texels (",
-            " in lookups (",
-            "; the limit is 0.001",
+            "; the limit is 0.001\n",
+            "Looked up with linear interpolation",
         ],
     );
     says(&nothing.verdict(None), "UNKNOWN", &["shipped fits no convention; the nearest leaves "]);
