@@ -301,6 +301,9 @@ fn reached(
     Ok([found.value, seconds / samples as f64, seconds * part * part])
 }
 
+/// Times the longest run: an order that was fitted to some settings says nothing of what takes longer.
+pub const FARTHEST: f64 = 1e3;
+
 impl Curve {
     fn new(way: &str, sequence: Option<&str>) -> Curve {
         let (error, seconds) = (Vec::new(), Vec::new());
@@ -319,14 +322,15 @@ impl Curve {
         (x.len() > 1 && square > 0.0).then_some(-cross / square)
     }
 
-    /// Seconds to an error: between settings, or beyond the last by its order, which the second value says;
-    /// of a quadrature those of the first setting within it.
+    /// Seconds to an error: between settings, or beyond the last by its order, which the second value says,
+    /// up to [`FARTHEST`] times as long; of a quadrature those of the first setting within it.
     pub fn seconds_to(&self, error: f64) -> Option<(f64, bool)> {
         let i = self.error.iter().position(|found| *found <= error);
         if self.sequence.is_none() || i == Some(0) {
             return Some((self.seconds[i?], false));
         }
-        let (last, at) = (self.error.len() - 1, i.unwrap_or(self.error.len() - 1));
+        let last = self.error.len() - 1;
+        let at = i.unwrap_or(last);
         let order = match i {
             Some(i) => {
                 ops::log(self.error[i - 1] / self.error[i]) / ops::log(self.seconds[i] / self.seconds[i - 1])
@@ -334,6 +338,6 @@ impl Curve {
             None => self.order(0.0)?,
         };
         let seconds = self.seconds[at] * ops::pow(self.error[at] / error, 1.0 / order);
-        Some((seconds, at == last && i.is_none()))
+        (seconds <= FARTHEST * self.seconds[last]).then_some((seconds, i.is_none()))
     }
 }

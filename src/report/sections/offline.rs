@@ -51,8 +51,8 @@ pub(super) fn section(record: &OfflineRecord) -> Result<Option<Section>, ReportE
         title: "What accuracy costs offline".into(),
         lead: format!(
             "Every way to compute a quantity, at an easy and at a hard point: its error against its evaluations of the integrand and \
-             against seconds on one thread of {}. A dashed line is of scrambled Sobol points, in the \
-             colour that the same draw has by random points.",
+             against seconds on {}. A dashed line is of scrambled Sobol points, in the \
+             colour that the same draw has by random points, or of the truth at falling tolerances.",
             record.device
         ),
         blocks,
@@ -100,7 +100,11 @@ fn chart(i: usize, study: &OfflineStudy, (name, axis, work): Work) -> Option<Cur
     let series: Vec<Series> = series.collect();
     let marks = study.path_tracer.iter().flat_map(|of| {
         let x = if name == "seconds" { of.seconds } else { of.samples as f64 };
-        [(of.noise, "noise"), (of.bias, "f32 sum")].map(|(y, text)| Annotation { x, y, text: text.into() })
+        [(of.noise, "path tracer"), (of.bias, "its f32 sum")].map(|(y, text)| Annotation {
+            x,
+            y,
+            text: text.into(),
+        })
     });
     (!series.is_empty()).then(|| Curves {
         title: format!("{}: {} at {}", ["easy", "hard"][i % 2], study.output, study.at),
@@ -109,7 +113,7 @@ fn chart(i: usize, study: &OfflineStudy, (name, axis, work): Work) -> Option<Cur
         annotations: marks.filter(|mark| mark.y > 0.0).collect(),
         guides: guides(),
         y_limits: None,
-        size: (440.0, 340.0),
+        size: (440.0, 300.0),
         series,
     })
 }
@@ -142,7 +146,8 @@ fn orders(studies: &[OfflineStudy]) -> TextTable {
         ("seconds to 1e-4", true),
     ];
     let caption = "Order p, fitted by least squares: the error falls like 1/nᵖ in n evaluations. ~: beyond what was measured, by the order. \
-                   A dash: at the truth's own bound from the first or second setting on, or not counted.";
+                   A dash: at the truth's own bound from the first or second setting on, or not counted; of seconds, beyond a thousand times \
+                   the longest run.";
     words::table(&columns, studies[0].curves.iter().enumerate().map(row).collect(), caption)
 }
 
