@@ -122,6 +122,10 @@ fn lines(text: &str, width: f64) -> f64 {
     (text.chars().count() as f64 * LETTER / width).ceil().max(1.0)
 }
 
+fn of_caption(caption: &str) -> f64 {
+    if caption.is_empty() { 0.0 } else { 22.0 * lines(caption, 780.0) }
+}
+
 /// About as many pixels as a block is tall.
 fn height(block: &Block) -> f64 {
     match block {
@@ -130,8 +134,8 @@ fn height(block: &Block) -> f64 {
         Block::Code { text } => 21.0 * text.lines().count() as f64 + 48.0,
         Block::Facts { rows } => rows.iter().map(|(_, value)| 24.0 * lines(value, 600.0)).sum::<f64>() + 16.0,
         Block::Links { rows } => 24.0 * rows.len() as f64 + 32.0,
-        Block::Figures { svg, caption } => pictures(svg) + 22.0 * lines(caption, 780.0) + 48.0,
-        Block::Table(table) => of_table(table) + 22.0 * lines(&table.caption, 780.0) + 80.0,
+        Block::Figures { svg, caption } => pictures(svg) + of_caption(caption) + 48.0,
+        Block::Table(table) => of_table(table) + of_caption(&table.caption) + 80.0,
         Block::Fold { .. } => 64.0,
         // Its page is made for it: never folded.
         Block::Live { .. } | Block::Packed(_) => 0.0,
