@@ -1,5 +1,5 @@
-//! What accuracy costs offline, as measured on one processor: not reproducible, so kept apart from the findings
-//! of a bake.
+//! What accuracy costs offline, as measured on one processor: not reproducible, so kept apart from the
+//! findings of a bake.
 
 use serde::{Deserialize, Serialize};
 

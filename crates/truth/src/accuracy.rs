@@ -77,8 +77,8 @@ pub struct Walk {
     pub value: f64,
     /// Nanoseconds of a path, and of a sample of visible normals.
     pub nanoseconds: [f64; 2],
-    /// Seconds to the same standard error, [`WALKED_TO`], of the walk, of visible normals by Sobol points, and of
-    /// the truth by quadrature.
+    /// Seconds to the same standard error, [`WALKED_TO`], of the walk, of visible normals by Sobol points,
+    /// and of the truth by quadrature.
     pub seconds: [f64; 3],
 }
 
@@ -149,8 +149,8 @@ impl Study {
         Ok(self.quantity.second_opinion(&self.variant, &self.x, run)?[self.quantity.studied()])
     }
 
-    /// The error of every way: by up to `2^most` samples, of seconds by a clock. Work is counted on the thread
-    /// that calls: let it be a pool's only one.
+    /// The error of every way: by up to `2^most` samples, of seconds by a clock. Work is counted on the
+    /// thread that calls: let it be a pool's only one.
     ///
     /// # Errors
     /// A way that is refused at the point.
@@ -310,9 +310,9 @@ impl Curve {
         Curve { way: way.into(), sequence: sequence.map(Into::into), evaluations: Vec::new(), error, seconds }
     }
 
-    /// The order of convergence p, of error like 1/n^p in n evaluations: the slope of the line of least squares
-    /// through the logarithms, of settings whose error is above a bound; none of fewer than two, or of work
-    /// that is not counted.
+    /// The order of convergence p, of error like 1/n^p in n evaluations: the slope of the line of least
+    /// squares through the logarithms, of settings whose error is above a bound; none of fewer than two, or
+    /// of work that is not counted.
     pub fn order(&self, above: f64) -> Option<f64> {
         let all = self.evaluations.iter().zip(&self.error).filter(|(_, error)| **error > above);
         let (x, y): (Vec<f64>, Vec<f64>) = all.map(|(n, e)| (ops::log(*n as f64), ops::log(*e))).unzip();

@@ -58,7 +58,8 @@ fn orders_are_those_of_theory() {
     };
     for draw in [Draw::Normal, Draw::VisibleNormal].map(Draw::name) {
         let [random, sobol] = ["random", "sobol"].map(|sequence| order(draw, Some(sequence)));
-        // A root mean square of 16 seeds is off by 18 %, the slope through five of them by 0.04: three times that.
+        // A root mean square of 16 seeds is off by 18 %, the slope through five of them by 0.04: three
+        // times that.
         assert!((random - 0.5).abs() < 0.12, "{draw}: {random}");
         assert!(sobol > random + 0.15, "{draw}: {sobol}");
     }

@@ -56,8 +56,8 @@ fn path(options: &Options) -> OsString {
     path
 }
 
-/// What to say of a file that is not understood, where it says that this tool wrote it, as the header of a KTX2
-/// file does, and its sidecar is not there; else nothing.
+/// What to say of a file that is not understood, where it says that this tool wrote it, as the header of a
+/// KTX2 file does, and its sidecar is not there; else nothing.
 pub(super) fn missing(options: &Options, bytes: &[u8]) -> String {
     let head = &bytes[..bytes.len().min(HEADER)];
     let is_ours = container(options).is_some() && head.windows(WRITER.len()).any(|part| part == WRITER);

@@ -110,8 +110,8 @@ pub(super) struct Options {
     /// Largest error of the main certificate; above it the exit code is 1
     #[arg(long, value_name = "E", value_parser = positive)]
     pub limit: Option<f64>,
-    /// Languages to write; without it, all of them. A search writes WGSL alone, with which `lobefit fit` goes on
-    /// to the others
+    /// Languages to write; without it, all of them. A search writes WGSL alone, with which `lobefit fit`
+    /// goes on to the others
     #[arg(long, value_name = "L", value_delimiter = ',', value_parser = language())]
     pub language: Vec<Language>,
     /// Folder for the page, the figures and the code, created if missing

@@ -144,7 +144,7 @@ pub fn print(
 /// [`pair_of`]; none in a language without half precision, and of a formula that has no pair.
 ///
 /// # Errors
-/// As [`print`].
+/// As [`print()`].
 pub fn print_pair(
     language: Language,
     hypothesis: &Hypothesis,
