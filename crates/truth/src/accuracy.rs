@@ -158,7 +158,11 @@ impl Study {
         let mut curves = Vec::new();
         let draws = self.quantity.draws();
         let own = [Draw::VisibleNormal];
-        if self.sampled(Run { samples: 1 << LOG2_FIRST, ..RANDOM }).is_ok() {
+        let has_samples = match self.sampled(Run { samples: 1 << LOG2_FIRST, ..RANDOM }) {
+            Err(IntegrateError::NoSecondOpinion { .. }) => false,
+            other => other.map(|_| true)?,
+        };
+        if has_samples {
             for draw in if draws.is_empty() { &own[..] } else { draws } {
                 let way = if draws.is_empty() { "own" } else { draw.name() };
                 for points in Points::ALL {
@@ -175,7 +179,11 @@ impl Study {
             move || Ok(self.at(tolerance)?[0])
         };
         curves.push(self.quadrature("to a tolerance", self.tolerances.iter().map(by), clock)?);
-        if let Ok(lobe) = self.quantity.brdf(&self.variant, &self.x) {
+        let lobe = match self.quantity.brdf(&self.variant, &self.x) {
+            Err(IntegrateError::NoBrdf { .. }) => None,
+            other => Some(other?),
+        };
+        if let Some(lobe) = lobe {
             let mu = self.quantity.inputs().iter().position(|input| input.name == "mu");
             let mu = mu.map_or(1.0, |k| self.x[k]);
             let by = |tolerance: &f64| {

@@ -9,7 +9,7 @@ use crate::report::{
 use lobefit_truth::accuracy::{Curve, Tables, WALKED_TO, Walk};
 
 /// The error at which seconds of ways are compared.
-pub const COMPARED_AT: f64 = 1e-4;
+const COMPARED_AT: f64 = 1e-4;
 
 /// What a chart is drawn against: a name, the axis, and the work of a curve.
 type Work = (&'static str, &'static str, fn(&Curve) -> Vec<f64>);
@@ -151,8 +151,8 @@ fn orders(studies: &[OfflineStudy]) -> TextTable {
     words::table(&columns, studies[0].curves.iter().enumerate().map(row).collect(), caption)
 }
 
-/// Seconds of a curve to [`COMPARED_AT`], as the page and the guide show them.
-pub fn seconds(curve: &Curve) -> String {
+/// Seconds of a curve to [`COMPARED_AT`].
+fn seconds(curve: &Curve) -> String {
     match curve.seconds_to(COMPARED_AT) {
         Some((seconds, false)) => significant(seconds, 2),
         Some((seconds, true)) => format!("~{}", significant(seconds, 2)),

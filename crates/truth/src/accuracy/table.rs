@@ -110,7 +110,7 @@ impl Study {
         let column = |(k, input): (usize, &Input)| (input.name, rows.iter().map(|row| row[k]).collect());
         let points = Points::new(self.quantity.inputs().iter().enumerate().map(column));
         let tolerance = self.quantity.tolerance_of_many(&self.variant);
-        let truth = self.quantity.truth(&self.variant, &points, &[self.output()], tolerance)?;
-        Ok(truth.columns.into_iter().next().unwrap_or_default())
+        let mut truth = self.quantity.truth(&self.variant, &points, &[self.output()], tolerance)?;
+        Ok(truth.columns.swap_remove(0))
     }
 }
