@@ -69,7 +69,7 @@ pub fn fit_all(wanted: &Wanted, memo: &Memo) -> Result<FitSet, FitStageError> {
     let emitted = fits.par_iter_mut().filter(|fit| fit.emitted);
     emitted.map(|fit| stage.of(&fit.hypothesis)?.halve(fit)).collect::<Result<(), _>>()?;
     stage.recommend(&mut fits);
-    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, memo)?) } else { None };
+    let nearest = if stage.misses(&fits) { Some(stage.nearest(&fits, dear, memo)?) } else { None };
     let mut measured = stage.published(&published, &known)?;
     // Some of them are emitted then.
     if wanted.emission.pick == Pick::All {
@@ -229,14 +229,20 @@ impl<'a> Stage<'a> {
         pick == Pick::Best && !self.wanted.own.is_empty() && !fits.iter().any(keeps)
     }
 
-    /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more.
-    fn nearest(&self, dear: Vec<Hypothesis>, memo: &Memo) -> Result<String, FitStageError> {
+    /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more; else
+    /// what comes nearest to it, of those and of the fits within the budget.
+    fn nearest(&self, fits: &[Fit], dear: Vec<Hypothesis>, memo: &Memo) -> Result<String, FitStageError> {
         let Wanted { emission, safe_range, .. } = self.wanted;
         let limit = emission.max_error.unwrap_or(f64::INFINITY);
         let prices = dear.iter().map(|h| emission.price(h)).collect::<Result<Vec<f64>, _>>()?;
         let mut dear: Vec<(f64, Hypothesis)> = prices.into_iter().zip(dear).collect();
         dear.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut closest: Option<(f64, &str, u32)> = None;
+        let said = |fit: &Fit, h: &Hypothesis| {
+            let ops = emission.call.ops(h.tape().cost_ops());
+            (fit.approximation.certificate.max_abs, fit.approximation.name.clone(), ops)
+        };
+        let tried = fits.iter().map(|fit| said(fit, &fit.hypothesis));
+        let mut closest = tried.min_by(|a, b| a.0.total_cmp(&b.0));
         for (price, h) in &dear {
             let own = match self.of(h) {
                 Ok(_) => None,
@@ -250,10 +256,9 @@ impl<'a> Stage<'a> {
                 Err(error) if error.is_unreliable() => continue,
                 Err(error) => return Err(error),
             };
-            let error = fit.approximation.certificate.max_abs;
-            let ops = emission.call.ops(h.tape().cost_ops());
-            if closest.is_none_or(|(least, ..)| error < least) {
-                closest = Some((error, h.name(), ops));
+            let (error, name, ops) = said(&fit, h);
+            if closest.as_ref().is_none_or(|(least, ..)| error < *least) {
+                closest = Some((error, name, ops));
             }
             if error <= limit {
                 let keeps = if limit.is_finite() { "keeps it" } else { "is the cheapest" };
@@ -268,10 +273,10 @@ impl<'a> Stage<'a> {
                 return Ok(format!("{} {keeps}: error {error} {cost}", h.name()));
             }
         }
-        let closest = closest.map(|(error, name, ops)| format!("; {name} has {error} with {ops} operations"));
+        let to = |(error, name, ops)| format!(" to {error}, which {name} has with {ops} operations");
         Ok(format!(
             "no formula of the catalogue keeps it in this region: raise max_error{}",
-            closest.unwrap_or_default()
+            closest.map(to).unwrap_or_default()
         ))
     }
 

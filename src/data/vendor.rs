@@ -113,6 +113,8 @@ pub struct Model {
     pub unit: String,
     /// Prices of [`Features`], by their names.
     pub prices: BTreeMap<String, f64>,
+    /// What a call for three channels costs beside that of N: the mean over every formula.
+    pub coloured: f64,
     /// How well the model's costs follow those of the compiled code.
     pub agreement: Agreement,
     /// The same of formulas that took no part in the fit.

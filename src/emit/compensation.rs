@@ -3,7 +3,7 @@
 
 use super::include::call;
 use lobefit_shade::code::{CodeError, Float, Language};
-use lobefit_shade::{Features, ShadeError, Source};
+use lobefit_shade::{ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
 
 /// A lobe that is compensated.
@@ -101,14 +101,6 @@ pub fn coloured(
 /// A text that does not parse, a defect of this program.
 pub fn coloured_ops() -> Result<u32, ShadeError> {
     Source::parse("compensation.wgsl", TEXT)?.cost_ops(&["coloured"])
-}
-
-/// The kinds of work in the same.
-///
-/// # Errors
-/// As [`coloured_ops`].
-pub fn coloured_features() -> Result<Features, ShadeError> {
-    Source::parse("compensation.wgsl", TEXT)?.features(&["coloured"])
 }
 
 /// The compensations that tables of these quantities are made for, each once, in order.

@@ -33,6 +33,7 @@ fn kinds_of_work_are_counted_as_compilers_see_them() {
         literals: 3.0,
         pairs: 1.0,
         chain: 3.0,
+        overlap: -1.0,
         ..Features::default()
     };
     assert_eq!(found, wanted);
@@ -47,7 +48,9 @@ fn kinds_of_work_are_counted_as_compilers_see_them() {
     // Two transcendental instructions and a product; a constant is one literal.
     let found = features("    return pow(x, 2.0 * 1.7) + (0.1 + 0.2);");
     assert_eq!((found.transcendentals, found.additions, found.literals), (2.0, 1.0, 2.0));
-    assert_eq!(features("    return saturate(abs(-x));"), Features::default());
+    let nothing = Features { overlap: -1.0, ..Features::default() };
+    assert_eq!(features("    return saturate(abs(-x));"), nothing);
     assert_eq!(Features::of(found.all()), found);
-    assert_eq!(Features::of([1.0; 8]).price(&found), found.all().iter().sum::<f64>());
+    assert_eq!(Features::of([1.0; 9]).price(&found), found.all().iter().sum::<f64>());
+    assert_eq!(Features::of([1.0; 9]).price(&nothing), 0.0, "no work costs less than none");
 }

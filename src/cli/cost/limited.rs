@@ -8,7 +8,7 @@ use lobefit_shade::code::Language;
 use super::super::CliError;
 use super::super::calls::{MARK, cosines, table};
 use super::super::input;
-use super::super::output::{Outcome, print, print_json, say_each};
+use super::super::output::{Outcome, print, print_json, say, say_each};
 use super::super::progress::Bar;
 use super::{NOTHING, Options};
 use crate::approximate::FitStageError;
@@ -105,8 +105,10 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
             false if !options.quiet => print(shipped.text(&limits, &input.scene).as_bytes())?,
             false => {}
         }
-        let unit = shipped.unit.as_ref().map(|unit| format!(" (cost in {unit})")).unwrap_or_default();
-        say_each(&format!("nothing within the limits{unit}"), &shipped.unkept);
+        say_each("not within the limits", &shipped.unkept);
+        if let (Some(unit), true) = (&shipped.unit, shipped.ship.is_empty() && !shipped.unkept.is_empty()) {
+            say(&format!("costs are in {unit}"));
+        }
     }
     Ok(if shipped.unkept.is_empty() { Outcome::Done } else { Outcome::Failed })
 }

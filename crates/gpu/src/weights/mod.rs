@@ -54,6 +54,8 @@ struct Formula {
     tape: Tape,
     counts: Counts,
     compiled: f64,
+    /// What its form for three channels costs, where there is one.
+    coloured: Option<f64>,
 }
 
 /// Fits a model to each vendor whose record of the scene is there.
@@ -93,13 +95,16 @@ fn weights(fitted: &[Fitted]) -> Weights {
 fn formulas(include: &Include, record: &IsaRecord, priced: &Priced) -> Result<Vec<Formula>, ShadeError> {
     let mut formulas = Vec::new();
     let of = |row: &&IsaRow| row.family == priced.family && row.precision == Precision::F32;
-    for row in record.rows.iter().filter(of) {
-        let name = &row.function;
-        let current = include.hash(name).is_some_and(|hash| record.is_of(name, &hash));
-        let cost = (priced.cost)(&row.counts).filter(|_| current && record.ops(name).is_some());
-        let Some((code, compiled)) = include.code(name).zip(cost) else { continue };
+    let cost = |row: &IsaRow| {
+        let current = include.hash(&row.function).is_some_and(|hash| record.is_of(&row.function, &hash));
+        (priced.cost)(&row.counts).filter(|_| current && record.ops(&row.function).is_some())
+    };
+    let rows: BTreeMap<&str, &IsaRow> = record.rows.iter().filter(of).map(|row| (&*row.function, row)).collect();
+    for (&name, &row) in &rows {
+        let Some((code, compiled)) = include.code(name).zip(cost(row)) else { continue };
         let Some(tape) = tape(name, &code)? else { continue };
-        formulas.push(Formula { name: name.clone(), tape, counts: row.counts, compiled });
+        let coloured = rows.get(&*format!("{name}_rgb")).and_then(|row| cost(row));
+        formulas.push(Formula { name: name.into(), tape, counts: row.counts, compiled, coloured });
     }
     Ok(formulas)
 }
@@ -119,11 +124,14 @@ fn model(priced: &Priced, record: &IsaRecord, formulas: &[Formula]) -> Model {
         agreement(&formulas.iter().map(|of| (cost(of), of.compiled)).collect::<Vec<_>>())
     };
     let named = Features::NAMES.into_iter().map(String::from).zip(prices.all());
+    let beside = formulas.iter().filter_map(|of| Some(of.coloured? - of.compiled));
+    let (coloured, count) = beside.fold((0.0, 0), |(sum, count), more| (sum + more, count + 1));
     Model {
         family: priced.family.into(),
         compiler: record.compiler(),
         unit: priced.unit.into(),
         prices: named.collect(),
+        coloured: decimals(coloured / f64::from(count.max(1))),
         agreement: pairs(&|of| prices.price(&of.tape.features())),
         left_out: left_out(formulas),
         operations: pairs(&|of| f64::from(of.tape.cost_ops())),

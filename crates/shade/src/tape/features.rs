@@ -27,11 +27,13 @@ pub struct Features {
     pub pairs: f64,
     /// Operations in the longest chain in which each waits for the one before.
     pub chain: f64,
+    /// -1 for each function: what runs while inputs are awaited, or instead of an empty shader, is not paid.
+    pub overlap: f64,
 }
 
 impl Features {
     /// Names of all, in order.
-    pub const NAMES: [&str; 8] = [
+    pub const NAMES: [&str; 9] = [
         "additions",
         "products",
         "multiply_adds",
@@ -40,25 +42,36 @@ impl Features {
         "literals",
         "pairs",
         "chain",
+        "overlap",
     ];
 
     /// All, in the order of their names.
-    pub fn all(&self) -> [f64; 8] {
+    pub fn all(&self) -> [f64; 9] {
         let Features { additions, products, multiply_adds, comparisons, .. } = *self;
-        let Features { transcendentals, literals, pairs, chain, .. } = *self;
-        [additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain]
+        let Features { transcendentals, literals, pairs, chain, overlap, .. } = *self;
+        [additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain, overlap]
     }
 
     /// Of numbers in the order of the names.
-    pub fn of(
-        [additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain]: [f64; 8],
-    ) -> Features {
-        Features { additions, products, multiply_adds, comparisons, transcendentals, literals, pairs, chain }
+    pub fn of(all: [f64; 9]) -> Features {
+        let [additions, products, multiply_adds, comparisons, ..] = all;
+        let [.., transcendentals, literals, pairs, chain, overlap] = all;
+        Features {
+            additions,
+            products,
+            multiply_adds,
+            comparisons,
+            transcendentals,
+            literals,
+            pairs,
+            chain,
+            overlap,
+        }
     }
 
-    /// What work costs at these prices.
+    /// What work costs at these prices: not less than nothing.
     pub fn price(&self, work: &Features) -> f64 {
-        self.all().iter().zip(work.all()).map(|(price, count)| price * count).sum()
+        self.all().iter().zip(work.all()).map(|(price, count)| price * count).sum::<f64>().max(0.0)
     }
 }
 
@@ -81,7 +94,7 @@ impl Tape {
         let constant = self.constants();
         let fused = self.fused(&constant);
         let mut reciprocals = BTreeSet::new();
-        let mut features = Features::default();
+        let mut features = Features { overlap: -1.0, ..Features::default() };
         let mut depth: Vec<f64> = Vec::with_capacity(self.ops.len());
         for (node, op) in self.ops.iter().enumerate() {
             let before = self.before(op, &depth, &constant);

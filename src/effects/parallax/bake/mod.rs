@@ -268,8 +268,8 @@ impl<'a> Lobe<'a> {
         let names: Vec<String> =
             wanting.map(|demand| format!("{} ({}.lookups)", demand.name, demand.field)).collect();
         let limit = match (self.spec.max_ops, self.spec.emission.budget) {
-            (Some(ops), _) => format!("raise max_ops, {ops} operations by now"),
-            (None, Some(budget)) => format!("raise the budget, {budget} by now"),
+            (Some(ops), _) => format!("raise max_ops, which is {ops}"),
+            (None, Some(budget)) => format!("raise the budget, which is {budget}"),
             (None, None) => "widen the ranges of roughness and rho".into(),
         };
         Some(format!(

@@ -61,9 +61,11 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
             let table = TableJob::open(context.scene, job.range("roughness")?, job.range("mu")?);
             *last += &format!("\n{}", table::table_instead(of, &table, limit, context)?);
         }
-        made.broken.extend(unserved);
     }
-    if !made.broken.is_empty() {
+    let is_kept = made.broken.is_empty();
+    made.broken.extend(unserved);
+    // What the limits leave of a job is not lost with its other functions (`lobefit cost`).
+    if !is_kept || !made.broken.is_empty() && context.reports(called.effect) {
         return Ok(made);
     }
     let (measured, metric) = findings::measured(&tables, &fits);
@@ -135,8 +137,7 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
 
 /// What a call for three channels costs beside N on a vendor's GPUs.
 fn coloured_price(vendor: Vendor) -> Result<f64, BakeError> {
-    let work = compensation::coloured_features().map_err(CodeError::from)?;
-    Ok(vendor.price(&work).map_err(FitStageError::from)?)
+    Ok(vendor.model().map_err(FitStageError::from)?.coloured)
 }
 
 /// Fits all that the job asks for.
