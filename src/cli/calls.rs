@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::{Vendor, natural};
-use crate::emit::call::{Around, Call, Callers, How, NAMED, OVER, TIMES, Uses, arounds, callers};
+use crate::emit::call::{
+    Around, Call, Callers, How, NAMED, OVER, SPLIT, SPLIT_OVER, TIMES, Uses, arounds, callers,
+};
 use crate::emit::header::short;
 use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
@@ -94,13 +96,16 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
         [format!("  {}", around.signature()), by_value.into_iter().map(does).collect::<Vec<_>>().join(", ")]
     };
     // What no function does is written out: f is the lobe.
-    let written = [(OVER, "E"), (TIMES, "N")].into_iter().filter_map(|(how, value)| {
+    let values = [(OVER, "E"), (SPLIT, "A and B"), (SPLIT_OVER, "E, A and B"), (TIMES, "N")];
+    let written = values.into_iter().filter_map(|(how, value)| {
         let of: BTreeSet<&str> =
             calls.iter().filter(|c| c.then.as_deref() == Some(how)).map(|c| &*c.function).collect();
         let mut of: Vec<&str> = of.into_iter().collect();
         of.sort_by(|a, b| natural(a, b));
-        (!of.is_empty())
-            .then(|| [format!("  {how}, f the lobe"), format!("{value} from {}", of.join(" or "))])
+        (!of.is_empty()).then(|| {
+            let lobe = if how == SPLIT { "" } else { ", f the lobe" };
+            [format!("  {how}{lobe}"), format!("{value} from {}", of.join(" or "))]
+        })
     });
     written.chain(arounds(calls).into_iter().map(row)).collect()
 }

@@ -1,7 +1,8 @@
 //! What a long verb is doing: a bar on a terminal, lines in a log.
 
 use std::io::IsTerminal;
-use std::time::Duration;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -59,23 +60,37 @@ impl Progress for Bar {
     }
 }
 
-/// A spinner with the stage's name, for a verb whose stages are not counted beforehand.
-pub struct Spinner(ProgressBar);
+/// Between lines of a log about work whose stages are not counted.
+const LINES_APART: Duration = Duration::from_secs(10);
+
+/// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard error is
+/// no terminal, the stage that begins as a line, where ten seconds have gone since the last.
+pub struct Spinner {
+    bar: ProgressBar,
+    /// When the last line of a log was written; none where no line is.
+    line: Option<Mutex<Instant>>,
+}
 
 impl Spinner {
-    /// Starts it; nothing is shown where standard error is no terminal, or quiet is asked for.
+    /// Starts it; nothing is shown where quiet is asked for.
     pub fn new(quiet: bool) -> Spinner {
-        let shown = !quiet && std::io::stderr().is_terminal();
+        let terminal = std::io::stderr().is_terminal();
+        let shown = !quiet && terminal;
         let bar = if shown { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
         if shown {
             bar.enable_steady_tick(Duration::from_millis(100));
         }
-        Spinner(bar)
+        Spinner { bar, line: (!quiet && !terminal).then(|| Mutex::new(Instant::now())) }
     }
 
     /// Names the stage that begins.
     pub fn stage(&self, name: &str) {
-        self.0.set_message(name.to_string());
+        self.bar.set_message(name.to_string());
+        let Some(Ok(mut last)) = self.line.as_ref().map(Mutex::lock) else { return };
+        if last.elapsed() >= LINES_APART {
+            *last = Instant::now();
+            say(name);
+        }
     }
 }
 
@@ -87,7 +102,7 @@ impl Progress for Spinner {
 
 impl Drop for Spinner {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 

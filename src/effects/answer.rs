@@ -8,7 +8,7 @@ use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::{Emission, Fit};
 use crate::data::{Approximation, Axis, Cost, Form, Layout, Source, Table, Use, Warp};
-use crate::emit::call::{Call, LookupFunction, TIMES};
+use crate::emit::call::{Call, LookupFunction, SPLIT, SPLIT_OVER, TIMES};
 use crate::emit::manifest::Entries;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::sections::words::{self, operations};
@@ -408,7 +408,7 @@ pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
         let own = calls.iter().filter(|call| (&call.of, &call.layer) == (of, layer));
         let is_factor = |call: &Call| call.then.as_deref() == Some(TIMES) && call.purpose != *purpose;
         if calls[i].file.is_some() && own.into_iter().any(is_factor) {
-            calls[i].then = None;
+            calls[i].then = calls[i].then.take().filter(|then| then == SPLIT_OVER).map(|_| SPLIT.into());
         }
     }
 }

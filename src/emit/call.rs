@@ -33,7 +33,8 @@ pub struct Call {
     pub arguments: Vec<String>,
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
-    /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`.
+    /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`,
+    /// `f0*A + B`, `f0*A + B or f/E`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// Functions of the include files about it: that take its value, or that call it.
@@ -96,6 +97,12 @@ fn signature(function: &str, arguments: &[String]) -> String {
 
 /// What is made of an albedo E and the lobe f where no function does it: the lobe over it.
 pub const OVER: &str = "f/E";
+
+/// What is made of A and B: the albedo for any f0.
+pub const SPLIT: &str = "f0*A + B";
+
+/// What is made of E, A and B where no function does it: the albedo for any f0, and the lobe over E.
+pub const SPLIT_OVER: &str = "f0*A + B or f/E";
 
 /// What is made of a normalisation N and the lobe f: their product.
 pub const TIMES: &str = "f*N";

@@ -360,9 +360,7 @@ impl Scene {
         let mut total = (0, 0);
         for (i, material) in self.materials.iter().enumerate() {
             let lobe = material.lobe();
-            let own = material.wants.tables.iter().enumerate().map(|table| ("wants", table));
-            let of_sheen = material.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
-            for (part, (j, table)) in own.chain(of_sheen.map(|table| ("sheen", table))) {
+            for (part, j, table) in material.tables() {
                 let TableWant { layout, size, format, serves, .. } = table;
                 let key = (part, lobe.is_glass(), *layout, size.clone(), format.name(), *serves);
                 if tables.insert(key) {

@@ -37,9 +37,8 @@ impl Scene {
         for material in &mut self.materials {
             material.goals_mut().for_each(limit);
             if max_error.is_some() || max_bytes.is_some() {
-                let of_sheen = material.sheen.iter_mut().flat_map(|sheen| &mut sheen.tables);
-                let tables = material.wants.tables.iter_mut().chain(of_sheen);
-                tables.for_each(|table| table.open(max_error, max_bytes.unwrap_or(u64::MAX)));
+                let most = max_bytes.unwrap_or(u64::MAX);
+                material.tables_mut().for_each(|table| table.open(max_error, most));
             }
         }
         for probe in &mut self.probes {

@@ -8,6 +8,7 @@ use super::layers::{Base, Coat, Sheen};
 use super::limits::{EXACT_IOR, GLASS_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
+use super::table::TableWant;
 use super::value::{Maybe, Text, Word, about, from_file};
 use super::wants::{OpenWants, Wants};
 use crate::data::{AlphaMap, Layout, Ndf};
@@ -154,6 +155,18 @@ impl Material {
         let fit = fit.chain(self.coat.iter_mut().map(|coat| &mut coat.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
+    }
+
+    /// The tables that it asks for, each with the field that lists it: of the specular lobe and of its layers.
+    pub fn tables(&self) -> impl Iterator<Item = (&'static str, usize, &TableWant)> {
+        let own = self.wants.tables.iter().enumerate().map(|(j, table)| ("wants", j, table));
+        let layer = self.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
+        own.chain(layer.map(|(j, table)| ("sheen", j, table)))
+    }
+
+    /// The same, to change them.
+    pub(super) fn tables_mut(&mut self) -> impl Iterator<Item = &mut TableWant> {
+        self.wants.tables.iter_mut().chain(self.sheen.iter_mut().flat_map(|sheen| &mut sheen.tables))
     }
 
     /// What kind of specular lobe it has.

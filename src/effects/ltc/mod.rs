@@ -127,10 +127,7 @@ impl Effect for Ltc {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let asks = |m: &Material| {
-            let sheens = m.sheen.iter().flat_map(|sheen| &sheen.tables);
-            m.wants.tables.iter().chain(sheens).any(|table| table.layout == Layout::AreaLights)
-        };
+        let asks = |m: &Material| m.tables().any(|(.., table)| table.layout == Layout::AreaLights);
         let smooth = scene.materials.iter().any(asks);
         reasons([smooth.then(|| "what wants area lights is smooth, or a sheen of alpha below 0.01".into())])
             .unwrap_or_else(|| "no material wants tables in the `area-lights` layout".into())

@@ -8,7 +8,7 @@ use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
-use crate::emit::call::OVER;
+use crate::emit::call::{OVER, SPLIT_OVER};
 use crate::emit::compensation::Compensation;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
@@ -35,7 +35,7 @@ impl Made {
             let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors);
             let inputs = readable(baked, table, context, &[]).inputs()?;
             let entry = entry.in_files(written).read_by(&baked.names.lookup, &inputs);
-            let file = entry.file.clone();
+            let (file, is_split) = (entry.file.clone(), entry.decode.contains_key("B"));
             part.entries.tables.push(entry);
             let (by, function) = (baked.wanted_by.clone(), &baked.names.lookup);
             let price = match context.scene.output.cost {
@@ -49,7 +49,8 @@ impl Made {
             self.called_by(by, function, (&baked.approximation, price), Some(&file));
             for call in &mut self.part.entries.calls[known..] {
                 let material = materials.get(call.of.as_str());
-                call.then = material.and_then(|material| then(material, &table.quantity)).map(String::from);
+                call.then =
+                    material.and_then(|material| then(material, &table.quantity, is_split)).map(String::from);
             }
         }
         self.code(context, |language| code(language, &tables, context))?;
@@ -58,12 +59,13 @@ impl Made {
     }
 }
 
-/// What a material makes of an albedo: a function that takes it, or the lobe f over it.
-fn then(material: &Material, quantity: &str) -> Option<&'static str> {
+/// What a material makes of an albedo: a function that takes it, or the lobe f over it; `is_split` says
+/// whether its parts A and B are there.
+fn then(material: &Material, quantity: &str, is_split: bool) -> Option<&'static str> {
     let compensation = Compensation::of_quantity(quantity)?;
     match (compensation, material.specular()) {
         (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
-        (_, Specular::Normalised) => Some(OVER),
+        (_, Specular::Normalised) => Some(if is_split { SPLIT_OVER } else { OVER }),
         (_, Specular::Single) => None,
     }
 }

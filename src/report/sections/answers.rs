@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{SCREEN, figures, index::some, words};
 use crate::data::Use;
-use crate::emit::call::{Call, How, TIMES};
+use crate::emit::call::{Call, How, SPLIT, SPLIT_OVER, TIMES};
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -267,8 +267,12 @@ fn uses(calls: &[&Call], text: &str, value: &str) -> Vec<String> {
 /// What takes the value: an albedo of the view alone, or of the light as well, or a share.
 fn with_value((then, of): (&str, &Call), text: &str, value: &str) -> String {
     let Some(taker) = of.around.iter().find(|around| around.function == then) else {
-        let name = if then == TIMES { "N" } else { "E" };
-        return format!("then {then}: {name} is {value}, f the lobe");
+        return match then {
+            SPLIT => format!("then {then}: A and B are components of this"),
+            SPLIT_OVER => format!("then {then}: E, A and B are the components of this, f the lobe"),
+            TIMES => format!("then {then}: N is {value}, f the lobe"),
+            _ => format!("then {then}: E is {value}, f the lobe"),
+        };
     };
     let found = call(text, then).map_or_else(|| taker.signature(), |found| found.call);
     let call = found.split_once(" = ").map_or(found.as_str(), |(_, call)| call).trim_end_matches(';');

@@ -64,7 +64,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified, written: bool) -> Resul
         a.certificate.domain.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
     line(format!("  domain       {}", domain.join(", ")));
     line(format!(
-        "  error        {}; {} points, none inside the domain fitted on",
+        "  error        {}; at {} points, of which none in the interior took part in the fit",
         a.used_as.metric, a.certificate.points
     ));
     for (precision, certificate) in &fit.certificates {

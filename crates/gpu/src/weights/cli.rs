@@ -48,7 +48,8 @@ fn table(fitted: &[Fitted]) -> String {
         let prices: Vec<String> =
             paid.map(|(name, price)| format!("{} {price}", name.replace('_', "-"))).collect();
         let _ = writeln!(text, "{} ({}, {}), {}", vendor.word(), model.family, model.compiler, model.unit);
-        let _ = writeln!(text, "  prices: {}; three channels beside one: {}", prices.join(", "), model.coloured);
+        let _ =
+            writeln!(text, "  prices: {}; three channels beside one: {}", prices.join(", "), model.coloured);
         for (what, found) in [
             ("model and compiled code", model.agreement),
             ("the same of formulas that took no part", model.left_out),

@@ -99,7 +99,8 @@ fn formulas(include: &Include, record: &IsaRecord, priced: &Priced) -> Result<Ve
         let current = include.hash(&row.function).is_some_and(|hash| record.is_of(&row.function, &hash));
         (priced.cost)(&row.counts).filter(|_| current && record.ops(&row.function).is_some())
     };
-    let rows: BTreeMap<&str, &IsaRow> = record.rows.iter().filter(of).map(|row| (&*row.function, row)).collect();
+    let rows: BTreeMap<&str, &IsaRow> =
+        record.rows.iter().filter(of).map(|row| (&*row.function, row)).collect();
     for (&name, &row) in &rows {
         let Some((code, compiled)) = include.code(name).zip(cost(row)) else { continue };
         let Some(tape) = tape(name, &code)? else { continue };
