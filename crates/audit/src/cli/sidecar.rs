@@ -154,7 +154,7 @@ impl Beside {
         let value = |i: usize| table.channels[i % own].values[i / own];
         let named = |(c, name): (usize, &String)| Channel {
             name: name.clone(),
-            values: (0..texels).map(|t| value(t * stored + c)).collect(),
+            values: (0..texels).map(|t| value(t * stored + c)).collect::<Vec<_>>().into(),
         };
         let step = match self.said.format {
             TexelFormat::Unorm8 => Step::Unorm8,

@@ -153,9 +153,26 @@ fn dds_formats_old_and_new() {
     let four_gigabytes = dds_extended(2, [16384, 16384, 1], 1, &[0; 64]);
     let said = refused(&four_gigabytes, "t.dds");
     assert!(
-        said.contains("the limit is 16777216; of so many channels ") && said.contains(" texels are the most"),
+        said.contains("the limit is 50331648; of so many channels ") && said.contains(" texels are the most"),
         "{said}"
     );
+}
+
+/// A DFG of 4096 x 4096 texels has two or three channels.
+#[test]
+fn the_largest_png_has_three_channels() {
+    let side = 4096_u32;
+    let of = |channels: usize| {
+        let data = vec![51; channels * side.pow(2) as usize];
+        png(side, side, channels, false, &data, false)
+    };
+    let read = one(&of(3), "t.png", &Hints::default());
+    assert_eq!(read.channels.len(), 3);
+    assert!(read.channels.iter().all(|channel| channel.values.len() == 1 << 24 && channel.values[7] == 0.2));
+    // A copy of the table is the same values.
+    let copy = read.clone();
+    assert!(std::ptr::eq(&*copy.channels[2].values, &*read.channels[2].values));
+    assert!(refused(&of(4), "t.png").contains("67108864, the limit is 50331648"));
 }
 
 #[test]
