@@ -13,6 +13,7 @@ use crate::data::{Arguments, MipChain, Pick, Source};
 use crate::effects::context::Context;
 use crate::effects::demand::{Caller, Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Limited, Made};
+use crate::report::words;
 use crate::scene::Scene;
 use lobefit_shade::code::Float;
 use lobefit_shade::round_up;
@@ -268,7 +269,7 @@ impl<'a> Lobe<'a> {
         let names: Vec<String> =
             wanting.map(|demand| format!("{} ({}.lookups)", demand.name, demand.field)).collect();
         let limit = match (self.spec.max_ops, self.spec.emission.budget) {
-            (Some(ops), _) => format!("raise max_ops, {ops} operations by now"),
+            (Some(ops), _) => format!("raise max_ops, {} by now", words::operations(ops)),
             (None, Some(budget)) => format!("raise the budget, {budget} by now"),
             (None, None) => "widen the ranges of roughness and rho".into(),
         };
