@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use crate::common::{limited, stderr};
+use crate::common::{limited, lobefit, stderr};
 use crate::foreign_support::{dds, dds_extended, exr, hdr, ktx2, png};
 
 /// The largest file.
@@ -104,4 +104,17 @@ fn hostile_files_are_refused_soon_and_in_little_memory() {
         fs::remove_file(folder.path().join(name)).expect("removed");
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A DFG of 4096 x 4096 texels has two or three channels: read, and refused for its size alone.
+#[test]
+fn the_largest_png_has_three_channels() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (channels, said) in [(3, "4096 x 4096 texels, not 16 x 16"), (4, "67108864, the limit is 50331648")] {
+        let data = vec![51; channels * SIDE.pow(2) as usize];
+        fs::write(folder.path().join("t.png"), png(SIDE, SIDE, channels, false, &data, false))
+            .expect("written");
+        let output = lobefit(folder.path(), &[&["audit", "t.png"], SQUARE].concat(), b"");
+        assert!(output.status.code() == Some(2) && stderr(&output).contains(said), "{}", stderr(&output));
+    }
 }
