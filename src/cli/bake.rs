@@ -9,7 +9,7 @@ use serde::de::IgnoredAny;
 use super::calls::{MARK, cosines, table};
 use super::check::{FILE_BYTES, for_shaders};
 use super::options::{PagesOption, SceneOption, ThreadsOption, effect, shard};
-use super::output::{Outcome, print, say, say_broken};
+use super::output::{Outcome, files, print, say, say_broken};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
@@ -244,14 +244,13 @@ fn changed_since(out: &Path, baked: &Baked) -> Result<Option<Vec<String>>, CliEr
 /// How many files were written, and what that changes for shaders.
 fn written_files(baked: &Baked, written: &Written, changed: Option<Vec<String>>, out: &Path) -> Vec<String> {
     let mut lines: Vec<String> = changed.iter().map(|changed| for_shaders(changed)).collect();
-    let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
     let index = out.join("reports/index.html");
     let page = if baked.files.contains_key("reports/index.html") {
         format!("; {}", index.display())
     } else {
         String::new()
     };
-    lines.push(format!("{new} files written, {same} unchanged, {gone} removed{page}"));
+    lines.push(format!("{}, {} removed{page}", files(written), written.removed.len()));
     lines
 }
 

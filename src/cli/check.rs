@@ -252,6 +252,7 @@ impl Found {
             stale => format!("; {stale} studies are not those of this version"),
         };
         let found = match self.of_bake.len() - extra {
+            0 if files == 1 => format!("1 file in {folder} follows from its recipe"),
             0 => format!("{files} files in {folder} follow from their recipe"),
             1 => format!("1 of {files} files in {folder} differs or is missing"),
             bad => format!("{bad} of {files} files in {folder} differ or are missing"),

@@ -6,7 +6,9 @@ use std::process::ExitCode;
 use serde::Serialize;
 
 use super::CliError;
+use crate::report::words;
 use crate::scene::escape::visible;
+use crate::store::Written;
 
 /// How a verb ended that did its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +23,12 @@ pub enum Outcome {
 /// wanted.
 pub fn print(bytes: &[u8]) -> Result<(), CliError> {
     printed(io::stdout().lock().write_all(bytes))
+}
+
+/// `1 file written, 2 unchanged`.
+pub fn files(written: &Written) -> String {
+    let new = words::count(written.written.len(), "file", "files");
+    format!("{new} written, {} unchanged", written.unchanged.len())
 }
 
 /// Ends what was written to standard output.

@@ -473,7 +473,9 @@ fn conclusion(purpose: &Purpose) -> String {
     }
     let as_table = of(Role::Table).map(|offer| ("as a table", offer));
     if let Some((how, offer)) = as_table.or_else(|| Some(("cheaper", of(Role::Cheap)?))) {
-        text += &format!("; {how}: {}{}", taken(&offer.cost), kept(offer));
+        let is_same = offer.error == best.error;
+        let error = if is_same { ", at the same error".into() } else { kept(offer) };
+        text += &format!("; {how}: {}{error}", taken(&offer.cost));
     }
     text.push('.');
     if !purpose.caution.is_empty() {

@@ -9,7 +9,7 @@ use super::who::grouped;
 use super::{BakeError, Effect};
 use crate::approximate::{Emission, Entry};
 use crate::data::Pick;
-use crate::report::EffectFinding;
+use crate::report::{EffectFinding, words};
 use crate::scene::Scene;
 use lobefit_shade::Hypothesis;
 
@@ -118,7 +118,7 @@ impl JobSummary {
             && cheapest > most
         {
             self.approximation +=
-                &format!("; no formula has so few: the cheapest takes {cheapest} operations");
+                &format!("; no formula has so few: the cheapest takes {}", words::operations(cheapest));
         }
         self
     }

@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::BakeError;
 use crate::approximate::{CallOps, Emission, Region};
 use crate::data::AlphaMap;
+use crate::report::words;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no
@@ -192,7 +193,8 @@ impl Demand {
 impl Promise {
     /// `max_error 0.01 within 20 operations, wanted by gold (materials[0].wants.fit.max_error)`.
     pub fn text(&self) -> String {
-        let within = self.max_ops.map_or_else(String::new, |ops| format!(" within {ops} operations"));
+        let within =
+            self.max_ops.map_or_else(String::new, |ops| format!(" within {}", words::operations(ops)));
         format!("max_error {}{within}, wanted by {}", self.max_error, self.wanted_by())
     }
 

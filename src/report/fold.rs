@@ -7,19 +7,24 @@ use super::sections::words;
 
 /// Pixels of a page of usual width before a reader opens anything; what is estimated here is off by
 /// some percent.
-const TALL: f64 = 5900.0;
+const TALL: f64 = 5800.0;
 
-/// Width of a page's content in pixels, and of a character of its tables and of its text.
+/// Width of a page's content in pixels, of its text, and of a character of its tables and of its text.
 const WIDTH: f64 = 1160.0;
-const CELL: f64 = 7.4;
+const TEXT: f64 = 780.0;
+const CELL: f64 = 7.2;
 const LETTER: f64 = 7.8;
 
-/// Pixels of the rows of a table that is folded whatever room there is.
+/// How much wider a bold character is.
+const BOLD: f64 = 1.12;
+
+/// Pixels of a table that is folded whatever room there is.
 const LONG: f64 = 900.0;
 
-/// Pixels of what stands before the sections and after them, and of a section without its blocks.
-const FRAME: f64 = 350.0;
-const HEAD: f64 = 115.0;
+/// Pixels of what stands before the sections and after them without contents and lead, and of a
+/// section's title.
+const FRAME: f64 = 280.0;
+const HEAD: f64 = 85.0;
 
 /// Blocks behind a line that says what they are, and how many.
 pub fn folded(what: &str, blocks: Vec<Block>) -> Block {
@@ -57,9 +62,10 @@ fn count(blocks: &[Block], counts: &mut [usize; 2]) {
 
 /// The blocks of each section: those that find room, then a fold with the others.
 pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
-    let head = |section: &Section| HEAD + 24.0 * lines(&section.lead, 700.0);
-    let contents = 12.0 * page.sections.len() as f64 + 24.0 * lines(&page.lead, 700.0);
-    let mut left = TALL - FRAME - contents - page.sections.iter().map(head).sum::<f64>();
+    let head = |section: &Section| HEAD + of_text(&section.lead);
+    let contents = 32.0 + 24.0 * (page.sections.len() as f64 / 3.0).ceil();
+    let lead: f64 = page.lead.lines().map(of_text).sum();
+    let mut left = TALL - FRAME - contents - lead - page.sections.iter().map(head).sum::<f64>();
     let fit = |section: &Section| {
         let mut open = 0;
         let mut blocks = section.blocks.clone();
@@ -122,23 +128,29 @@ fn lines(text: &str, width: f64) -> f64 {
     (text.chars().count() as f64 * LETTER / width).ceil().max(1.0)
 }
 
+/// A paragraph; none where it says nothing.
+fn of_text(text: &str) -> f64 {
+    if text.is_empty() { 0.0 } else { 24.0 * lines(text, TEXT) + 16.0 }
+}
+
 fn of_caption(caption: &str) -> f64 {
-    if caption.is_empty() { 0.0 } else { 22.0 * lines(caption, 780.0) }
+    if caption.is_empty() { 0.0 } else { 22.0 * lines(caption, TEXT) + 6.0 }
 }
 
 /// About as many pixels as a block is tall.
 fn height(block: &Block) -> f64 {
     match block {
-        Block::Text { text } => 24.0 * lines(text, 700.0) + 16.0,
-        Block::Heading { .. } | Block::Approximation { .. } => 56.0,
+        Block::Text { text } => of_text(text),
+        Block::Heading { .. } | Block::Approximation { .. } => 30.0,
         Block::Code { text } => 21.0 * text.lines().count() as f64 + 48.0,
         Block::Facts { rows } => rows.iter().map(|(_, value)| 24.0 * lines(value, 600.0)).sum::<f64>() + 16.0,
         Block::Links { rows } => 24.0 * rows.len() as f64 + 32.0,
-        Block::Figures { svg, caption } => pictures(svg) + of_caption(caption) + 48.0,
-        Block::Table(table) => of_table(table) + of_caption(&table.caption) + 80.0,
+        Block::Figures { svg, caption } => pictures(svg) + of_caption(caption) + 40.0,
+        Block::Table(table) => of_table(table) + of_caption(&table.caption) + 40.0,
         Block::Fold { .. } => 64.0,
+        Block::Packed(blocks) => blocks.iter().map(height).sum(),
         // Its page is made for it: never folded.
-        Block::Live { .. } | Block::Packed(_) => 0.0,
+        Block::Live { .. } => 0.0,
         Block::Cards(cards) if is_paired(cards) => {
             // The drawing stands below the choice.
             let tallest = |pair: &[Card]| pair.iter().map(|card| of_card(card, 1)).fold(0.0, f64::max);
@@ -160,7 +172,7 @@ fn of_card(card: &Card, full: usize) -> f64 {
     let choice = |c: &Choice| 190.0 + 24.0 * c.facts.len() as f64 + c.code.first().map_or(0.0, code);
     let tallest = card.choices.iter().map(choice).fold(0.0, f64::max);
     let svg = card.svg.as_ref().map_or(0.0, |[desk, _]| pictures(std::slice::from_ref(desk)));
-    120.0 + if card.choices.len() < full { tallest.max(svg) } else { tallest + svg }
+    175.0 + if card.choices.len() < full { tallest.max(svg) } else { tallest + svg }
 }
 
 /// The width or the height of a drawing; infinite where it does not say it.
@@ -184,21 +196,34 @@ fn pictures(svg: &[String]) -> f64 {
     total + tallest
 }
 
-/// Rows whose cells wrap where the columns do not all find room.
+/// Rows whose cells wrap where the columns do not all find room. As in a browser a column is as wide as its
+/// longest word at least, one of figures as its longest figure, and what room there is beyond is shared by
+/// what each would take more.
 fn of_table(table: &TextTable) -> f64 {
     let length = |text: &str| text.chars().count() as f64 * CELL;
-    let columns = table.columns.iter().enumerate();
-    let widths: Vec<f64> = columns
-        .map(|(i, (name, _))| {
-            let cells = table.rows.iter().filter_map(|row| row.get(i)).map(|cell| length(cell));
-            cells.fold(length(name), f64::max).min(544.0)
+    let word =
+        |text: &str| text.split_inclusive([' ', '_']).map(|word| length(word.trim_end())).fold(0.0, f64::max);
+    let widest = |i: usize, of: &dyn Fn(&str) -> f64| {
+        let cells = table.rows.iter().filter_map(|row| row.get(i)).map(|cell| of(cell));
+        cells.fold(0.0, f64::max)
+    };
+    let heads = table.columns.iter().enumerate();
+    let widths: Vec<(f64, f64)> = heads
+        .map(|(i, (name, is_figures))| {
+            let most = widest(i, &length);
+            let least = if *is_figures { most } else { widest(i, &word) };
+            let least = least.max(BOLD * word(name));
+            (least, most.max(BOLD * length(name)).min(544.0).max(least))
         })
         .collect();
-    let room = ((WIDTH - 20.0 * widths.len() as f64) / widths.iter().sum::<f64>().max(1.0)).min(1.0);
-    let row = |row: &Vec<String>| {
-        let cells = row.iter().zip(&widths);
-        let lines = cells.map(|(cell, width)| (length(cell) / (width * room).max(60.0)).ceil());
+    let [least, most] = [widths.iter().map(|w| w.0).sum::<f64>(), widths.iter().map(|w| w.1).sum()];
+    let spare = WIDTH - 20.0 * widths.len() as f64 - least;
+    let share = (spare / (most - least).max(1.0)).clamp(0.0, 1.0);
+    let of_row = |lengths: &mut dyn Iterator<Item = f64>| {
+        let lines =
+            lengths.zip(&widths).map(|(l, (least, most))| (l / (least + (most - least) * share)).ceil());
         21.0 * lines.fold(1.0, f64::max) + 9.0
     };
-    table.rows.iter().map(row).sum()
+    let head = of_row(&mut table.columns.iter().map(|(name, _)| BOLD * length(name)));
+    head + table.rows.iter().map(|row| of_row(&mut row.iter().map(|cell| length(cell)))).sum::<f64>()
 }

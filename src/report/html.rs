@@ -70,9 +70,9 @@ fn linked(out: &mut String, text: &str, figures: Option<&str>) {
     }
 }
 
-/// Links to the sections, where there are several.
+/// Links to the sections, where there are several and the bar has none.
 fn contents(out: &mut String, page: &Page) {
-    if page.sections.len() < 2 {
+    if page.sections.len() < 2 || is_alone(page) {
         return;
     }
     out.push_str("<nav aria-label=\"Contents\">\n<ol>\n");
@@ -82,15 +82,23 @@ fn contents(out: &mut String, page: &Page) {
     out.push_str("</ol>\n</nav>\n");
 }
 
-/// Links to the pages that are written with this one.
+/// Whether no other page is written with this one.
+fn is_alone(page: &Page) -> bool {
+    page.origin.pages.iter().all(|(_, file)| Some(file.as_str()) == page.origin.figures())
+}
+
+/// Links to the pages that are written with this one; of a page that stands alone, to its sections.
 fn bar(out: &mut String, page: &Page) {
-    if page.origin.pages.is_empty() {
-        return;
-    }
-    out.push_str("<nav class=\"bar\" aria-label=\"Pages\">\n");
     let figures = page.origin.figures();
-    for (shown, file) in page.origin.pages.iter().filter(|(_, file)| Some(file.as_str()) != figures) {
-        put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
+    let others = page.origin.pages.iter().filter(|(_, file)| Some(file.as_str()) != figures);
+    let mut links: Vec<(String, &str)> = others.map(|(shown, file)| (file.clone(), shown.as_str())).collect();
+    let label = if links.is_empty() { "Contents of this page" } else { "Pages" };
+    if links.is_empty() {
+        links.extend(page.sections.iter().map(|of| (format!("#{}", of.id), of.title.as_str())));
+    }
+    put(out, format_args!("<nav class=\"bar\" aria-label=\"{label}\">\n"));
+    for (to, shown) in links {
+        put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(&to), Escaped(shown)));
     }
     out.push_str(&bar::beside(&page.origin.command));
     if let Some(file) = figures {

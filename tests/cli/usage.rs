@@ -3,6 +3,8 @@
 use crate::common;
 
 use common::{lobefit, names, stderr};
+use lobefit::cli::output;
+use lobefit::store::Written;
 use serde_json::{Value, json};
 
 const VERBS: [&str; 9] =
@@ -340,4 +342,18 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
         let output = lobefit(folder.path(), &["bake", "-", quiet], scene);
         assert!(output.stderr.is_empty(), "{quiet}");
     }
+}
+
+#[test]
+fn counts_of_files_agree_with_their_noun() {
+    let written = |n: usize| Written {
+        written: vec!["a".into(); n],
+        unchanged: vec!["b".into()],
+        ..Written::default()
+    };
+    let said = [0, 1, 2].map(|n| output::files(&written(n)));
+    assert_eq!(
+        said,
+        ["0 files written, 1 unchanged", "1 file written, 1 unchanged", "2 files written, 1 unchanged"]
+    );
 }

@@ -53,6 +53,12 @@ fn the_style_sheet_knows_the_inks() -> Outcome {
         assert!(html.contains(&format!("=\"{ink}\" ")), "{ink} is drawn with");
         assert!(css.contains(&format!("=\"{ink}\"]")), "{ink} is themed");
     }
+    for width in ["17", "15"] {
+        assert!(
+            css.contains(&format!("[stroke-width=\"{width}\"] {{ stroke-dasharray: ")),
+            "{width} is dashed"
+        );
+    }
     Ok(())
 }
 
@@ -188,13 +194,13 @@ fn a_fold_within_a_fold_is_open() -> Outcome {
 #[test]
 fn what_finds_no_room_is_folded_with_its_heading() {
     // Two of these are as tall as a page that is not opened.
-    let svg = "<svg width=\"400\" height=\"2600\"/>".to_string();
+    let svg = "<svg width=\"400\" height=\"2700\"/>".to_string();
     let figure = Block::Figures { svg: vec![svg], caption: String::new() };
     let blocks = vec![figure.clone(), Block::Heading { text: "h".into() }, figure];
     let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
     let sections = vec![section.clone(), section];
     let html = html(&Page { title: String::new(), origin: origin(), lead: String::new(), sections });
-    let drawn = "<svg width=\"400\" height=\"2600\"/>";
+    let drawn = "<svg width=\"400\" height=\"2700\"/>";
     let marks = [drawn, "<details>", "<summary>", "<h3>", "</details>", "</section>"];
     let lines = html.lines().filter(|line| marks.iter().any(|mark| line.contains(mark)));
     let found: Vec<&str> = lines.map(|line| if line.contains(drawn) { drawn } else { line }).collect();
@@ -203,6 +209,63 @@ fn what_finds_no_room_is_folded_with_its_heading() {
         [[drawn, "<details>"], ["<summary>More: 1 figure</summary>", "<h3>h</h3>"], [drawn, "</details>"]];
     let second = [folded("<summary>Show: 2 figures</summary>"), [drawn, "<h3>h</h3>"], [drawn, "</details>"]];
     assert_eq!(found, [&first.concat()[..], &["</section>"], &second.concat(), &["</section>"]].concat());
+}
+
+/// Figures in columns do not wrap, so a table of them is as tall as its rows; what is packed is as tall as
+/// what is not.
+#[test]
+fn tables_and_packed_figures_are_as_tall_as_they_are_shown() {
+    let figure = |height: u32| Block::Figures {
+        svg: vec![format!("<svg width=\"400\" height=\"{height}\"/>")],
+        caption: String::new(),
+    };
+    let shown = |blocks: Vec<Block>| {
+        let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
+        html(&Page { title: String::new(), origin: origin(), lead: String::new(), sections: vec![section] })
+    };
+    // A head of three lines and seven rows of one: 71 + 7 x 30 pixels, and 40 about them.
+    let head = "operations of the compiled code on that family of processors";
+    let columns: Vec<(String, bool)> = (0..9).map(|i| (format!("{head} {i}"), true)).collect();
+    let named: Vec<(&str, bool)> =
+        columns.iter().map(|(name, is_figures)| (name.as_str(), *is_figures)).collect();
+    let rows = vec![vec!["12.3 (×1.2)".to_string(); 9]; 7];
+    let table = Block::Table(report::words::table(&named, rows, ""));
+    let mut blocks = vec![table; 10];
+    blocks.push(figure(1500));
+    assert!(!shown(blocks).contains("<details>"), "ten tables of some 350 pixels and a figure of 1500");
+    let packed = || Block::Packed(vec![figure(3000)]);
+    assert!(!shown(vec![packed()]).contains("<details>"));
+    assert!(shown(vec![packed(), packed()]).contains("<summary>More"));
+}
+
+/// A page that stands alone has a bar of its own parts, and of its figures where these are written.
+#[test]
+fn a_page_alone_links_its_parts_and_its_figures() {
+    let of = |pages: &[(&str, &str)], figures: bool| {
+        let section = |id: &str| Section {
+            id: id.into(),
+            title: id.to_uppercase(),
+            lead: String::new(),
+            blocks: Vec::new(),
+        };
+        let pages = pages.iter().map(|(shown, file)| (shown.to_string(), file.to_string())).collect();
+        let origin = Origin { pages, command: "lobefit fit".into(), ..origin() };
+        let origin = if figures { origin.with_figures("mine.json") } else { origin };
+        let sections = vec![section("asked"), section("error")];
+        html(&Page { title: String::new(), origin, lead: String::new(), sections })
+    };
+    let bar = |page: &str| {
+        let (_, rest) = page.split_once("<nav class=\"bar\"").expect("a bar");
+        rest.split_once("</nav>").expect("its end").0.to_string()
+    };
+    let (own, alone) = (of(&[], true), of(&[], false));
+    for part in ["href=\"#asked\">ASKED", "href=\"#error\">ERROR", "href=\"mine.json\""] {
+        assert!(bar(&own).contains(part), "{part}: {}", bar(&own));
+    }
+    assert!(!bar(&alone).contains("json") && bar(&alone).contains("#asked"));
+    assert_eq!(own.matches("href=\"#asked\"").count(), 1, "no list of contents beside it");
+    let one_of_many = of(&[("index", "index.html")], true);
+    assert!(!bar(&one_of_many).contains("#asked") && one_of_many.contains("<nav aria-label=\"Contents\">"));
 }
 
 #[test]

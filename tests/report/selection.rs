@@ -103,6 +103,12 @@ fn a_headline_states_the_error_that_the_scene_limits() -> Outcome {
     assert_eq!(limited, lobefit_shade::round_up(measured, 4), "of {measured}");
     assert!(conclusion.contains("a fetch, total variation of the width at most 0."), "{conclusion}");
     assert!(!conclusion.contains("adjusted alpha"), "{conclusion}");
+    assert!(conclusion.contains(" and a fetch, at the same error."), "{conclusion}");
+    // Three lookups of one width: its error is stated once.
+    let page = std::str::from_utf8(&baked.files["reports/index.html"])?;
+    let card = page.split("<article").nth(1).ok_or("no card")?;
+    assert_eq!(card.matches("<dd>that of the recommended, of the same width</dd>").count(), 2, "{card}");
+    assert_eq!(card.matches("<dt>Error</dt>").count(), 4, "{card}");
     let choices = answer["purposes"][0]["choices"].as_array().ok_or("no choices")?;
     let of = |choice: &Value| (choice["role"].as_str().map(String::from), choice["cost"]["ops"].as_u64());
     let [(_, best), (cheap, sharp), (cheapest, hit)] = [of(&choices[0]), of(&choices[1]), of(&choices[2])];

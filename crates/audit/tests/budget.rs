@@ -13,7 +13,7 @@ fn odd(size: &[usize], step: Step) -> AuditedTable {
     };
     let channel = |(c, name): (usize, &str)| Channel {
         name: name.into(),
-        values: (0..texels).map(|i| value(i, c)).collect(),
+        values: (0..texels).map(|i| value(i, c)).collect::<Vec<_>>().into(),
     };
     AuditedTable {
         what: "odd".into(),

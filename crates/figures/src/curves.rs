@@ -82,7 +82,7 @@ impl Series {
         match self.style {
             Style::Truth => Key::Line(3.0),
             Style::Line(i) => Key::Line(width(i)),
-            Style::Marked(_) => Key::Marked,
+            Style::Marked(i) => Key::Marked(width(i)),
             Style::Measured | Style::Bars => Key::Disc,
         }
     }
@@ -291,10 +291,14 @@ impl Curves {
     }
 }
 
-/// Width of a coloured line. Where colours repeat the style sheet dashes the line, which it tells
-/// by its width.
+/// Width of a coloured line. Where colours repeat the style sheet dashes the line, and where they repeat once
+/// more it dots it: it tells lines apart by their width.
 fn width(i: usize) -> f64 {
-    if i < LINES.len() { 1.6 } else { 1.7 }
+    match i / LINES.len() {
+        0 => 1.6,
+        1 => 1.7,
+        _ => 1.5,
+    }
 }
 
 fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportError> {

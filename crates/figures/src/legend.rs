@@ -18,8 +18,8 @@ const WIDEST: f64 = 300.0;
 pub(crate) enum Key {
     /// A line of this width.
     Line(f64),
-    /// A line with a disc.
-    Marked,
+    /// A line of this width with a disc.
+    Marked(f64),
     /// A disc.
     Disc,
     /// A ring.
@@ -66,8 +66,8 @@ impl Legend {
             let rule = |width| canvas.line(&[(x, y), (x + 18.0, y)], *colour, width);
             match key {
                 Key::Line(width) => rule(*width)?,
-                Key::Marked => {
-                    rule(1.6)?;
+                Key::Marked(width) => {
+                    rule(*width)?;
                     canvas.circle((x + 9.0, y), 3.0, *colour, None)?;
                 }
                 Key::Disc => canvas.circle((x + 9.0, y), 4.0, *colour, None)?,

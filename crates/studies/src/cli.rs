@@ -11,7 +11,7 @@ use crate::study::{self, Given, STUDIES, Size, Stale, Study, Timed};
 use lobefit::cli::CliError;
 use lobefit::cli::declared;
 use lobefit::cli::options::ThreadsOption;
-use lobefit::cli::output::{Outcome, print, print_json};
+use lobefit::cli::output::{self, Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
 use lobefit::cli::word::Words;
 use lobefit::store::{self, Folder};
@@ -146,9 +146,8 @@ fn make(options: &Options, study: &dyn Study) -> Result<Outcome, CliError> {
         let [_, results] = study.files(size);
         print(files.get(&results).map_or(&[], Vec::as_slice))?;
     } else if !options.quiet {
-        let (new, same) = (written.written.len(), written.unchanged.len());
         let names: Vec<&str> = files.keys().map(String::as_str).collect();
-        print(format!("{}: {new} files written, {same} unchanged\n", names.join(", ")).as_bytes())?;
+        print(format!("{}: {}\n", names.join(", "), output::files(&written)).as_bytes())?;
     }
     Ok(Outcome::Done)
 }

@@ -11,6 +11,7 @@ use super::super::{CliError, external};
 use super::records::some;
 use crate::bake::{Baked, Difference, Kind};
 use crate::emit::include::Include;
+use crate::report::words;
 use crate::scene::escape::visible;
 use crate::store::{self, Folder, MANIFEST};
 use crate::timing::isa::{Comparison, FOLDER, IsaRecord};
@@ -33,11 +34,12 @@ impl Counts {
     /// What is said where functions are of other code.
     pub fn note(&self) -> Option<String> {
         let names = some(&self.stale)?;
-        let (file, count) = (visible(&self.file), self.stale.len());
+        let (file, count) =
+            (visible(&self.file), words::count(self.stale.len(), "function is", "functions are"));
         let unknown =
             self.unknown.as_ref().map_or_else(String::new, |why| format!("; not compared: {}", visible(why)));
         Some(format!(
-            "note: {file}: {count} functions are of other code than the bake's ({names}){unknown}; compile again with lobefit cost --isa --record\n"
+            "note: {file}: {count} of other code than the bake's ({names}){unknown}; compile again with lobefit cost --isa --record\n"
         ))
     }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::super::CliError;
-use super::super::output::{Outcome, print};
+use super::super::output::{Outcome, files, print};
 use super::{Options, device};
 use crate::bake::BakeError;
 use crate::report::{GpuRecord, offline_record};
@@ -58,9 +58,7 @@ impl RecordPlace {
         let [json, html] = self.names.clone();
         let written = folder.write(&Files::from([(json, figures), (html, page.into_bytes())]))?;
         if !quiet {
-            let (new, same) = (written.written.len(), written.unchanged.len());
-            let names = self.names.join(", ");
-            print(format!("{names}: {new} files written, {same} unchanged\n").as_bytes())?;
+            print(format!("{}: {}\n", self.names.join(", "), files(&written)).as_bytes())?;
         }
         Ok(())
     }

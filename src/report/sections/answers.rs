@@ -148,6 +148,7 @@ fn lacking(purpose: &Purpose) -> &'static str {
             "This bake has one table of it and no formula."
         }
         (_, bytes) if bytes > 0 => "This bake has no formula of it.",
+        _ if purpose.choices.len() == 1 => "No lookup takes fewer operations.",
         _ => "",
     }
 }
@@ -333,6 +334,11 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
         (format!("max {}, RMS {}", words::max(max), words::mean(rms)), metric.clone())
     });
+    // Lookups of one width differ in the rest.
+    if purpose.choices.first().is_some_and(|best| best.name != offer.name && best.error == offer.error) {
+        rows.push(("Error".into(), "that of the recommended, of the same width".into()));
+        return rows;
+    }
     for (error, measure) in own.into_iter().chain(certified) {
         rows.extend([("Error".into(), error), ("Measure".into(), measure)]);
     }

@@ -28,11 +28,10 @@ const DRAWN: [(&str, &[&str]); 5] = [
     ("own", &["random", "stratified", "sobol"]),
 ];
 
-/// Colours, after which lines are dashed.
+/// Colours, after which lines are dashed, and after as many more dotted.
 const COLOURS: usize = 7;
 
-/// Colours of stratified points and of quadratures.
-const STRATIFIED: usize = 5;
+/// Colours of quadratures.
 const RULES: [usize; 3] = [4, 6, 4 + COLOURS];
 
 pub(super) fn section(record: &OfflineRecord) -> Result<Option<Section>, ReportError> {
@@ -51,8 +50,8 @@ pub(super) fn section(record: &OfflineRecord) -> Result<Option<Section>, ReportE
         title: "What accuracy costs offline".into(),
         lead: format!(
             "Every way to compute a quantity, at an easy and at a hard point: its error against its evaluations of the integrand and \
-             against seconds on {}. A dashed line is of scrambled Sobol points, in the \
-             colour that the same draw has by random points, or of the truth at falling tolerances.",
+             against seconds on {}. A dashed line is of scrambled Sobol points and a dotted one of \
+             stratified ones, in the colour that the same draw has by random points; or a dashed one of the truth at falling tolerances.",
             record.device
         ),
         blocks,
@@ -85,7 +84,7 @@ fn style(curve: &Curve, rules: &mut impl Iterator<Item = usize>) -> Option<(Stri
     let line = match dash {
         "random" => colour % 4,
         "sobol" => colour % 4 + COLOURS,
-        _ => STRATIFIED,
+        _ => colour % 4 + 2 * COLOURS,
     };
     Some((format!("{}, {sequence}", curve.way), Style::Marked(line)))
 }

@@ -22,9 +22,9 @@ pub(super) fn with_sum(mut table: AuditedTable, quantity: &dyn Quantity, fixed: 
         return table;
     }
     if let [first, second, ..] = table.channels.iter().filter(varies).collect::<Vec<_>>()[..] {
-        let values = first.values.iter().zip(&second.values).map(|(a, b)| a + b).collect();
+        let values: Vec<f64> = first.values.iter().zip(&*second.values).map(|(a, b)| a + b).collect();
         let name = format!("{} + {}", first.name, second.name);
-        table.channels.push(Channel { name, values });
+        table.channels.push(Channel { name, values: values.into() });
     }
     table
 }

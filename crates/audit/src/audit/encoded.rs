@@ -89,13 +89,13 @@ impl Encoding {
             (_, true) => return None,
             (_, false) => &table.channels[0].values,
         };
-        let decoded = |c: &Channel| Channel {
-            name: c.name.clone(),
-            values: c.values.iter().zip(alphas).map(|(x, alpha)| (self.decode)(*x, *alpha)).collect(),
+        let decoded = |c: &Channel| {
+            let values = c.values.iter().zip(&**alphas).map(|(x, alpha)| (self.decode)(*x, *alpha));
+            Channel { name: c.name.clone(), values: values.collect::<Vec<_>>().into() }
         };
         let channels: Vec<Channel> = colours.map(decoded).collect();
-        let finite = channels.iter().flat_map(|c| &c.values).all(|v| v.is_finite());
-        let held = table.channels.iter().flat_map(|c| &c.values).all(|v| (0.0..=1.0).contains(v));
+        let finite = channels.iter().flat_map(|c| c.values.iter()).all(|v| v.is_finite());
+        let held = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
         let step = (self.step)(stored(table.step, &table.channels[0].values));
         let decoded = AuditedTable { channels, step, ..table.clone() };
         // A Radiance picture is linear.

@@ -14,6 +14,7 @@ use super::truth::Beyond;
 use super::two_lobes::TwoLobes;
 use super::verdict::Verdict;
 use lobefit::data::Place;
+use lobefit::report::words;
 use serde::Serialize;
 
 /// How a table fits its best convention, the better first; in JSON `whole`, `part` or `none`.
@@ -181,7 +182,8 @@ impl Audit {
     pub fn unjudged(&self) -> Option<String> {
         let sampled = |c: &ChannelAudit| c.errors.as_ref().map_or(0, |e| e.unsampled);
         if let Some(n) = self.channels.iter().map(sampled).max().filter(|n| *n > 0) {
-            return Some(format!("{n} texels were not sampled: audit the table in slices"));
+            let texels = words::count(n, "texel was", "texels were");
+            return Some(format!("{texels} not sampled: audit the table in slices"));
         }
         let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused && !self.pads(c));
         let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();

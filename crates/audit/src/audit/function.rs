@@ -80,8 +80,8 @@ fn of_feeds(
     let mut channels: Vec<Channel> = Vec::new();
     let mut add = |name: String, values: Vec<f64>| {
         // A grey result is one channel, not three.
-        if !channels.iter().any(|c| c.values == values) {
-            channels.push(Channel { name, values });
+        if !channels.iter().any(|c| *c.values == values) {
+            channels.push(Channel { name, values: values.into() });
         }
     };
     let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };

@@ -262,7 +262,7 @@ pub(super) fn blended(
     let channel = |wanted: Column| convention.columns.iter().position(|c| *c == Some(wanted));
     let (Some(a), Some(b)) = (channel(Column::A), channel(Column::B)) else { return Ok(None) };
     let [a, b] = [a, b].map(|k| &table.channels[k].values);
-    let sum: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + b).collect();
+    let sum: Vec<f64> = a.iter().zip(b.iter()).map(|(a, b)| a + b).collect();
     let look = |values, column| Look { size: &table.size, values, column, registration: None };
     let [bias, all] = [look(b, Column::B), look(&sum, Column::E)].map(|look| points.errors(&look));
     Ok(bias?.into_iter().chain(all?).reduce(|x, y| if y.max > x.max { y } else { x }))

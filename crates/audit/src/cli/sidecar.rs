@@ -10,11 +10,15 @@ use crate::foreign::{Channel, ForeignTable, Hints, RawFormat, Step};
 use lobefit::cli::output::say;
 use lobefit::data::{Container, TexelFormat};
 use lobefit::emit::container::SIDECAR;
+use lobefit::emit::manifest::Manifest;
 use lobefit::emit::sidecar::{SCHEMA_VERSION, Sidecar};
-use lobefit::store::{self, StoreError};
+use lobefit::store::{self, MANIFEST, StoreError};
 
 /// Largest sidecar, bytes: those of a bake have some 4 kB.
 const BYTES: u64 = 1 << 20;
+
+/// Largest manifest, bytes.
+const MANIFEST_BYTES: u64 = 16 << 20;
 
 /// How a file names this tool, and the bytes among which it does.
 const WRITER: &[u8] = b"KTXwriter\0lobefit ";
@@ -56,18 +60,30 @@ fn path(options: &Options) -> OsString {
     path
 }
 
-/// What to say of a file that is not understood, where it says that this tool wrote it, as the header of a
-/// KTX2 file does, and its sidecar is not there; else nothing.
+/// What to say of a file that is not understood, where this tool wrote it, as the header of a KTX2 file or a
+/// manifest says, and its sidecar is not there; else nothing.
 pub(super) fn missing(options: &Options, bytes: &[u8]) -> String {
     let head = &bytes[..bytes.len().min(HEADER)];
-    let is_ours = container(options).is_some() && head.windows(WRITER.len()).any(|part| part == WRITER);
-    if !is_ours || Path::new(&path(options)).exists() {
+    let says = || head.windows(WRITER.len()).any(|part| part == WRITER);
+    let is_alone = container(options).is_some() && !Path::new(&path(options)).exists();
+    if !is_alone || !(says() || is_listed(options)) {
         return String::new();
     }
     let file = file_name(options);
     format!(
         "; its sidecar {file}{SIDECAR} is missing: a table of lobefit is read as what the sidecar beside it says"
     )
+}
+
+/// Whether a manifest in the file's folder or in the one above lists a table's file of its name.
+fn is_listed(options: &Options) -> bool {
+    let folder = options.file.parent().unwrap_or(Path::new(""));
+    let tables = [folder.join(MANIFEST), folder.join("..").join(MANIFEST)].into_iter().flat_map(|path| {
+        let manifest = store::read(&path, MANIFEST_BYTES).ok();
+        let manifest = manifest.and_then(|bytes| serde_json::from_slice::<Manifest>(&bytes).ok());
+        manifest.map(|manifest| manifest.entries.tables).unwrap_or_default()
+    });
+    tables.flat_map(|table| table.files).any(|file| Path::new(&file).file_name() == options.file.file_name())
 }
 
 /// Says why a sidecar is not followed.
@@ -154,7 +170,7 @@ impl Beside {
         let value = |i: usize| table.channels[i % own].values[i / own];
         let named = |(c, name): (usize, &String)| Channel {
             name: name.clone(),
-            values: (0..texels).map(|t| value(t * stored + c)).collect(),
+            values: (0..texels).map(|t| value(t * stored + c)).collect::<Vec<_>>().into(),
         };
         let step = match self.said.format {
             TexelFormat::Unorm8 => Step::Unorm8,

@@ -8,6 +8,7 @@ use super::origin::named;
 use super::words::setting;
 use crate::foreign::{ForeignError, LeftOut, ShaderFunction, Surroundings, read_functions};
 use lobefit::cli::output::say;
+use lobefit::report::words;
 
 #[derive(Args)]
 pub(super) struct SourceOptions {
@@ -53,6 +54,6 @@ pub(super) fn say_left_out(file: &str, all: &[LeftOut]) {
     let mut named: Vec<String> =
         all.iter().take(NAMED).map(|one| format!("`{}` ({})", one.name, one.reason)).collect();
     let others = all.len() - named.len();
-    named.extend((others > 0).then(|| format!("{others} others")));
+    named.extend((others > 0).then(|| words::count(others, "other", "others")));
     say(&format!("{file}: left out: {}", named.join(", ")));
 }

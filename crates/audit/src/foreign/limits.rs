@@ -2,8 +2,9 @@
 
 /// Largest file, bytes: four times a 1024 x 1024 table of four singles.
 pub const BYTES: u64 = 64 << 20;
-/// Most values of a file, all channels of all its tables together; as f64 they are 128 MiB.
-pub const VALUES: usize = 1 << 24;
+/// Most values of a file, all channels of all its tables together: three channels of 4096 x 4096 texels; as
+/// f64 they are 384 MiB.
+pub const VALUES: usize = 3 << 24;
 /// Most channels of a table.
 pub const CHANNELS: usize = 64;
 /// Most bytes that a byte of a compressed file may stand for before its header is taken for a lie:

@@ -47,8 +47,8 @@ pub(super) fn table(file: &str, list: Values, hints: &Hints) -> Result<ForeignTa
     let name = |c: usize| list.names.get(c).cloned().unwrap_or_else(|| c.to_string());
     let channels: Vec<Channel> = (0..channels)
         .map(|c| {
-            let values = (0..texels).map(|t| list.values[t * channels + c]).collect();
-            Channel { name: name(c), values }
+            let values = (0..texels).map(|t| list.values[t * channels + c]).collect::<Vec<_>>();
+            Channel { name: name(c), values: values.into() }
         })
         .collect();
     finish(file, list.name, &list.kind, size, channels, list.step)
@@ -81,7 +81,8 @@ pub(super) fn slices(
 
 fn slice(table: ForeignTable, index: usize) -> ForeignTable {
     let texels = table.size[0] * table.size[1];
-    let of = |c: Channel| Channel { values: c.values[index * texels..(index + 1) * texels].to_vec(), ..c };
+    let of =
+        |c: Channel| Channel { values: c.values[index * texels..(index + 1) * texels].to_vec().into(), ..c };
     ForeignTable {
         name: format!("{}{}slice {index}", table.name, if table.name.is_empty() { "" } else { ", " }),
         what: format!("{}, slice {index} of {}", table.what, table.size[2]),

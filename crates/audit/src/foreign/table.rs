@@ -1,5 +1,7 @@
 //! What a file holds, as plain values.
 
+use std::sync::Arc;
+
 use half::f16;
 use lobefit_math::{ops, srgb};
 
@@ -79,8 +81,8 @@ pub struct Channel {
     /// Its name in the file; `0`, `1`, ... where the file names none.
     pub name: String,
     /// As many finite values as the product of the table's sizes, x fastest, in the file's order of
-    /// rows.
-    pub values: Vec<f64>,
+    /// rows; shared, as tables of a file may be large.
+    pub values: Arc<Vec<f64>>,
 }
 
 /// A table as a file holds it.

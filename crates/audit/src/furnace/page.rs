@@ -6,7 +6,7 @@ use lobefit::report::{
 };
 use serde::Serialize;
 
-use super::measure::{Cell, Furnace, VIEWS};
+use super::measure::{Cell, Energy, Furnace, VIEWS};
 use super::words::{BAR, Judgement, energy};
 
 /// What a furnace found, for machines.
@@ -80,7 +80,7 @@ impl FurnaceFindings {
 pub fn furnace_page(found: &FurnaceFindings) -> Result<(String, Vec<u8>), ReportError> {
     let page = Page {
         title: format!("lobefit furnace: {} of {}", found.function, found.file),
-        origin: found.origin.clone(),
+        origin: found.origin.clone().with_figures(&format!("{}.furnace.json", found.file)),
         lead: found.judgement.line.clone(),
         sections: vec![energies(found)?, points(found)],
     };
@@ -98,18 +98,25 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
             style: Style::Line(k),
             end: None,
         };
+        let bars = |cells: &[Cell]| Series {
+            name: String::new(),
+            points: cells.iter().flat_map(|cell| ends(cell, channel)).collect(),
+            style: Style::Bars,
+            end: None,
+        };
         let white = Series {
             name: "white".into(),
             points: vec![(0.0, 1.0), (1.0, 1.0)],
             style: Style::Truth,
             end: None,
         };
-        let lines = found.furnace.cells.chunks(VIEWS.len()).enumerate().map(line);
+        let rows = found.furnace.cells.chunks(VIEWS.len());
+        let (lines, bars) = (rows.clone().enumerate().map(line), rows.map(bars));
         Curves {
             title: found.furnace.channels[channel].clone(),
             x: ("cosine of the view".into(), Spread::Linear),
             y: ("energy".into(), Spread::Linear),
-            series: lines.chain([white]).collect(),
+            series: lines.chain([white]).chain(bars).collect(),
             annotations: Vec::new(),
             guides: Vec::new(),
             y_limits: None,
@@ -121,10 +128,16 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
     let named: Vec<(&str, bool)> = columns.iter().map(|name| (name.as_str(), true)).collect();
     let caption = "Energy by quadrature, with the difference from the coarser rule, of the channel that has the largest.";
     let blocks = vec![
-        figures(&charts, "Energy that comes back in a white furnace.")?,
+        figures(&charts, "Energy that comes back in a white furnace; bars are its errors.")?,
         Block::Table(words::table(&named, found.rows(), caption)),
     ];
     Ok(Section { id: "energy".into(), title: "Energy".into(), lead: String::new(), blocks })
+}
+
+/// The ends of the error bar of a cell.
+fn ends(cell: &Cell, channel: usize) -> [(f64, f64); 2] {
+    let Energy { value, error } = cell.energy[channel];
+    [value - error, value + error].map(|y| (cell.at["mu"], y))
 }
 
 fn points(found: &FurnaceFindings) -> Section {

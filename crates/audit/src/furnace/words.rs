@@ -1,6 +1,7 @@
 //! What a furnace found, in a line and at most five points.
 
 use lobefit::report::numbers::{brief, significant};
+use lobefit::report::words;
 use serde::Serialize;
 
 use super::measure::{Cell, Energy, Furnace};
@@ -157,8 +158,8 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         format!("Arguments: {}.", given.join(", ")),
     ];
     if let Some(bad) = &found.unusable {
-        points
-            .insert(0, format!("Values: {} at {}; so at {} points.", bad.value, place(&bad.at), bad.points));
+        let so = words::count(bad.points, "point", "points");
+        points.insert(0, format!("Values: {} at {}; so at {so}.", bad.value, place(&bad.at)));
     }
     points
 }

@@ -16,7 +16,7 @@ pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
     sections.push(conventions(audit));
     Ok(Page {
         title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
-        origin: audit.origin.clone(),
+        origin: audit.origin.clone().with_figures(&format!("{}.audit.json", audit.file)),
         lead: format!("{} {}.\n{LEAD}", audit.verdict.grade.word(), audit.verdict.headline),
         sections,
     })

@@ -1,6 +1,8 @@
 //! What is wrong with tables that are read rightly: losses without a tail, clamps, parts of other code or of
 //! another lobe, lines that were never filled, channels that are constant.
 
+use std::sync::Arc;
+
 use lobefit::data::Smith;
 use lobefit_audit::audit::{Column, Defect, Fit, Fixed, Registration, Scale};
 use lobefit_math::ops;
@@ -133,7 +135,7 @@ fn a_constant_channel_is_judged_or_named() {
 fn a_furnace_with_a_dark_texel_is_infinite_there() {
     let at = |i: usize| (i as f64 + 0.5) / 16.0;
     let mut shipped = plane([16, 16], &[("R", &|x, y| both(Smith::Correlated, at(y) * at(y), at(x)).0)]);
-    shipped.channels[0].values[37] = 0.0;
+    Arc::make_mut(&mut shipped.channels[0].values)[37] = 0.0;
     let found = reflection_of(&shipped);
     let furnace = found.furnace.as_ref().unwrap();
     assert!(furnace.range[1] == f64::INFINITY && furnace.dark == 1, "{furnace:?}");

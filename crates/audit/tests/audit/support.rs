@@ -13,7 +13,7 @@ pub type Filled<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
 
 /// A table of so many texels along each axis, with the values of each channel.
 pub fn shipped(size: &[usize], channels: Vec<(&str, Vec<f64>)>) -> AuditedTable {
-    let channel = |(name, values): (&str, Vec<f64>)| Channel { name: name.into(), values };
+    let channel = |(name, values): (&str, Vec<f64>)| Channel { name: name.into(), values: values.into() };
     AuditedTable {
         what: "shipped".into(),
         size: size.to_vec(),

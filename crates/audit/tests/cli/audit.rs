@@ -31,6 +31,7 @@ fn a_table_is_read_judged_and_reported() {
     assert!(output.stderr.is_empty(), "{}", stderr(&output));
     assert_eq!(names(&folder.path().join("report")), ["tables.h.audit.html", "tables.h.audit.json"]);
     let page = std::fs::read_to_string(folder.path().join("report/tables.h.audit.html")).unwrap();
+    assert!(page.contains("<a href=\"tables.h.audit.json\" title") && page.contains("<a href=\"#verdict\">"));
     assert!(page.contains("Conventions tried") && !page.contains(&*folder.path().to_string_lossy()));
     let figures = std::fs::read(folder.path().join("report/tables.h.audit.json")).unwrap();
     // The same bytes with one thread and with two, and on standard output.

@@ -28,6 +28,14 @@ fn a_whole_brdf_is_measured_and_reported() {
     assert!(said.contains("\nroughness") && said.lines().count() < 10, "{said}");
     assert_eq!(names(&folder.path().join("report")), ["brdf.glsl.furnace.html", "brdf.glsl.furnace.json"]);
     let figures = std::fs::read_to_string(folder.path().join("report/brdf.glsl.furnace.json")).unwrap();
+    let page = std::fs::read_to_string(folder.path().join("report/brdf.glsl.furnace.html")).unwrap();
+    assert!(
+        page.contains("<a href=\"brdf.glsl.furnace.json\" title") && page.contains("<a href=\"#energy\">")
+    );
+    // A bar and two caps for each of 8 views, drawn as a path.
+    let paths = page.split("<path").map(|path| path.split('>').next().unwrap_or(""));
+    let mut bars = paths.filter(|path| path.contains("#222222") && path.matches('M').count() == 3 * 8);
+    assert!(bars.next().is_some(), "error bars");
     for threads in ["1", "2"] {
         let again = ["--set", "brightness=0.5", "--limit", "0.01", "--json", "--threads", threads];
         assert_eq!(run(&again).1, figures, "the same bytes for any number of threads");

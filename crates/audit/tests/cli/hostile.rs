@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use crate::common::{limited, stderr};
+use crate::common::{limited, lobefit, stderr};
 use crate::foreign_support::{dds, dds_extended, exr, hdr, ktx2, png};
 
 /// The largest file.
@@ -48,18 +48,18 @@ const SQUARE: &[&str] = &["--as", "ggx-reflection:E", "--size", "16x16"];
 const CASES: [Case; 32] = [
     // Sizes that a header claims and a file does not have, or has and is not asked for.
     ("a.dds", || dds(114u32.to_le_bytes(), [SIDE, SIDE, 1], &[0; 64]), E, "64 are left: the file is cut short"),
-    ("b.dds", || dds(114u32.to_le_bytes(), [1 << 31, 1 << 31, 1], &[0; 64]), E, "4611686018427387904, the limit is 16777216"),
+    ("b.dds", || dds(114u32.to_le_bytes(), [1 << 31, 1 << 31, 1], &[0; 64]), E, "4611686018427387904, the limit is 50331648"),
     ("c.dds", || dds_extended(61, [SIDE, SIDE - 1, 1], 1, &vec![7; BYTES - 4096]), SQUARE, "4096 x 4095 texels, not 16 x 16"),
-    ("d.dds", || dds_extended(61, [1, 1, 1], u32::MAX, &vec![7; BYTES - 4096]), E, "4294967295, the limit is 16777216"),
+    ("d.dds", || dds_extended(61, [1, 1, 1], u32::MAX, &vec![7; BYTES - 4096]), E, "4294967295, the limit is 50331648"),
     ("e.dds", || dds(114u32.to_le_bytes(), [SIDE / 2, 2047, 1], &floats()[4096..]), E, "texel [2047, 2046]: NaN"),
     ("f.dds", || dds_extended(41, [SIDE / 4, 1023, 4], 1, &floats()[8192 + 4096..]), E, "texel [1023, 1022, 3]: NaN"),
     ("a.ktx2", || ktx2(9, [SIDE, SIDE, 0], 0, &vec![0; SIDE as usize * SIDE as usize], true), SQUARE, "bytes cannot hold 16777216"),
     ("b.ktx2", || ktx2(9, [SIDE, SIDE, 0], 0, &(0..SIDE * SIDE).map(|i| (i ^ (i / SIDE)) as u8).collect::<Vec<_>>(), true), SQUARE, "4096 x 4096 texels, not 16 x 16"),
     ("c.ktx2", || ktx2(100, [SIDE / 2, 2047, 0], 0, &floats()[4096..], false), E, "texel [2047, 2046]: NaN"),
     ("a.png", || png(SIDE, SIDE, 1, false, &vec![0; SIDE as usize * SIDE as usize], false), SQUARE, "4096 x 4096 texels, not 16 x 16"),
-    ("b.png", || png(2 * SIDE, 2 * SIDE, 1, false, &vec![0; 4 * SIDE as usize * SIDE as usize], false), E, "67108864, the limit is 16777216"),
+    ("b.png", || png(2 * SIDE, 2 * SIDE, 1, false, &vec![0; 4 * SIDE as usize * SIDE as usize], false), E, "67108864, the limit is 50331648"),
     ("a.exr", || exr((SIDE as usize, SIDE as usize), &[("a", &["E"])], |_, _| 0.0), SQUARE, "4096 x 4096 texels, not 16 x 16"),
-    ("b.exr", || exr((SIDE as usize, SIDE as usize), &[("a", &["E", "F"])], |_, _| 0.0), E, "33554432, the limit is 16777216"),
+    ("b.exr", || exr((2 * SIDE as usize, SIDE as usize), &[("a", &["E", "F"])], |_, _| 0.0), E, "67108864, the limit is 50331648"),
     ("c.exr", || exr((1024, 1024), &[("a", &["A", "B", "G", "R"]), ("b", &["E"]), ("c", &["F"])], |t, _| (t % 7) as f64), SQUARE, "1024 x 1024 texels, not 16 x 16"),
     ("a.hdr", || hdr([SIDE as usize, 1023], &vec![[0; 3]; 1023 << 12], false), SQUARE, "4096 x 1023 texels, not 16 x 16"),
     ("b.hdr", || filled("#?RADIANCE\n", "A=", ""), E, "the header has no end"),
@@ -104,4 +104,17 @@ fn hostile_files_are_refused_soon_and_in_little_memory() {
         fs::remove_file(folder.path().join(name)).expect("removed");
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A DFG of 4096 x 4096 texels has two or three channels: read, and refused for its size alone.
+#[test]
+fn the_largest_png_has_three_channels() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (channels, said) in [(3, "4096 x 4096 texels, not 16 x 16"), (4, "67108864, the limit is 50331648")] {
+        let data = vec![51; channels * SIDE.pow(2) as usize];
+        fs::write(folder.path().join("t.png"), png(SIDE, SIDE, channels, false, &data, false))
+            .expect("written");
+        let output = lobefit(folder.path(), &[&["audit", "t.png"], SQUARE].concat(), b"");
+        assert!(output.status.code() == Some(2) && stderr(&output).contains(said), "{}", stderr(&output));
+    }
 }

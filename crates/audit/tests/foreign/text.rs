@@ -251,7 +251,7 @@ fn numbers_of_every_language_and_no_others() {
     let expected = [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
     let text = format!("#define N \\\n 32\n{list}\n'6'; \"4 \\\" 5\"; #include <7>");
     let hints = Hints { size: Some(vec![9]), ..Hints::default() };
-    assert_eq!(tables(&text, "t.c", &hints)[0].channels[0].values, expected);
+    assert_eq!(*tables(&text, "t.c", &hints)[0].channels[0].values, expected);
     for none in ["1abc", "0xzz", "1\u{e9}"] {
         assert!(refused(&list.replace("0.5", none), &hints).contains("no array"), "{none}");
     }
@@ -259,7 +259,7 @@ fn numbers_of_every_language_and_no_others() {
     for cut in ["\"", "'", "/*", "//", "#", "0x", "1e", "1e+", ".", "`", "\\", "#[", "\u{e9}", "1\u{e9}"] {
         for file in ["t.rs", "t.c"] {
             assert_eq!(
-                tables(&format!("{list} {cut}"), file, &hints)[0].channels[0].values,
+                *tables(&format!("{list} {cut}"), file, &hints)[0].channels[0].values,
                 expected,
                 "{cut}"
             );
@@ -316,7 +316,7 @@ fn raw_numbers_are_little_endian() {
     ] {
         let hints = Hints { size: Some(vec![9]), format: Some(format), ..Hints::default() };
         let read = |bytes: &[u8]| read_table(bytes, "lut.bin", &hints);
-        assert_eq!(read(&bytes.repeat(9)).unwrap()[0].channels[0].values, [value; 9], "{format:?}");
+        assert_eq!(*read(&bytes.repeat(9)).unwrap()[0].channels[0].values, [value; 9], "{format:?}");
         // A byte after the last number.
         let more = read(&[bytes.repeat(9), vec![9]].concat()).unwrap_err().to_string();
         assert!(more.starts_with("lut.bin"), "{more}");

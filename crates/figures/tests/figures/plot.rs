@@ -47,6 +47,23 @@ fn chart(title: &str, ends: &[f64]) -> Curves {
     }
 }
 
+/// Lines of one colour are told apart by their width, which the style of a page makes dashes and dots of.
+#[test]
+fn lines_of_one_colour_have_widths_of_their_own_also_in_the_legend() -> Outcome {
+    let series = |i: usize| Series {
+        name: format!("line {i}"),
+        points: vec![(1.0, 9.0 + i as f64), (2.0, 8.0)],
+        style: Style::Marked(i),
+        end: None,
+    };
+    let svg = Curves { series: [2, 9, 16].map(series).into(), ..chart("three", &[]) }.svg()?;
+    for width in ["16", "17", "15"] {
+        // The line, and its key.
+        assert_eq!(svg.matches(&format!("stroke-width=\"{width}\"")).count(), 2, "{width}: {svg}");
+    }
+    Ok(())
+}
+
 #[test]
 fn a_sheet_escapes_its_name_and_its_texts() -> Outcome {
     let svg = chart("<a href=\"x\" b='&'>", &[1.0]).svg()?;

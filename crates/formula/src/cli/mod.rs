@@ -9,7 +9,7 @@ use crate::fitting::{self, Certified};
 use crate::search;
 use lobefit::cli::CliError;
 use lobefit::cli::declared;
-use lobefit::cli::output::{Outcome, print, say};
+use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
 use lobefit::data::Use;
 use lobefit::scene::escape::visible;
@@ -164,6 +164,5 @@ fn written_files(options: &Options, written: &Written) -> String {
     let folder = options.out.iter().map(|out| visible(&out.display().to_string())).collect::<String>();
     let mut files: Vec<&str> = written.written.iter().chain(&written.unchanged).map(String::as_str).collect();
     files.sort_unstable();
-    let (new, same) = (written.written.len(), written.unchanged.len());
-    format!("\nin {folder}: {}\n{new} files written, {same} unchanged\n", visible(&files.join(", ")))
+    format!("\nin {folder}: {}\n{}\n", visible(&files.join(", ")), output::files(written))
 }

@@ -10,6 +10,7 @@ use lobefit::approximate::target::{Sampled, Target, TargetSpec};
 use lobefit::approximate::{Emission, Wanted, compared};
 use lobefit::data::{AlphaMap, Approximation, Norm, Smith, Source, Vendor};
 use lobefit::effects::catalogue;
+use lobefit::report::words::operations;
 use lobefit_shade::Hypothesis;
 
 /// Something else that approximates the same for the same use.
@@ -98,7 +99,7 @@ pub(super) fn beside(catalogue: &[CatalogueFit], ops: u32, max: f64) -> Option<S
     let best = affordable.min_by(|a, b| a.max.total_cmp(&b.max))?;
     let CatalogueFit { name, ops, max: error, .. } = best;
     let verdict = if *error < max { "less than this formula's" } else { "no less than this formula's" };
-    Some(format!("{name} has a largest error of {error} for {ops} operations, {verdict}"))
+    Some(format!("{name} has a largest error of {error} for {}, {verdict}", operations(*ops)))
 }
 
 /// How an engine gets a formula for the target.

@@ -73,15 +73,16 @@ pub(super) fn recipe(job: &Job) -> Recipe {
     }
 }
 
-/// What made the page of a fitting or of a search; its scene is empty.
-pub(crate) fn origin(command: &str, recipe: String) -> Origin {
-    Origin {
+/// What made the page of a fitting or of a search by a name; its scene is empty.
+pub(crate) fn origin(name: &str, command: &str, recipe: String) -> Origin {
+    let origin = Origin {
         scene: String::new(),
         recipe,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command.into(),
         pages: Vec::new(),
-    }
+    };
+    origin.with_figures(&format!("{name}.json"))
 }
 
 /// A hash of the tool's version and texts.

@@ -27,13 +27,25 @@ pub(super) fn page(job: &Job, fitting: &Fitting) -> Result<Page, FittingError> {
     }
     Ok(Page {
         title: format!("lobefit fit: {name}"),
-        origin: origin(&job.command, recipe(job).hash),
+        origin: origin(name, &job.command, recipe(job).hash),
         lead: format!(
-            "A formula fitted to a quantity: its constants, its measured error and its cost, the fit beside the truth, and where \
-             it errs. Figures in full digits: {name}.json, beside this page."
+            "{}\nA formula fitted to a quantity: its constants, its measured error and its cost, the fit beside the truth, and where \
+             it errs. Figures in full digits: {name}.json, beside this page.",
+            conclusion(fitting)
         ),
         sections,
     })
+}
+
+/// What each fit takes and keeps.
+fn conclusion(fitting: &Fitting) -> String {
+    let metric = fitting.target.used_as.metric;
+    let of = |fit: &Certified| {
+        let a = &fit.approximation;
+        let (ops, max) = (words::operations(a.cost.ops), words::max(a.certificate.max_abs));
+        format!("{}: {ops}, {metric} at most {max}.", a.name)
+    };
+    fitting.fits.iter().map(of).collect::<Vec<_>>().join(" ")
 }
 
 /// Anchor of a section of a fit: names are identifiers, anchors have hyphens.

@@ -5,6 +5,7 @@ use super::space;
 use crate::fitting::FittingError;
 use lobefit::approximate::target::{Target, TargetError};
 use lobefit::data::Use;
+use lobefit::report::words::operations;
 use lobefit_fit::search::{Aid, Helper, Link, Progress, SearchAxis, SearchSamples, Space, Trial, scout};
 
 /// A kind of function beside sums of powers.
@@ -205,6 +206,6 @@ impl Tried {
             return "no gain: not used".into();
         }
         let used = if admitted { "used" } else { "not used" };
-        format!("{:.1} % less error at {ops} operations: {used}", 100.0 * gain)
+        format!("{:.1} % less error at {}: {used}", 100.0 * gain, operations(ops))
     }
 }

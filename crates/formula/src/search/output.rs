@@ -13,6 +13,7 @@ use lobefit::data::Approximation;
 use lobefit::emit::header::{place, short};
 use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use lobefit::report::html;
+use lobefit::report::words::count;
 use lobefit::store::Files;
 use lobefit_fit::Goal;
 
@@ -24,13 +25,13 @@ pub fn summary(searched: &Searched, written: bool) -> String {
         anchor => format!(", each exactly {anchor}"),
     };
     let mut out = format!(
-        "{} {} as {}{}, alpha = {}: {} forms on the frontier{exact}\n",
+        "{} {} as {}{}, alpha = {}: {} on the frontier{exact}\n",
         target.quantity.name(),
         target.column,
         target.used_as.name,
         words::smith(target),
         target.alpha_map.name(),
-        searched.points.len(),
+        count(searched.points.len(), "form", "forms"),
     );
     // The vendor's cost stands before the errors.
     let price = |price: f64| searched.model.as_ref().map_or_else(String::new, |_| format!("  {price:>7.1}"));

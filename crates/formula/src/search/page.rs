@@ -15,13 +15,30 @@ pub(super) fn page(job: &SearchJob, searched: &Searched) -> Result<Page, ReportE
     let name = searched.name();
     Ok(Page {
         title: format!("lobefit search: {name}"),
-        origin: origin(&job.command, hash(&[&job.command])),
+        origin: origin(&name, &job.command, hash(&[&job.command])),
         lead: format!(
-            "Formulas found for a quantity, from the cheapest to the most accurate: what accuracy costs. Figures in full digits: \
-             {name}.json, beside this page."
+            "{}\nFormulas found for a quantity, from the cheapest to the most accurate: what accuracy costs. Figures in full digits: \
+             {name}.json, beside this page.",
+            conclusion(searched)
         ),
         sections: vec![asked(job, searched), frontier(searched)?, formulas(searched)],
     })
+}
+
+/// What the ends of the frontier take and keep.
+fn conclusion(searched: &Searched) -> String {
+    let kept = |point: &Point| {
+        format!("at most {} in {}", words::max(point.certificate.max_abs), words::operations(point.ops))
+    };
+    let metric = searched.target.used_as.metric;
+    match &searched.points[..] {
+        [] => "No formula was found.".into(),
+        [one] => format!("One formula was found: {metric} {}.", kept(one)),
+        [cheapest, .., best] => {
+            let found = searched.points.len();
+            format!("{found} formulas were found: {metric} {}, and {}.", kept(cheapest), kept(best))
+        }
+    }
 }
 
 fn asked(job: &SearchJob, searched: &Searched) -> Section {

@@ -89,6 +89,12 @@ fn a_normalisation_is_fitted_certified_and_written() {
     assert_eq!(fit["regular"]["proven"], true);
     let page = std::fs::read_to_string(folder.path().join("out/my_norm.html")).expect("written");
     assert!(page.contains("<svg") && page.contains("worst place") && page.contains("fn my_norm"), "the page");
+    let said = [
+        "<a href=\"my_norm.json\" title",
+        "<a href=\"#asked\">",
+        "<p class=\"conclusion\">my_norm: 3 operations, ",
+    ];
+    assert!(said.iter().all(|said| page.contains(said)), "a bar and a conclusion: {page}");
     assert!(!page.contains("src=\"") && !page.contains("href=\"http"), "the page is self-contained");
     // Again: nothing changes.
     let again = fit_again(folder.path());
@@ -286,6 +292,12 @@ fn a_search_gives_a_frontier_of_hypotheses() {
     let files = names(&folder.path().join("1"));
     assert!(files.contains(&format!("{name}.wgsl")), "{files:?}");
     assert!(files.contains(&"ggx_reflection_e_normalisation.html".into()), "{files:?}");
+    let page = std::fs::read_to_string(folder.path().join("1/ggx_reflection_e_normalisation.html"));
+    let page = page.expect("written");
+    let conclusion = format!("<p class=\"conclusion\">{} formulas were found: ", fits.len());
+    let said =
+        ["<a href=\"ggx_reflection_e_normalisation.json\" title", "<a href=\"#frontier\">", &conclusion];
+    assert!(said.iter().all(|said| page.contains(said)), "a bar and a conclusion: {page}");
     // What was found is a hypothesis again, and no fit of it is worse.
     let file = format!("1/{name}.wgsl");
     let again = [&["fit", &file][..], &NORMALISATION, &["--json"]].concat();

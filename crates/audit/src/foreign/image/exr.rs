@@ -166,12 +166,12 @@ fn sample_type(samples: &FlatSamples) -> SampleType {
 }
 
 fn channel(name: String, samples: &FlatSamples) -> Channel {
-    let values = match samples {
+    let values: Vec<f64> = match samples {
         FlatSamples::F16(values) => values.iter().map(|v| v.to_f64()).collect(),
         FlatSamples::F32(values) => values.iter().map(|v| f64::from(*v)).collect(),
         FlatSamples::U32(values) => values.iter().map(|v| f64::from(*v)).collect(),
     };
-    Channel { name, values }
+    Channel { name, values: values.into() }
 }
 
 /// Channels of colours in the order in which a reader names them, in each layer by itself: a file holds them

@@ -27,7 +27,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
             values.iter_mut().zip(texel).for_each(|(values, m)| values.push(f64::from(*m) * scale));
         }
     }
-    let name = |(name, values): (&str, Vec<f64>)| Channel { name: name.into(), values };
+    let name = |(name, values): (&str, Vec<f64>)| Channel { name: name.into(), values: values.into() };
     let image = Image {
         file: file.into(),
         name: String::new(),

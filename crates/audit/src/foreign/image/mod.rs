@@ -79,7 +79,7 @@ impl Image {
             match atlas {
                 _ if flattened(asked.clone()) == size => {}
                 Some([width, height, x, y, _]) if width.is_multiple_of(x) && height.is_multiple_of(y) => {
-                    channels.iter_mut().for_each(|c| c.values = slices(&c.values, width, x, y));
+                    channels.iter_mut().for_each(|c| c.values = slices(&c.values, width, x, y).into());
                 }
                 _ if size.len() == 1 => {}
                 _ => {

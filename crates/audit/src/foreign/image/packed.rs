@@ -36,7 +36,10 @@ impl Pixels {
         "RGBA"
             .chars()
             .filter_map(|name| Some((name, self.order.find(name)?)))
-            .map(|(name, c)| Channel { name: name.to_string(), values: self.format.every(bytes, c, count) })
+            .map(|(name, c)| Channel {
+                name: name.to_string(),
+                values: self.format.every(bytes, c, count).into(),
+            })
             .collect()
     }
 }

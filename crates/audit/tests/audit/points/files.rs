@@ -1,6 +1,7 @@
 //! Shapes that are not guessed, what is said first, large files.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use lobefit_audit::audit::{Audit, Fixed, Registration, Scale};
 use lobefit_math::ops;
@@ -108,7 +109,7 @@ fn point_16_all_of_a_table_that_is_too_large_to_be_held_is_looked_through() {
     let value = |x: usize, y: usize| 1.0 - 0.4 * at(y, size[1]) * (1.0 - at(x, size[0]));
     let mut shipped = plane(size, &[("R", &value)]);
     // Beside every lattice of 256 places.
-    shipped.channels[0].values[333 * size[0] + 702] = 3.0;
+    Arc::make_mut(&mut shipped.channels[0].values)[333 * size[0] + 702] = 3.0;
     let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false)]);
     let fixed = Fixed { axes, registrations: Some(vec![Registration::Centre]), ..Fixed::default() };
     let found = run(&shipped, "ggx-reflection", &fixed);

@@ -75,10 +75,10 @@ fn point_12_arguments_that_make_no_difference_need_no_value() {
 fn as_sheen(value: impl Fn(f64, f64) -> f64) -> Audit {
     let n = 24;
     let at = |i: usize| (i as f64 + 0.5) / n as f64;
-    let values = (0..n * n).map(|i| value(at(i % n), at(i / n))).collect();
+    let values: Vec<f64> = (0..n * n).map(|i| value(at(i % n), at(i / n))).collect();
     let text = "fn f(x: f32, mu: f32) -> f32 { return x + mu; }";
     let shipped = sampled(&read(text, "f.wgsl", "f"), of("sheen-charlie"), &[], &[]).unwrap();
-    let channels = vec![Channel { name: "result".into(), values }];
+    let channels = vec![Channel { name: "result".into(), values: values.into() }];
     let shipped = AuditedTable { size: vec![n; 2], channels, ..shipped };
     assert_eq!(shipped.source, Source::Function);
     audit(&shipped, of("sheen-charlie"), &Fixed::default(), &|_| ()).unwrap()

@@ -82,6 +82,17 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
         // A KTX2 file of ours says who wrote it; one of others misses nothing.
         assert_eq!(err.contains(&missing(extension)), is_named, "{err}");
     }
+    // A manifest of the bake lists its files by their names.
+    let listed = format!("{}.npy", TABLES[0].0);
+    std::fs::remove_file(folder.path().join(format!("{listed}.json"))).unwrap();
+    let unknown = audit(folder.path(), &listed, "", &[]).2;
+    write("manifest.json", &files["manifest.json"]);
+    let known = audit(folder.path(), &listed, "", &[]).2;
+    assert_eq!(
+        [&unknown, &known].map(|err| err.contains(&missing("npy").replace("alone", TABLES[0].0))),
+        [false, true],
+        "{unknown}{known}"
+    );
     let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
     let (code, _, err) = audit(folder.path(), "alone.ktx2", "ggx-reflection:E", &read);
     assert!(code == Some(1) && err.contains("audit failed: ") && err.contains(&missing("ktx2")), "{err}");
