@@ -13,7 +13,6 @@ use crate::data::{Arguments, MipChain, Pick, Source};
 use crate::effects::context::Context;
 use crate::effects::demand::{Caller, Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Limited, Made};
-use crate::report::words;
 use crate::scene::Scene;
 use lobefit_shade::code::Float;
 use lobefit_shade::round_up;
