@@ -46,50 +46,75 @@ pub(super) fn block(r: &Residuals) -> Option<Defect> {
 
 /// Whether the errors of a range stand out from those around it, and end at its edges.
 fn stands_out(r: &Residuals, range: &[[usize; 2]]) -> bool {
-    let dims = r.sample.dims();
-    let among = |(at, [from, to]): (&Vec<usize>, &[usize; 2])| {
-        [at.partition_point(|k| k < from), at.partition_point(|k| k <= to) - 1]
-    };
-    let range: Vec<[usize; 2]> = r.sample.at.iter().zip(range).map(among).collect();
     // One line at the end of an axis may be of a clamp.
-    let end = |([from, to], n): (&[usize; 2], &usize)| from == to && (*from == 0 || to + 1 == *n);
-    if range.iter().zip(&dims).any(end) {
+    let end = |(at, [from, to]): (&Vec<usize>, &[usize; 2])| {
+        from == to && (at.first() == Some(from) || at.last() == Some(from))
+    };
+    if r.sample.at.iter().zip(range).any(end) {
         return false;
     }
-    let (mut inside, mut outside, mut signs) = (Mean::default(), Mean::default(), [0.0; 2]);
-    // At both ends along every axis the last line inside and the first outside.
-    let mut lines = vec![[Mean::default(); 2]; 2 * range.len()];
-    for i in &r.judged {
-        let (texel, error) = (place(*i, &dims), r.errors[*i]);
-        let away: Vec<usize> =
-            (0..range.len()).filter(|k| !(range[*k][0]..=range[*k][1]).contains(&texel[*k])).collect();
-        if away.is_empty() {
-            inside.add(error);
-            signs = [signs[0] + error, signs[1] + error.abs()];
-        } else {
-            outside.add(error);
-        }
-        for (k, [from, to]) in range.iter().enumerate() {
-            let own = away.is_empty();
-            let beside = away == [k];
-            for (line, is_own, is_beside) in [
-                (2 * k, texel[k] == *from, texel[k] + 1 == *from),
-                (2 * k + 1, texel[k] == *to, texel[k] == to + 1),
-            ] {
-                if own && is_own {
-                    lines[line][0].add(error);
-                } else if beside && is_beside {
-                    lines[line][1].add(error);
-                }
-            }
-        }
-    }
+    let about = About::of(r, range);
+    let [inside, outside] = [about.inside, about.outside];
     inside.count >= BLOCK
         && outside.count > 0.0
         && inside.square() >= APART * APART * outside.square()
-        && signs[0].abs() >= ONE_SIGN * signs[1]
-        && signs[1] * signs[1] >= FILLED * inside.count * inside.sum
-        && lines.iter().all(|[own, beside]| own.square() >= EDGE * EDGE * beside.square())
+        && about.signs[1] * about.signs[1] >= FILLED * inside.count * inside.sum
+        && about.is_of_one_sign()
+        && about.ends_at_edges()
+}
+
+/// Errors in a range of texels, and about it.
+pub(super) struct About {
+    inside: Mean,
+    outside: Mean,
+    /// Sums inside, of errors and of their magnitudes.
+    signs: [f64; 2],
+    /// At both ends along every axis the last line inside and the first outside.
+    lines: Vec<[Mean; 2]>,
+}
+
+impl About {
+    pub(super) fn of(r: &Residuals, range: &[[usize; 2]]) -> About {
+        let dims = r.sample.dims();
+        let among = |(at, [from, to]): (&Vec<usize>, &[usize; 2])| {
+            [at.partition_point(|k| k < from), at.partition_point(|k| k <= to) - 1]
+        };
+        let range: Vec<[usize; 2]> = r.sample.at.iter().zip(range).map(among).collect();
+        let (mut inside, mut outside, mut signs) = (Mean::default(), Mean::default(), [0.0; 2]);
+        let mut lines = vec![[Mean::default(); 2]; 2 * range.len()];
+        for i in &r.judged {
+            let (texel, error) = (place(*i, &dims), r.errors[*i]);
+            let away: Vec<usize> =
+                (0..range.len()).filter(|k| !(range[*k][0]..=range[*k][1]).contains(&texel[*k])).collect();
+            if away.is_empty() {
+                inside.add(error);
+                signs = [signs[0] + error, signs[1] + error.abs()];
+            } else {
+                outside.add(error);
+            }
+            for (k, [from, to]) in range.iter().enumerate() {
+                for (line, own, beside) in [
+                    (2 * k, texel[k] == *from, texel[k] + 1 == *from),
+                    (2 * k + 1, texel[k] == *to, texel[k] == to + 1),
+                ] {
+                    if away.is_empty() && own {
+                        lines[line][0].add(error);
+                    } else if away == [k] && beside {
+                        lines[line][1].add(error);
+                    }
+                }
+            }
+        }
+        About { inside, outside, signs, lines }
+    }
+
+    pub(super) fn is_of_one_sign(&self) -> bool {
+        self.signs[0].abs() >= ONE_SIGN * self.signs[1]
+    }
+
+    pub(super) fn ends_at_edges(&self) -> bool {
+        self.lines.iter().all(|[own, beside]| own.square() >= EDGE * EDGE * beside.square())
+    }
 }
 
 /// A mean square.

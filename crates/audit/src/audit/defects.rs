@@ -1,7 +1,7 @@
 //! What is wrong with a channel, told from the pattern of its errors.
 
 use super::FITS;
-use super::block::block;
+use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
 use super::table::{AuditedTable, flat, place};
@@ -213,7 +213,10 @@ fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
     let whole = range.iter().zip(&r.sample.size).all(|(r, n)| *r == [0, n - 1]);
     let inside = |i: &usize| !whole && r.lies_in(*i, &range);
     let fading = r.judged.iter().filter(|i| !beyond(i, 1.0) && beyond(i, 1.0 / 3.0) && !inside(i)).count();
-    (fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
+    // Errors of both signs that fade at an edge are those of samples.
+    let about = About::of(r, &tight(r, &off));
+    let ends = about.is_of_one_sign() || about.ends_at_edges();
+    (ends && fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
 }
 
 /// A first or last row, column or slice without which the rest fits: a clamp, or an end that was never

@@ -73,10 +73,19 @@ const BRIGHT: f64 = 0.95;
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// More energy than comes in, by the one channel that holds an albedo, or by A and B: beyond what formats
-/// leave and what jumps from texel to texel, where the albedo is too high throughout if nearly all of the
-/// light comes back, as that of samples is not.
-pub(super) fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
+/// Adds a gain of energy by a channel, or by the `whole` of it and another, to its defects; a loss that is
+/// missing is part of one.
+pub(super) fn gains(r: &Residuals, whole: Option<&[f64]>, grain: Grain, defects: &mut Vec<Defect>) {
+    let whole = whole.map(|values| Residuals::new(r.sample, r.judgement, Column::E, values));
+    if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain) {
+        defects.retain(|defect| !matches!(defect, Defect::MissingLoss { .. }));
+        defects.push(gain);
+    }
+}
+
+/// More energy than comes in: beyond what formats leave and what jumps from texel to texel, where the albedo
+/// is too high throughout if nearly all of the light comes back, as that of samples is not.
+fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
     let albedos = |i: usize| r.column.albedo(r.values[i]).zip(r.column.albedo(r.truth(i)));
     let (mut sums, mut worst) = ([0.0; 2], (0.0, 0, 1.0));
     for i in &r.judged {

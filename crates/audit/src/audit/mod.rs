@@ -344,11 +344,7 @@ fn finish(
         optimised::mend(&residuals, &defects, &mut mended.channels[k].values);
         if two_lobes.is_none() && table.source == Source::Table {
             let whole = energy::sum(&sample, &convention, live, k);
-            let whole = whole.as_ref().map(|whole| Residuals::new(&sample, &judgement, Column::E, whole));
-            if let Some(gain) = energy::gain(whole.as_ref().unwrap_or(&residuals), grain) {
-                defects.retain(|defect| !matches!(defect, Defect::MissingLoss { .. }));
-                defects.push(gain);
-            }
+            energy::gains(&residuals, whole.as_deref(), grain, &mut defects);
         }
         channels.push(ChannelAudit {
             name: channel.name.clone(),

@@ -264,7 +264,8 @@ fn idle(audit: &Audit) -> Option<String> {
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
     let told = idle.map(|c| match (c.constant, &c.other) {
         (_, Some(Other::Quantity(other))) => {
-            format!("Channel {} is of another quantity: {}.", name(c), headline(other, None))
+            let found = headline(other, None).replace(&other.what, "it");
+            format!("Channel {} is of another quantity: {found}.", name(c))
         }
         (_, Some(Other::Unknown)) => {
             format!("Channel {} is left out: it follows nothing that is known.", name(c))
