@@ -47,10 +47,28 @@ pub fn verb<O: Parser>(
     if arguments.get(1).is_some_and(|word| word == DECLARED) {
         return finish(print_json(&Declared::of(&O::command())).map(|()| Outcome::Done));
     }
-    match O::try_parse_from(arguments) {
+    match parsed::<O>(arguments) {
         Ok(options) => finish(run(options)),
         Err(wrong) => usage(&wrong),
     }
+}
+
+/// Options of arguments. A negative number is a value, of which the check of the option's range speaks.
+///
+/// # Errors
+/// Arguments that the options do not take.
+pub fn parsed<O: Parser>(arguments: impl IntoIterator<Item = OsString>) -> Result<O, clap::Error> {
+    let mut command = numbered(O::command());
+    let found = command.try_get_matches_from_mut(arguments)?;
+    O::from_arg_matches(&found).map_err(|wrong| wrong.format(&mut command))
+}
+
+fn numbered(command: Command) -> Command {
+    let with_values = |arg: Arg| match arg.get_action().takes_values() {
+        true => arg.allow_negative_numbers(true),
+        false => arg,
+    };
+    command.mut_args(with_values).mut_subcommands(numbered)
 }
 
 /// The program with the verbs of the packages that are built, as their binaries declare them.

@@ -101,7 +101,7 @@ enum Verb {
 /// Runs the program on its arguments (the first is its own name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments = external::help_of_verb(arguments);
-    let cli = match Cli::try_parse_from(&arguments) {
+    let cli: Cli = match declared::parsed(arguments.clone()) {
         Ok(cli) => cli,
         Err(usage) => return output::usage(&usage),
     };

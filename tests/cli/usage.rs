@@ -58,6 +58,8 @@ fn messages_name_the_option_and_what_it_takes() {
     for (arguments, expected) in [
         (&["bake", "--threads", "0"][..], "a whole number from 1 to 256"),
         (&["bake", "--only", "reflections"], "no such effect; there are reflection, anisotropy"),
+        (&["cost", "--budget", "-3"], "'--budget <COST>': a finite number above 0"),
+        (&["check", "--values", "-0.001"], "'--values <TOL>': a finite number, 0 or above"),
         (
             &["eval", "no-such", "--points", "-"],
             "there are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",

@@ -12,6 +12,7 @@ use crate::{Work, isa, measure, weights};
 use lobefit::bake::Selection;
 use lobefit::cli::CliError;
 use lobefit::cli::cost::{self, NOTHING, RecordPlace};
+use lobefit::cli::declared;
 use lobefit::cli::input;
 use lobefit::cli::output::{self, Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
@@ -36,7 +37,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     {
         return isa::worker(&driver.to_string_lossy(), Path::new(answer));
     }
-    match &Options::try_parse_from(arguments) {
+    match &declared::parsed::<Options>(arguments) {
         Ok(options) if options.all.isa => output::finish(isa::verb(&options.all)),
         Ok(options) if options.all.gpu => output::finish(verb(&options.all)),
         Ok(Options { all: all @ cost::Options { weights: true, from: Some(from), .. } }) => {

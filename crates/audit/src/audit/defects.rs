@@ -1,6 +1,7 @@
 //! What is wrong with a channel, told from the pattern of its errors.
 
 use super::FITS;
+use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
 use super::table::{AuditedTable, flat, place};
@@ -16,8 +17,12 @@ pub enum Defect {
         texels: [usize; 2],
         /// By more than this.
         over: f64,
+        /// By this at most.
+        most: f64,
         /// Mean error of those.
         mean: f64,
+        /// Root mean square of the errors outside of their range.
+        rest: f64,
         /// First and last index of those along every axis.
         range: Vec<[usize; 2]>,
         /// Size of the table.
@@ -29,6 +34,20 @@ pub enum Defect {
         line: [usize; 2],
         /// What all of its texels hold.
         value: f64,
+    },
+    /// A part is off so that what is looked up between its texels is less so.
+    Optimised {
+        /// Texels that are off.
+        texels: usize,
+        /// The largest error of a lookup at even places, and with texels that are true.
+        lookups: [f64; 2],
+    },
+    /// More light comes back than came in.
+    Gain {
+        /// The largest albedo.
+        albedo: f64,
+        /// That texel.
+        texel: Vec<usize>,
     },
     /// A part of the table is of the other shadowing form.
     OtherLobe(TwoLobes),
@@ -52,6 +71,8 @@ pub enum Defect {
         rms: f64,
         /// Share of the whole error's root mean square.
         share: f64,
+        /// The format of which they come, where rounding to it makes as much.
+        step: Option<Step>,
     },
     /// The errors are what rounding to the format leaves.
     Steps {
@@ -86,7 +107,7 @@ pub enum Defect {
 /// A part is reported where errors are this many times the median,
 const OFF: f64 = 30.0;
 /// above this share of the spread of the truth, a quarter of a step of 8 bits,
-const SEEN: f64 = 1e-3;
+pub(super) const SEEN: f64 = 1e-3;
 /// make nearly all of the sum of squares,
 const PART_OF_SQUARES: f64 = 0.9;
 /// are no more than this share of the texels,
@@ -123,26 +144,30 @@ const SMOOTH: f64 = 0.12;
 /// Rounding explains errors up to this many times its own.
 const ROUNDED: f64 = 1.5;
 
+/// Second differences of errors that are rounded show up to this many times the root mean square of rounding.
+const NOISE_OF_ROUNDING: f64 = 1.2;
+
 /// Defects of a channel; `alpha` of a texel where the table has such an axis.
 pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
     let step = grain.step;
     let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
     if found.is_empty() {
-        found.extend(part(r, grain).or_else(|| edge(r, grain)));
+        found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)));
     }
-    let (noise, rms) = (noise(r), rms(r));
-    let rounding = rounding(r, step);
+    let (noise, rms, rounding) = (noise(r), r.rms(&r.judged), rounding(r, step));
+    let apart = matches!(found[..], [Defect::Part { .. }]);
     if rms <= ROUNDED * rounding && r.judged.iter().all(|i| within_a_step(r, step, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
-    } else if noise > 0.5 * rms && rms > 1e-7 {
-        found.push(Defect::Noise { rms: noise, share: noise / rms });
+    } else if noise > 0.5 * rms && rms > 1e-7 && !apart {
+        let step = (noise <= NOISE_OF_ROUNDING * rounding).then_some(step);
+        found.push(Defect::Noise { rms: noise, share: noise / rms, step });
     }
     if let Some(samples) = grain.samples {
         let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r, **i)).count();
         let left = r.judged.iter().map(|i| grain.leaves(r, *i)).fold(0.0, f64::max);
         found.push(Defect::Sampled { samples, left, texels: [over, r.judged.len()] });
     }
-    found.extend(bias(r, rms));
+    found.extend(bias(r, rms).filter(|_| !apart));
     found
 }
 
@@ -159,7 +184,7 @@ pub(super) fn dead<'a>(table: &'a AuditedTable, values: &'a [f64]) -> impl Itera
 
 /// Defects of a function: values that stand at a clamp, and a bias.
 pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
-    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
+    clamped(r).into_iter().chain(bias(r, r.rms(&r.judged))).collect()
 }
 
 /// Root mean square of the error that rounding to a format makes at the judged texels: a third of
@@ -175,10 +200,6 @@ fn within_a_step(r: &Residuals, step: Step, i: usize) -> bool {
     r.errors[i].abs() <= 1.2 * step.rounding(r.values[i]) + 1e-7
 }
 
-fn rms(r: &Residuals) -> f64 {
-    (r.judged.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>() / r.judged.len() as f64).sqrt()
-}
-
 fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
     let over = (OFF * r.median()).max(SEEN * r.spread());
     let beyond = |i: &usize, share: f64| r.errors[*i].abs() > share * over.max(grain.leaves(r, *i));
@@ -190,9 +211,12 @@ fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
     }
     let range = range(r, &off);
     let whole = range.iter().zip(&r.sample.size).all(|(r, n)| *r == [0, n - 1]);
-    let inside = |i: &usize| !whole && r.texel(*i).iter().zip(&range).all(|(k, r)| (r[0]..=r[1]).contains(k));
+    let inside = |i: &usize| !whole && r.lies_in(*i, &range);
     let fading = r.judged.iter().filter(|i| !beyond(i, 1.0) && beyond(i, 1.0 / 3.0) && !inside(i)).count();
-    (fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
+    // Errors of both signs that fade at an edge are those of samples.
+    let about = About::of(r, &tight(r, &off));
+    let ends = about.is_of_one_sign() || about.ends_at_edges();
+    (ends && fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
 }
 
 /// A first or last row, column or slice without which the rest fits: a clamp, or an end that was never
@@ -217,10 +241,17 @@ fn edge(r: &Residuals, grain: Grain) -> Option<Defect> {
 /// The part of these texels, which are off by more than `over`, but for those far from the others.
 fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
     let range = tight(r, off);
-    let within = |i: &&usize| r.texel(**i).iter().zip(&range).all(|(k, r)| (r[0]..=r[1]).contains(k));
-    let off: Vec<usize> = off.iter().filter(within).copied().collect();
+    of_range(r, range, off, over)
+}
+
+/// The part of those of these texels that lie in a range.
+pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], over: f64) -> Defect {
+    let off: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
+    let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &range)).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
-    Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() }
+    let most = off.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
+    let (texels, size, rest) = ([off.len(), r.judged.len()], r.sample.size.clone(), r.rms(&outside));
+    Defect::Part { texels, over, most, mean, rest, range, size }
 }
 
 /// Lines at an end of a part are left out of it while their squares are less than this share of those
@@ -228,7 +259,7 @@ fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
 const STRAY: f64 = 0.04;
 
 /// First and last index along every axis of the lines that texels stand out on.
-fn tight(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
+pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
     let along = |(axis, range): (usize, [usize; 2])| {
         let mut squares = vec![0.0; r.sample.size[axis]];
         for i in texels {
@@ -274,7 +305,7 @@ fn clamped(r: &Residuals) -> Option<Defect> {
 
 /// Root mean square of white noise that would make the second differences of the errors, along the
 /// axis where they are least.
-fn noise(r: &Residuals) -> f64 {
+pub(super) fn noise(r: &Residuals) -> f64 {
     let dims = r.sample.dims();
     let along = |axis: usize| {
         let mut squares = Vec::new();

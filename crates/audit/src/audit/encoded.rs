@@ -8,6 +8,7 @@ use super::plain::Plain;
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
+use lobefit::data::Place;
 use lobefit_math::{ops, srgb};
 use lobefit_truth::quantity::Quantity;
 
@@ -122,7 +123,8 @@ impl Encoding {
             told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
         untold.push(format!("values encoded as {}", self.name));
         options += &format!("--encoding {}", self.word);
-        let plain = Plain { convention, untold, options, texels: [all; 2], max: stored.worst() };
+        let plain =
+            Plain { convention, untold, options, texels: [all; 2], max: stored.worst(), at: Place::new() };
         Audit { plain: Some(plain), fixed: stored.fixed, ..read }
     }
 }

@@ -148,6 +148,17 @@ impl<'a> Residuals<'a> {
         places.iter().zip(&self.sample.at).map(|(k, at)| at[*k]).collect()
     }
 
+    /// Whether a texel lies in a range along every axis.
+    pub(super) fn lies_in(&self, i: usize, range: &[[usize; 2]]) -> bool {
+        self.texel(i).iter().zip(range).all(|(k, range)| (range[0]..=range[1]).contains(k))
+    }
+
+    /// Root mean square of the errors of some texels; 0 of none.
+    pub(super) fn rms(&self, texels: &[usize]) -> f64 {
+        let squares: f64 = texels.iter().map(|i| self.errors[*i] * self.errors[*i]).sum();
+        (squares / texels.len().max(1) as f64).sqrt()
+    }
+
     /// At most `count` of the judged texels, by steps of the golden ratio through them: all of so few.
     pub(super) fn drawn(&self, count: usize, at: impl Fn(&[usize]) -> Place) -> Vec<Drawn> {
         let n = self.judged.len();
@@ -174,7 +185,7 @@ impl<'a> Residuals<'a> {
         let texel = self.texel(worst);
         TexelErrors {
             max: self.errors[worst].abs(),
-            rms: (self.judged.iter().map(|i| self.errors[*i] * self.errors[*i]).sum::<f64>() / n).sqrt(),
+            rms: self.rms(&self.judged),
             mean: self.judged.iter().map(|i| self.errors[*i]).sum::<f64>() / n,
             median: self.median(),
             at: at(&texel),

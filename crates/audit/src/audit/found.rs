@@ -177,6 +177,16 @@ impl Audit {
         self.channels.iter().map(|c| own(c).max(other(c))).fold(0.0, f64::max)
     }
 
+    /// The name of a channel in words: beside red, blue is not B, nor alpha A.
+    pub(super) fn channel(&self, name: &str) -> String {
+        let colours = self.channels.iter().any(|c| c.name == "R");
+        match name {
+            "B" if colours => "B(lue)".into(),
+            "A" if colours => "A(lpha)".into(),
+            other => other.into(),
+        }
+    }
+
     /// What was not judged, for which it passes no limit: texels that were not sampled, or constant
     /// channels that no option leaves out.
     pub fn unjudged(&self) -> Option<String> {
@@ -186,7 +196,7 @@ impl Audit {
             return Some(format!("{texels} not sampled: audit the table in slices"));
         }
         let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused && !self.pads(c));
-        let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();
+        let names: Vec<String> = dead.map(|c| self.channel(&c.name)).collect();
         if !names.is_empty() {
             let advice =
                 "give --meaning for every channel to judge it, or for those that vary to leave it out";
@@ -197,7 +207,7 @@ impl Audit {
         let words: Vec<&str> = self.channels.iter().filter(|c| c.constant.is_none()).map(word).collect();
         Some(format!(
             "channel {} follows nothing that is known: give --meaning {} to leave it out",
-            foreign.name,
+            self.channel(&foreign.name),
             words.join(",")
         ))
     }
@@ -228,6 +238,23 @@ impl Audit {
             return error;
         }
         self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
+    }
+
+    /// The plain reading where the verdict is on it: with a limit that it alone is over; without one, where a
+    /// reader would have to be told of more than another shadowing.
+    pub fn misread(&self, limit: Option<f64>) -> Option<&Plain> {
+        let plain = self.plain.as_ref().filter(|_| self.fit != Fit::None)?;
+        let decides = match limit {
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit && plain.max > limit,
+            None => !plain.is_of_another_lobe(self.best()),
+        };
+        decides.then_some(plain)
+    }
+
+    /// The largest error that the verdict is on.
+    pub fn decisive(&self, limit: Option<f64>) -> f64 {
+        let read = self.misread(limit).map(|plain| plain.max).filter(|max| max.is_finite());
+        read.or_else(|| self.furnace_error()).unwrap_or_else(|| self.worst())
     }
 
     /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by

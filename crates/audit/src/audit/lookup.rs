@@ -27,8 +27,17 @@ pub struct LookupErrors {
     pub mean: f64,
     /// Largest magnitude between the outermost texels, where nothing is extrapolated.
     pub inner: f64,
-    /// Where the largest is.
+    /// Where that is.
+    pub inner_at: Place,
+    /// Where the largest of all is.
     pub at: Place,
+}
+
+impl LookupErrors {
+    /// Whether the largest lies beyond the outermost texels.
+    pub(super) fn is_beyond(&self) -> bool {
+        self.max > 1.01 * self.inner
+    }
 }
 
 /// Rounds in which the worst of the sampled places are closed in on: places along every axis on each
@@ -89,13 +98,23 @@ impl<'a> Points<'a> {
         let errors = self.grid.errors(self.convention, look);
         let n = errors.len() as f64;
         let Some((max, at)) = self.largest(look, &errors, false)? else { return Ok(None) };
+        let (inner, inner_at) = self.largest(look, &errors, true)?.unwrap_or_else(|| (0.0, at.clone()));
         Ok(Some(LookupErrors {
             max,
             at,
+            inner,
+            inner_at,
             rms: (errors.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt(),
             mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
-            inner: self.largest(look, &errors, true)?.map_or(0.0, |inner| inner.0),
         }))
+    }
+
+    /// Largest magnitude and root mean square at the even places alone.
+    pub(super) fn even(&self, look: &Look) -> [f64; 2] {
+        let errors = self.grid.errors(self.convention, look);
+        let squares: f64 = errors.iter().map(|e| e.0 * e.0).sum();
+        let most = errors.iter().map(|e| e.0.abs()).fold(0.0, f64::max);
+        [most, (squares / errors.len().max(1) as f64).sqrt()]
     }
 
     /// The largest magnitude, or the largest between the outermost texels, with its place; `errors` are

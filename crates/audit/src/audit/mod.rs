@@ -12,11 +12,13 @@ mod apart;
 mod arguments;
 mod axis;
 mod best;
+mod block;
 mod column;
 mod convention;
 mod declared;
 mod defects;
 mod encoded;
+mod energy;
 mod error;
 mod errors;
 mod found;
@@ -24,6 +26,7 @@ mod function;
 mod judge;
 mod lobe;
 mod lookup;
+mod optimised;
 mod page;
 mod plain;
 mod preferred;
@@ -311,7 +314,7 @@ fn finish(
         Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
         Source::Function => None,
     };
-    let mut channels = Vec::new();
+    let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
         let column = convention.columns[k];
@@ -332,12 +335,17 @@ fn finish(
             (Source::Table, None) => defects::defects(&residuals, grain, alpha),
             (Source::Function, None) => defects::of_function(&residuals),
         };
-        let defects = defects::dead(table, &channel.values).chain(defects).collect::<Vec<_>>();
+        let mut defects = defects::dead(table, &channel.values).chain(defects).collect::<Vec<_>>();
         let errors = residuals.figures(at);
         let looked = |registration| -> Result<Option<LookupErrors>, AuditError> {
             let look = Look { size: &table.size, values: &channel.values, column, registration };
             Ok(points.as_ref().map(|p| p.errors(&look)).transpose()?.flatten())
         };
+        optimised::mend(&residuals, &defects, &mut mended.channels[k].values);
+        if two_lobes.is_none() && table.source == Source::Table {
+            let whole = energy::sum(&sample, &convention, live, k);
+            energy::gains(&residuals, whole.as_deref(), grain, &mut defects);
+        }
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
@@ -357,8 +365,11 @@ fn finish(
             plain_lookup: looked(Some(Registration::Centre))?,
         });
     }
+    if let Some(points) = &points {
+        optimised::excused(points, &convention, [table, &mended], &mut channels);
+    }
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
-    let furnace = furnace(table, &convention, &sample, &judgement, live);
+    let furnace = energy::furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
     let departure = plain::departure(truth, table, live, best)?;
@@ -436,7 +447,8 @@ fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[D
         return if dead { Fit::Part } else { Fit::Whole };
     }
     let spread = residuals.bounded(&residuals.judged);
-    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    let explained =
+        |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Optimised { .. } | Defect::Clamped { .. });
     if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 
@@ -444,48 +456,4 @@ fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[D
 fn inputs_at(convention: &Convention, size: &[usize], texel: &[usize]) -> Place {
     let along = convention.axes.iter().zip(texel).zip(size);
     along.map(|((axis, i), n)| (axis.scale.input().name().to_string(), axis.node(*i, *n))).collect()
-}
-
-/// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from
-/// A and B.
-fn furnace(
-    table: &AuditedTable,
-    convention: &Convention,
-    sample: &Sample,
-    judgement: &judge::Judgement,
-    live: &[usize],
-) -> Option<Furnace> {
-    let channel = |wanted: &dyn Fn(Column) -> bool| {
-        live.iter().position(|k| convention.columns[*k].is_some_and(wanted)).map(|p| (live[p], p))
-    };
-    let albedo = channel(&defects::holds_albedo);
-    let sum = channel(&|c| c == Column::A).zip(channel(&|c| c == Column::B));
-    let at = |i: usize| -> Option<(f64, f64)> {
-        if let Some((k, p)) = albedo {
-            let column = convention.columns[k]?;
-            return Some((column.albedo(sample.values[p][i])?, column.true_albedo(judgement.base[i])?));
-        }
-        let ((_, a), (_, b)) = sum?;
-        Some((sample.values[a][i] + sample.values[b][i], judgement.base[i][0]))
-    };
-    let mut out: Option<Furnace> = None;
-    let mut dark = 0;
-    let dims = sample.dims();
-    for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
-        let (stored, truth) = at(i)?;
-        // A compensation divides by the stored E: there is none of one that is 0 or less.
-        let lit = stored > 0.0;
-        dark += usize::from(!lit);
-        let off = if lit { truth / stored - 1.0 } else { f64::INFINITY };
-        let worse = out.as_ref().is_none_or(|f| off.abs() > f.range[0].abs().max(f.range[1].abs()));
-        let places: Vec<usize> =
-            table::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
-        let range = out.as_ref().map_or([off; 2], |f| [f.range[0].min(off), f.range[1].max(off)]);
-        let at = match out {
-            Some(f) if !worse => f.at,
-            _ => inputs_at(convention, &table.size, &places),
-        };
-        out = Some(Furnace { range, at, dark });
-    }
-    out.map(|f| Furnace { dark, ..f })
 }

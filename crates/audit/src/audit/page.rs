@@ -26,7 +26,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         verdict: audit.verdict(limit),
         otherwise: None,
         fits: audit.fit,
-        max_error: audit.furnace_error().unwrap_or_else(|| audit.worst()),
+        max_error: audit.decisive(limit),
         plain: audit.plain.as_ref().map(|p| AuditPlain {
             untold: p.untold.clone(),
             max: Some(p.max).filter(|m| m.is_finite()),
@@ -108,6 +108,8 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
 fn kind(defect: &Defect) -> &'static str {
     match defect {
         Defect::Part { .. } => "part",
+        Defect::Optimised { .. } => "optimised",
+        Defect::Gain { .. } => "gain",
         Defect::Dead { .. } => "dead",
         Defect::Bias { .. } => "bias",
         Defect::Clamped { .. } => "clamped",

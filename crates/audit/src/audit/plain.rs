@@ -16,6 +16,7 @@ use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::along;
+use lobefit::data::Place;
 
 /// Places along each of three axes at which a plain reading is judged of a table with more than
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
@@ -34,6 +35,17 @@ pub struct Plain {
     pub texels: [usize; 2],
     /// Largest error at those that were judged; infinite where the truth cannot be had at any.
     pub max: f64,
+    /// Where that is; nowhere where the values are taken as they are stored.
+    pub at: Place,
+}
+
+impl Plain {
+    /// Whether nothing but the lobe is another: files of such have a use of their own, and only a limit
+    /// fails them for it.
+    pub fn is_of_another_lobe(&self, best: &Convention) -> bool {
+        let own = &self.convention;
+        own.lobe != best.lobe && own.axes == best.axes && own.columns == best.columns && !self.at.is_empty()
+    }
 }
 
 /// The plain reading of a table; none if the best one is plain, or what is not is said by the user.
@@ -112,9 +124,9 @@ pub(super) fn plain(
         return Ok(None);
     }
     let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
-    let (max, judged) = worst(truth, table, live, lobe, &read)?;
+    let (max, judged, at) = worst(truth, table, live, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
-    Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max }))
+    Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max, at }))
 }
 
 fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
@@ -154,7 +166,7 @@ pub(super) fn departure(
         return Ok(None);
     }
     let convention = best.convention(truth, live, table.channels.len());
-    let (max, _) = worst(truth, table, live, lobe, &convention)?;
+    let (max, ..) = worst(truth, table, live, lobe, &convention)?;
     Ok(Some((truth.lobes()[lobe], max)))
 }
 
@@ -164,25 +176,30 @@ fn is_transposed(source: Source, axes: &[AxisReading]) -> bool {
     source == Source::Table && inputs == [Input::Alpha, Input::Mu]
 }
 
-/// Largest error of any judged channel under a reading, and how many texels were judged.
+/// Largest error of any judged channel under a reading, how many texels were judged, and where it is.
 fn worst(
     truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     lobe: usize,
     read: &Convention,
-) -> Result<(f64, usize), AuditError> {
+) -> Result<(f64, usize, Place), AuditError> {
     let whole = super::whole(truth, lobe, &table.size);
     let solid = whole != usize::MAX && table.size.len() == 3;
     let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe, Truth::exact)?;
-    let mut worst: Option<f64> = None;
+    let (mut most, mut at) = (f64::INFINITY, Place::new());
     for (place, k) in live.iter().enumerate() {
         let Some(column) = read.columns[*k] else { continue };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
-        let errors = residuals.judged.iter().map(|i| residuals.errors[*i].abs());
-        worst = errors.fold(worst, |worst, e| Some(worst.map_or(e, |w| w.max(e))));
+        if residuals.judged.is_empty() {
+            continue;
+        }
+        let figures = residuals.figures(|texel| super::inputs_at(read, &table.size, texel));
+        if at.is_empty() || figures.max > most {
+            (most, at) = (figures.max, figures.at);
+        }
     }
     let judged = judgement.judged.iter().filter(|j| **j).count();
-    Ok((worst.unwrap_or(f64::INFINITY), judged))
+    Ok((most, judged, at))
 }

@@ -18,7 +18,6 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::verdict::{of_stated, reason};
 use crate::audit::{
     self, Audit, AuditedTable, Column, Encoding, Fixed, Form, Input, LEFT_OUT, Registration, Scale,
 };
@@ -217,7 +216,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
             &holds,
             options.limit,
         );
-        return publish(options, folder, &found, &of_stated(said, options.limit));
+        return publish(options, folder, &found);
     }
     let (own, quantity) = (fixed(options)?, options.wanted.0);
     let judge = |fixed: &Fixed| {
@@ -246,12 +245,13 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
     let passed = found.passed && said.is_none();
     let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
-    let refused = match &said {
-        Some(said) => of_stated(said, options.limit),
-        None if done.fit == audit::Fit::Whole => reason(&done, options.limit),
-        None => reason(&done, options.limit) + &sidecar::missing(options, &bytes),
-    };
-    publish(options, folder, &found, &refused)
+    if !found.passed && done.fit != audit::Fit::Whole && !options.quiet {
+        let missing = sidecar::missing(options, &bytes);
+        if !missing.is_empty() {
+            say(&format!("{}{missing}", file_name(options)));
+        }
+    }
+    publish(options, folder, &found)
 }
 
 /// The file's bytes.
@@ -267,12 +267,11 @@ fn read(options: &Options) -> Result<Vec<u8>, CliError> {
     }
 }
 
-/// Writes and prints what was found; `refused` is said where it does not pass.
+/// Writes and prints what was found.
 fn publish(
     options: &Options,
     mut folder: Option<Folder>,
     found: &AuditFindings,
-    refused: &str,
 ) -> Result<Outcome, CliError> {
     let (page, figures) = report::audit_page(found)?;
     if let Some(folder) = &mut folder {
@@ -287,13 +286,7 @@ fn publish(
         let beside = found.otherwise.as_ref().map_or_else(String::new, AuditOtherwise::text);
         print(format!("{}\n{beside}{cost}", found.verdict).as_bytes())?;
     }
-    if found.passed {
-        return Ok(Outcome::Done);
-    }
-    if !options.quiet {
-        say(&format!("audit failed: {refused}"));
-    }
-    Ok(Outcome::Failed)
+    Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
 }
 
 fn options_fit_nothing(done: &Audit) -> bool {

@@ -85,12 +85,26 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let is_limited = limit.is_some() || allowance.loss.is_some();
     let allowed_by = if is_limited { format!("; the limit is {allowed}") } else { String::new() };
-    let loss = allowance.loss.map(|loss| {
-        format!("; the least {} at {}, where {loss} may be lost", energy(least), place(&found.least.0.at))
+    let gained = format!("; the largest energy is {} at {}{allowed_by}", energy(most), place(&cell.at));
+    let lost = allowance.loss.map(|loss| {
+        let lost = Energy { value: 1.0 - least.value, ..least };
+        format!(
+            "; the largest loss is {} at {}, where {loss} may be lost",
+            energy(lost),
+            place(&found.least.0.at)
+        )
     });
-    let found_text = format!(" {what}; the largest energy is {} at {}", energy(most), place(&cell.at));
-    let more: Vec<String> = loss.into_iter().collect();
-    let rest = first_line(["white furnace: ", name, &found_text], &more, &allowed_by);
+    let swapped = one_way.then(|| {
+        let share = significant(100.0 * broken.share, 2);
+        format!("; f(l, v) and f(v, l) differ by {share} % at {}{allowed_by}", place(&broken.at))
+    });
+    // What the verdict is for stands first.
+    let mut facts: Vec<(bool, String)> = vec![(gains || may_gain, gained)];
+    facts.extend(lost.map(|lost| (may_lose, lost)).into_iter().chain(swapped.map(|swapped| (true, swapped))));
+    facts.sort_by_key(|(decides, _)| !decides);
+    let (first, more) = facts.split_first().map_or(("", &[][..]), |(first, more)| (first.1.as_str(), more));
+    let more: Vec<String> = more.iter().map(|fact| fact.1.clone()).collect();
+    let rest = first_line(["white furnace: ", name, &format!(" {what}{first}")], &more, "");
     Judgement { grade, line: format!("{word} {rest}"), points: points(found, gains) }
 }
 

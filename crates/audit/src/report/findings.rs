@@ -25,7 +25,8 @@ pub struct AuditFindings {
     pub otherwise: Option<AuditOtherwise>,
     /// How well.
     pub fits: Fit,
-    /// Largest error at a texel or point of any channel that is judged.
+    /// Largest error at a texel or point of any channel that is judged, by the reading that the verdict
+    /// is on.
     pub max_error: f64,
     /// Largest error by the plain reading, where the plain reading is not the best
     /// one.
@@ -166,8 +167,8 @@ pub struct AuditChannel {
 /// Something that is wrong.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AuditDefect {
-    /// Its kind: `part`, `bias`, `clamped`, `noise`, `steps`, `sampled`, `missing-loss`, `dead`,
-    /// `other-lobe`.
+    /// Its kind: `part`, `optimised`, `gain`, `bias`, `clamped`, `noise`, `steps`, `sampled`,
+    /// `missing-loss`, `dead`, `other-lobe`.
     pub kind: String,
     /// In a sentence.
     pub text: String,

@@ -14,4 +14,5 @@ mod points;
 mod solids;
 mod support;
 mod tables;
+mod verdicts;
 mod zoo;

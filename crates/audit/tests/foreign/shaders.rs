@@ -107,6 +107,12 @@ fn what_is_not_read_is_named_with_its_place() {
             "3:10",
             "global variable u",
         ),
+        (
+            "f.glsl",
+            "uniform vec3 tint;\nfloat f(float x) {\n  return tint.x * x;\n}",
+            "3:10",
+            "`f` reads the uniform `tint`, which is not read: make it an argument",
+        ),
         ("f.wgsl", "fn f(x: f32) -> f32 {\n  return x + ;\n}", "2:14", "no valid WGSL"),
         ("f.wgsl", "fn f(x: f32) -> f32 {\n  return x * vec2(1.0);\n}", "", "no valid shader"),
         ("f.wgsl", "const a = 1.0;", "", "no function"),

@@ -107,6 +107,12 @@ impl Declared {
         self.held.iter().map(|h| h.figures.max).fold(0.0, f64::max)
     }
 
+    /// The largest error that the verdict is on: its own claim, where that alone is over the limit.
+    pub fn decisive(&self, limit: Option<f64>) -> f64 {
+        let claims = self.holds() && limit.is_some_and(|limit| self.worst() <= limit && self.claimed > limit);
+        if claims { self.claimed } else { self.worst() }
+    }
+
     /// The verdict; `limit` is the largest error that the user allows.
     pub fn verdict(&self, limit: Option<f64>) -> Verdict {
         words::verdict(self, limit)

@@ -25,7 +25,13 @@ pub(super) fn verdict(found: &Declared, limit: Option<f64>) -> Verdict {
 
 fn headline(found: &Declared, limit: Option<f64>) -> String {
     let held: Vec<&str> = found.held.iter().map(|held| held.column.name()).collect();
-    let so = if found.holds() { "is what it says" } else { "is not what it says" };
+    let so = match limit {
+        _ if !found.holds() => "is not what it says".to_string(),
+        limit if found.decisive(limit) > found.worst() => {
+            format!("claims an error of {} at most", number(found.claimed))
+        }
+        _ => "is what it says".into(),
+    };
     let worst = found.held.iter().map(|held| &held.figures);
     let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
     let off = worst.map_or(String::new(), |worst| {

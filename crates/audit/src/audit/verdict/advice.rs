@@ -2,7 +2,6 @@
 
 use super::defect::{LINES, extent};
 use super::points::{LIKELY, SAME};
-use super::reason::only_plain_exceeds;
 use super::words::{listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::plain::Plain;
@@ -23,28 +22,38 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         steps.dedup();
         return steps;
     }
-    let encoding = audit.encoding.iter().map(|encoding| encoding.remedy.to_string());
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
-    steps.extend(encoding);
-    if audit.source == Source::Table && !is_open(audit) {
-        steps.extend(registrations(audit));
-    }
-    for (name, axis) in audit.axes.iter().zip(&audit.best().axes) {
-        if axis.reversed && axis.scale.input() == Input::Alpha {
-            steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
-        }
-    }
+    steps.extend(audit.plain.iter().flat_map(|plain| readings(audit, plain)));
     // Within a limit a part that is less exact than the rest is said, and needs no work.
     let kept = limit.is_some() && audit.passes(limit);
     let defects = audit.channels.iter().flat_map(|c| &c.defects);
     let defects = defects.filter(|d| !(kept && matches!(d, Defect::Part { .. })));
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
-    if audit.channels.iter().any(|c| matches!(c.column, Some(Column::Normal | Column::NormalLoss))) {
-        steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
-    }
-    let exceeds = limit.is_some_and(|limit| only_plain_exceeds(audit, limit));
+    let exceeds = limit.is_some() && audit.misread(limit).is_some();
     steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, exceeds)));
     steps.dedup();
+    steps
+}
+
+/// What to do about an encoding, axes and an average of which nobody said that they are meant.
+fn readings(audit: &Audit, plain: &Plain) -> Vec<String> {
+    let encoding =
+        audit.encoding.filter(|encoding| plain.options.ends_with(&format!("--encoding {}", encoding.word)));
+    let mut steps: Vec<String> = encoding.iter().map(|encoding| encoding.remedy.to_string()).collect();
+    let best = audit.best();
+    if audit.source == Source::Table && !is_open(audit) {
+        steps.extend(registrations(audit));
+    }
+    for (name, (axis, plain)) in audit.axes.iter().zip(best.axes.iter().zip(&plain.convention.axes)) {
+        if axis.reversed && !plain.reversed && axis.scale.input() == Input::Alpha {
+            steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
+        }
+    }
+    if best.columns != plain.convention.columns
+        && best.columns.iter().flatten().any(|c| matches!(c, Column::Normal | Column::NormalLoss))
+    {
+        steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
+    }
     steps
 }
 
@@ -81,7 +90,7 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
                 ranges => format!("the texels at {ranges}"),
             };
             return Some(format!(
-                "make {which} again: they are of other code, of another time or of too few samples, or optimised for the bilinear lookup, which is no defect"
+                "make {which} again: they are of other code, of another time or of too few samples"
             ));
         }
         Defect::Dead { line: [axis, index], .. } => {
@@ -94,6 +103,7 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
             "the function saturates there: let it go on beyond that value, or clamp what becomes of it"
         }
         Defect::Clamped { .. } => "store it in a format that holds values beyond the clamp",
+        Defect::Gain { .. } => "make it again, so that no more energy leaves than comes in",
         Defect::MissingLoss { .. } => "make the loss again by quadrature or by sampling visible normals",
         _ => return None,
     };
@@ -139,8 +149,7 @@ fn step(axis: &str, registration: Registration, reversed: bool) -> Option<String
     let after = "it holds the value of the place after its own, that of texel i + 1";
     let before = "it holds the value of the place before its own, that of texel i - 1";
     Some(match registration {
-        Registration::Centre => return None,
-        Registration::Endpoint => format!("along {axis}, sample at (u (n - 1) + 1/2)/n for a coordinate u"),
+        Registration::Centre | Registration::Endpoint => return None,
         Registration::Left => {
             format!("along {axis}, compute {centres}, or sample at u + 1/(2n) for a coordinate u")
         }

@@ -1,20 +1,31 @@
 //! A defect in a sentence.
 
-use super::words::number;
+use super::words::{long, number};
 use crate::audit::Defect;
 
 /// The sentence; `axes` names the table's axes.
 pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
     match defect {
-        Defect::Part { texels: [off, all], over, mean, range, size } => {
+        Defect::Part { texels: [off, all], over, mean, rest, range, size, .. } => {
             let ranges = extent(axes, range, size);
             let place = if ranges.is_empty() { String::new() } else { format!(", all at {ranges}") };
-            format!(
-                "{off} of {all} texels are off by more than {}, on average {} {}{place}; the others are not.",
-                number(*over),
-                number(mean.abs()),
-                way(*mean)
-            )
+            let (over, mean_text, way, rest) = (number(*over), number(mean.abs()), way(*mean), number(*rest));
+            match off {
+                1 => format!(
+                    "1 of {all} texels, at {ranges}, is {mean_text} {way}; the others leave RMS {rest}."
+                ),
+                _ => format!(
+                    "{off} of {all} texels are off by more than {over}, on average {mean_text} {way}{place}; the others leave RMS {rest}."
+                ),
+            }
+        }
+        Defect::Optimised { texels, lookups: [own, mended] } => format!(
+            "{texels} texels are off for the sake of lookups, which at even places are off by at most {}, and with true texels by {}.",
+            number(*own),
+            number(*mended)
+        ),
+        Defect::Gain { albedo, texel } => {
+            format!("It gains energy: {} of the light comes back at texel {texel:?}.", long(*albedo))
         }
         Defect::Dead { line: [axis, index], value } => format!(
             "Its {} {} = {index} holds {} throughout, far from what lies beside it: it was never filled, and is not judged.",
@@ -43,11 +54,13 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             number(*value),
             number(*truth)
         ),
-        Defect::Noise { rms, share } => format!(
-            "{} % of the error jumps from texel to texel, as sampling noise does (RMS {}).",
-            (100.0 * share.min(1.0)).round(),
-            number(*rms)
-        ),
+        Defect::Noise { rms, share, step } => {
+            let cause = step.map_or("as sampling noise does".into(), |step| {
+                format!("as rounding to {} does", step.text())
+            });
+            let (share, rms) = ((100.0 * share.min(1.0)).round(), number(*rms));
+            format!("{share} % of the error jumps from texel to texel, {cause} (RMS {rms}).")
+        }
         Defect::Steps { step, rms } => {
             format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))
         }

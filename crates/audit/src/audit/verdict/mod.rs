@@ -2,13 +2,14 @@
 
 mod advice;
 mod defect;
+mod headline;
 mod points;
 mod reason;
 mod words;
 
 pub(super) use defect::sentence;
-pub(super) use points::{of, said_limit};
-pub(crate) use reason::{of_stated, reason};
+pub(super) use headline::said_limit;
+pub(super) use points::of;
 pub(crate) use words::place;
 pub(super) use words::{along, listed, long, number};
 

@@ -1,15 +1,15 @@
 //! The points of a verdict on a table or function of unknown make.
 
-use super::reason::{only_plain_exceeds, reason};
+use super::headline::{headline, largest_lookup};
+use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
-use super::{Grade, Verdict, advice, defect, first_line, words};
+use super::{Grade, Verdict, advice, defect, words};
 use crate::audit::axis::Registration;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
-use crate::audit::plain::Plain;
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
-use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, LookupErrors, Other, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 pub(super) const SAME: f64 = 1e-6;
@@ -19,7 +19,8 @@ pub(super) const LIKELY: f64 = 1.2;
 
 /// The verdict; `limit` is the largest error that the user allows.
 pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
-    let grade = grade(audit, limit);
+    let remedy = advice::advice(audit, limit);
+    let grade = grade(audit, limit, &remedy);
     let mut errors = Vec::new();
     if grade != Grade::Pass {
         errors.push(format!("{} since {}.", grade.word(), reason(audit, limit)));
@@ -31,7 +32,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
     errors.dedup();
-    errors.extend(untold(audit).filter(|_| limit.is_none_or(|limit| !only_plain_exceeds(audit, limit))));
+    errors.extend(untold(audit).filter(|_| limit.is_none() || audit.misread(limit).is_none()));
     errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
@@ -46,116 +47,21 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         convention: convention.join(" "),
         errors,
         furnace: furnace(audit),
-        remedy: advice::advice(audit, limit),
+        // What passes calls for nothing.
+        remedy: if grade == Grade::Pass { Vec::new() } else { remedy },
         certainty: doubt(audit),
     }
 }
 
-fn grade(audit: &Audit, limit: Option<f64>) -> Grade {
+fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     let unfit = audit.fit == Fit::None && audit.two_lobes.is_none() && audit.published.is_none();
-    let sound = |d: &Defect| advice::mending(d, &audit.axes, audit.source).is_none();
-    let read = audit.plain.as_ref().is_none_or(|plain| is_usual(audit.best(), &plain.convention));
-    let plain = read && audit.channels.iter().flat_map(|c| &c.defects).all(sound);
     match limit {
         _ if unfit => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
         Some(limit) if audit.fit == Fit::Whole && audit.worst_as_read() <= limit => Grade::Unknown,
-        None if audit.fit == Fit::Whole && plain => Grade::Pass,
+        None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
         _ => Grade::Fail,
     }
-}
-
-/// Whether a reading is the plain one but for the order of its axes or its shadowing, which many
-/// files have of their own: only a limit fails them for it.
-fn is_usual(best: &Convention, plain: &Convention) -> bool {
-    let ordered = |convention: &Convention| {
-        let mut axes = convention.axes.clone();
-        axes.sort_by_key(|axis| axis.scale.input());
-        axes
-    };
-    best.columns == plain.columns && ordered(best) == ordered(plain)
-}
-
-/// How far off it is under the quantity's own shadowing, where it is of another, or as it is stored,
-/// where it is encoded.
-fn of_another(audit: &Audit) -> String {
-    let is_other = |plain: &&Plain| {
-        plain.max.is_finite() && (plain.convention.lobe != audit.best().lobe || audit.encoding.is_some())
-    };
-    let plain = audit.plain.as_ref().filter(is_other);
-    plain.map_or_else(String::new, |plain| {
-        let (other, own) = (plain.untold.join(", "), readings_differ(audit, audit.best(), &plain.convention));
-        format!(", if it is meant as {other}; read plainly ({own}) by {} at texels", number(plain.max))
-    })
-}
-
-/// The end of a headline.
-pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
-    limit.map_or_else(String::new, |limit| format!("; the limit is {}", number(limit)))
-}
-
-/// What it is, how far off it is where it is used, and the limit.
-fn headline(audit: &Audit, limit: Option<f64>) -> String {
-    let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
-    let what = format!("{} {}: ", audit.quantity, listed(&held));
-    let line =
-        |found: String, more: &[String], limit: &str| first_line([&what, &audit.what, &found], more, limit);
-    let is_limited = limit.is_some();
-    let limit = said_limit(limit);
-    let worst = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.errors.as_ref()?)));
-    let Some((of, worst)) = worst.reduce(|a, b| if b.1.max > a.1.max { b } else { a }) else {
-        return first_line([&what, &audit.what, " is not judged"], &[], &limit);
-    };
-    let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
-    let (max, at) = (number(worst.max) + &of, place(&worst.at));
-    if audit.fit == Fit::None && audit.two_lobes.is_none() {
-        let found = match (audit.source, &audit.published) {
-            (Source::Table, _) => "fits no convention".into(),
-            (Source::Function, None) => "is no approximation of it".into(),
-            (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),
-        };
-        return line(format!(" {found}; the nearest leaves {max} at {at}"), &[], &limit);
-    }
-    let other = of_another(audit);
-    if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
-        let (error, at) = (number(error), place(&furnace.at));
-        let found = format!(" leaves |E N - 1| of at most {error} at {at}");
-        return line(found, &[other, format!(" ({} points sampled)", worst.judged)], &limit);
-    }
-    if audit.source == Source::Function {
-        let found = format!(" is off by at most {max} at {at}");
-        return line(found, &[other, format!(" ({} points sampled)", worst.judged)], &limit);
-    }
-    match largest_lookup(audit) {
-        Some((of, lookup)) if lookup.max > worst.max => {
-            let of = if held.len() > 1 { format!(" of {of}") } else { String::new() };
-            // A limit is on the texels: the figure that is judged stands first.
-            let worst_at = at;
-            let at = match lookup.max > 1.01 * lookup.inner {
-                true => format!("beyond the outermost texels, at {}", place(&lookup.at)),
-                false => place(&lookup.at),
-            };
-            let lookup = number(lookup.max);
-            let (texels, lookups) = (format!("{max} at texels"), format!("{lookup}{of} in lookups ({at})"));
-            match is_limited {
-                true => {
-                    let found = format!(" is off by at most {texels} ({worst_at})");
-                    line(found, &[other, format!(", {lookups}")], &limit)
-                }
-                false => {
-                    line(format!(" is off by at most {lookups}"), &[other, format!(", {texels}")], &limit)
-                }
-            }
-        }
-        _ => line(format!(" is off by at most {max} at {at}"), &[other], &limit),
-    }
-}
-
-/// The worst lookup and of what it is: of A alone no pixel is made where a shader blends f0 A + B.
-fn largest_lookup(audit: &Audit) -> Option<(&'static str, &LookupErrors)> {
-    let channels = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.lookup.as_ref()?)));
-    let worst = channels.reduce(|a, b| if b.1.max > a.1.max { b } else { a });
-    audit.blend.as_ref().map(|blend| ("f0 A + B", blend)).or(worst)
 }
 
 /// What it is best read as.
@@ -172,13 +78,26 @@ fn opening(audit: &Audit) -> String {
         return of_function(audit, &reading);
     }
     match audit.fit {
-        Fit::Whole => format!("{reading}."),
+        Fit::Whole => format!("{reading}.{}", at_ends(audit)),
         Fit::Part => {
             format!("no convention{given} fits as a whole; the nearest, which most of it fits, is {reading}.")
         }
         Fit::None => {
             format!("no convention{given} fits; the nearest, which it does not follow, is {reading}.")
         }
+    }
+}
+
+/// How a table of end points is sampled.
+fn at_ends(audit: &Audit) -> String {
+    let axes = audit.axes.iter().zip(&audit.best().axes);
+    let ends: Vec<&str> = axes
+        .filter(|(_, a)| a.registration == Registration::Endpoint)
+        .map(|(name, _)| name.as_str())
+        .collect();
+    match ends.is_empty() {
+        true => String::new(),
+        false => format!(" Along {} sample at (u (n - 1) + 1/2)/n for a coordinate u.", listed(&ends)),
     }
 }
 
@@ -341,17 +260,21 @@ fn departure(audit: &Audit) -> Option<String> {
 
 /// Channels that hold nothing that is asked for.
 fn idle(audit: &Audit) -> Option<String> {
+    let name = |c: &ChannelAudit| audit.channel(&c.name);
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
     let told = idle.map(|c| match (c.constant, &c.other) {
         (_, Some(Other::Quantity(other))) => {
-            format!("Channel {} is of another quantity: {}.", c.name, headline(other, None))
+            let found = headline(other, None).replace(&other.what, "it");
+            format!("Channel {} is of another quantity: {found}.", name(c))
         }
         (_, Some(Other::Unknown)) => {
-            format!("Channel {} is left out: it follows nothing that is known.", c.name)
+            format!("Channel {} is left out: it follows nothing that is known.", name(c))
         }
-        (_, Some(Other::Same(first))) => format!("Channel {} is the same as {first}.", c.name),
-        (Some(value), _) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
-        (None, None) => format!("Channel {} is not asked for.", c.name),
+        (_, Some(Other::Same(first))) => format!("Channel {} is the same as {first}.", name(c)),
+        (Some(value), _) => {
+            format!("Channel {} is constant ({}) and was not judged.", name(c), number(value))
+        }
+        (None, None) => format!("Channel {} is not asked for.", name(c)),
     });
     let told: Vec<String> = told.collect();
     (!told.is_empty()).then(|| told.join(" "))
@@ -397,13 +320,16 @@ fn lookups(audit: &Audit) -> Option<String> {
     let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
     let f0 = if audit.blend.is_some() { " at the worst f0" } else { "" };
     let where_they_are = if centred { "" } else { " at the coordinates that its texels have" };
+    let beyond = match worst.is_beyond() {
+        true => format!(", and by {} beyond those ({})", number(worst.max), place(&worst.at)),
+        false => String::new(),
+    };
     let mut text = format!(
-        "Looked up with linear interpolation{where_they_are}, {name}{f0} is off by at most {} (RMS {}), worst at {}, and by {} between the \
-         outermost texels{others}.",
-        number(worst.max),
+        "Looked up with linear interpolation{where_they_are}, {name}{f0} is off by at most {} between the outermost texels ({}){beyond} \
+         (RMS {}){others}.",
+        number(worst.inner),
+        place(&worst.inner_at),
         number(worst.rms),
-        place(&worst.at),
-        number(worst.inner)
     );
     let plain = channels().filter_map(|(name, c)| Some((name, c.plain_lookup.as_ref()?)));
     if let Some((name, plain)) =

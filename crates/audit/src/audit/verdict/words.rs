@@ -15,7 +15,7 @@ pub(super) fn reading(audit: &Audit) -> String {
         .filter_map(|c| Some((c, c.column?)))
         .map(|(c, column)| match audit.channels.len() {
             1 => column.words(),
-            _ => format!("{} = {}", c.name, column.words()),
+            _ => format!("{} = {}", audit.channel(&c.name), column.words()),
         })
         .collect();
     // Of a table of two lobes they are printed before.

@@ -15,7 +15,10 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
 }
 
 fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
-    let damaged = |e: DecodingError| source.malformed(0, format!("{e}: the file is cut short or damaged"));
+    let damaged = |e: DecodingError| {
+        let other = || source.malformed(0, format!("{e}: the file is damaged"));
+        chunks(source).err().unwrap_or_else(other)
+    };
     let most = Limits { bytes: limits::BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(source.bytes), most);
     decoder.set_transformations(Transformations::IDENTITY);
@@ -39,6 +42,22 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
     }
     let kind = format!("PNG, {}{marks}", pixels.words());
     Image::packed(source, kind, &[width.into(), height.into()], (pixels, &texels), hints)
+}
+
+/// Looks through the chunks, for an end before that of the last.
+fn chunks(source: Source) -> Result<(), ForeignError> {
+    let mut at = 8;
+    loop {
+        let head = source.part(at, 8, "the head of a chunk")?;
+        let (length, name) = head.split_at(4);
+        let length = length.iter().fold(0, |length, byte| length << 8 | u64::from(*byte));
+        let what = format!("chunk {} with its check sum", name.escape_ascii());
+        source.part(at + 8, length + 4, &what)?;
+        if name == b"IEND" {
+            return Ok(());
+        }
+        at += length + 12;
+    }
 }
 
 fn pixels(source: Source, colour: ColorType, depth: BitDepth) -> Result<Pixels, ForeignError> {

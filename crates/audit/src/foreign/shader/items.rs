@@ -80,6 +80,11 @@ impl Item {
         self.names.first().map_or("", String::as_str)
     }
 
+    /// Whether it declares a uniform.
+    pub fn is_uniform(&self) -> bool {
+        !self.function && self.words.iter().any(|word| word.text == "uniform")
+    }
+
     /// Whether it reads a texture, or declares one.
     pub fn reads_texture(&self) -> bool {
         self.words.iter().any(|word| {

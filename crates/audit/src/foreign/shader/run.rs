@@ -5,7 +5,7 @@ use naga::{
     Statement, SwitchValue, SwizzleComponent, Type, TypeInner, VectorSize,
 };
 
-use super::source::Program;
+use super::source::{NO_GLOBAL, Program};
 use super::value::{Pointer, Value};
 use super::{ShaderLanguage, operator};
 use crate::foreign::{ForeignError, limits};
@@ -388,7 +388,7 @@ impl<'a> Run<'a> {
         }
         let name = self.module.global_variables[handle].name.clone().unwrap_or_default();
         let what = format!("the global variable {name}");
-        Err(self.program.unsupported(span, what, "make it an argument of the function, or a constant"))
+        Err(self.program.unsupported(span, what, NO_GLOBAL))
     }
 
     /// A pointer to a variable that is kept in a slot.

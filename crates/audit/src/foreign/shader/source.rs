@@ -49,6 +49,9 @@ const DROPPED: usize = 64;
 /// What the front end would make always, though GLSL makes it only where the left side asks for it.
 const EAGER: &str = "write it as an if";
 
+/// What is not an argument, and has no value.
+pub(super) const NO_GLOBAL: &str = "make it an argument of the function, or a constant";
+
 /// A part that is left out, and why.
 struct Dropped {
     item: usize,
@@ -221,8 +224,11 @@ impl Source {
         let written = index.writers(needed);
         let (functions, others): (Vec<usize>, Vec<usize>) =
             needed.iter().copied().partition(|i| self.items[*i].function);
-        let textures = others.iter().map(|i| &self.items[*i]).filter(|item| item.reads_texture());
-        let textures: BTreeSet<&str> = textures.flat_map(|item| &item.names).map(String::as_str).collect();
+        let of = |kind: fn(&Item) -> bool| -> BTreeSet<&str> {
+            let those = others.iter().map(|i| &self.items[*i]).filter(|item| kind(item));
+            those.flat_map(|item| &item.names).map(String::as_str).collect()
+        };
+        let (textures, uniforms) = (of(Item::reads_texture), of(Item::is_uniform));
         let mut found = functions.into_iter().filter_map(|i| {
             let item = &self.items[i];
             let name = item.name();
@@ -230,6 +236,10 @@ impl Source {
                 let what = format!("`{name}`, a function that reads a texture,");
                 let advice = "audit the texture's own file as a table";
                 return Some((Some(i), self.lacking(item.range[0], what, advice)));
+            }
+            if let Some(word) = item.words.iter().find(|w| uniforms.contains(w.text.as_str())) {
+                let what = format!("`{name}` reads the uniform `{}`, which", word.text);
+                return Some((Some(i), self.lacking(word.at, what, NO_GLOBAL)));
             }
             let (at, what) = eager(text, item.range, &|name| written.contains(name))?;
             let what = format!("in `{name}`, {what} on the right of && or ||");

@@ -23,7 +23,7 @@ fn run(shipped: &AuditedTable, quantity: &str, form: Option<&str>) -> Audit {
 
 /// A and B by `samples` points of Hammersley's set drawn from D, with Schlick's G1 of a k: the loop
 /// of Karis' course notes (2013).
-fn karis(mu: f64, roughness: f64, k: f64, samples: u32) -> [f64; 2] {
+pub fn karis(mu: f64, roughness: f64, k: f64, samples: u32) -> [f64; 2] {
     let alpha = roughness * roughness;
     let g1 = |x: f64| x / (x * (1.0 - k) + k);
     let view = [(1.0 - mu * mu).sqrt(), mu];

@@ -14,7 +14,7 @@
 mod contents;
 mod files;
 mod glass;
-mod lobes;
+pub mod lobes;
 mod readings;
 mod samples;
 mod shaders;

@@ -95,7 +95,7 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
     );
     let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
     let (code, _, err) = audit(folder.path(), "alone.ktx2", "ggx-reflection:E", &read);
-    assert!(code == Some(1) && err.contains("audit failed: ") && err.contains(&missing("ktx2")), "{err}");
+    assert!(code == Some(1) && err.contains(&missing("ktx2")), "{err}");
     // Another certificate, and another name of a channel.
     let (name, quantity) = TABLES[0];
     let file = format!("{name}.ktx2.json");

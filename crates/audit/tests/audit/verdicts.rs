@@ -1,0 +1,194 @@
+//! What a first line says, and what about a table is to be mended: planted damage is named by its place and
+//! its figure, and what formats, samples and optimisers leave is none.
+
+use std::sync::LazyLock;
+
+use lobefit::data::Smith;
+use lobefit::scene::Scene;
+use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form};
+use lobefit_audit::foreign::{Hints, read_table};
+use lobefit_math::ops;
+
+use crate::baked_support::bake_scene;
+use crate::points::lobes::karis;
+use crate::support::{both, jitter, reflection_of, run, says, shipped};
+
+/// Texels along each axis.
+const N: usize = 64;
+
+fn at(i: usize) -> f64 {
+    (i as f64 + 0.5) / N as f64
+}
+
+/// A and B of a column and a row, changed.
+type Change<'a> = &'a dyn Fn(usize, usize, [f64; 2]) -> [f64; 2];
+
+fn changed(texels: &[[f64; 2]], change: Change) -> AuditedTable {
+    let all: Vec<[f64; 2]> = texels.iter().enumerate().map(|(i, t)| change(i % N, i / N, *t)).collect();
+    let channel = |k: usize| all.iter().map(|t| t[k]).collect();
+    shipped(&[N; 2], vec![("R", channel(0)), ("G", channel(1)), ("B", vec![0.0; N * N])])
+}
+
+/// The exact table, changed.
+fn exact(change: Change) -> AuditedTable {
+    static EXACT: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
+        let texel = |i: usize| {
+            let (e, b) = both(Smith::Correlated, at(i / N) * at(i / N), at(i % N));
+            [e - b, b]
+        };
+        (0..N * N).map(texel).collect()
+    });
+    changed(&EXACT, change)
+}
+
+/// Karis' table of 1024 samples, changed.
+fn of_karis(change: Change) -> AuditedTable {
+    static KARIS: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
+        let texel = |i: usize| karis(at(i % N), at(i / N), 0.5 * at(i / N) * at(i / N), 1024);
+        (0..N * N).map(texel).collect()
+    });
+    changed(&KARIS, change)
+}
+
+fn eight(x: f64) -> f64 {
+    (x * 255.0).round() / 255.0
+}
+
+/// The first line of a verdict.
+fn line(found: &Audit, limit: Option<f64>) -> String {
+    let text = found.verdict(limit).to_string();
+    let line = text.lines().next().expect("a line").to_string();
+    assert!(line.chars().count() <= 160, "{line}");
+    line
+}
+
+fn holds(line: &str, parts: &[&str]) {
+    parts.iter().for_each(|part| assert!(line.contains(part), "no `{part}` in {line}"));
+}
+
+#[test]
+fn the_first_line_has_the_figure_that_decides() {
+    let found = reflection_of(&of_karis(&|_, _, t| t));
+    let plain = found.plain.as_ref().expect("another lobe").max;
+    assert!(plain > 0.3 && found.worst() < 0.01, "{plain} {}", found.worst());
+    // The limit is not kept read plainly; without one nothing is wrong, and the lobe is said.
+    let read = format!("FAIL ggx-reflection A and B: shipped is off by at most {plain:.3} read plainly");
+    holds(&line(&found, Some(0.01)), &[&read, "; the limit is 0.01"]);
+    assert_eq!(found.decisive(Some(0.01)), plain);
+    let as_both = format!("as Schlick-Smith with k = alpha/2, and by {plain:.3} as height-correlated Smith");
+    holds(&line(&found, None), &["PASS ", " in lookups ", &as_both]);
+    let lookup = found.blend.as_ref().expect("A and B");
+    assert!(lookup.max > 3.0 * lookup.inner, "{lookup:?}");
+    holds(&line(&found, None), &[&format!("at most {:.4}", lookup.inner)]);
+    let meant = Fixed { form: Form::find("schlick"), ..Fixed::default() };
+    let meant = run(&of_karis(&|_, _, t| t), "ggx-reflection", &meant);
+    assert_eq!((meant.plain.is_none(), meant.decisive(Some(0.01))), (true, meant.worst()));
+}
+
+/// Damage that was "PASS", or had the first line of the sound table.
+#[test]
+fn a_block_is_named_with_its_place_and_its_error() {
+    let block = |x: usize, y: usize, [a, b]: [f64; 2]| {
+        let off = (10..30).contains(&x) && (20..30).contains(&y);
+        [a + if off { 0.03 } else { 0.0 }, b]
+    };
+    let rows = |_: usize, y: usize, t: [f64; 2]| if y < 32 { t } else { t.map(|v| 0.97 * v) };
+    let texel = |x: usize, y: usize, [a, b]: [f64; 2]| [a + if (x, y) == (12, 30) { 0.1 } else { 0.0 }, b];
+    for (table, place, most) in [
+        (exact(&block), "of A at x = 10 to 29, y = 20 to 29,", [0.0299, 0.0301]),
+        (of_karis(&block), "of A at x = 10 to 29, y = 20 to 29,", [0.029, 0.036]),
+        (exact(&rows), "of A at y = 32 to 63,", [0.0270, 0.0280]),
+        (exact(&texel), "of A at x = 12, y = 30,", [0.0999, 0.1001]),
+    ] {
+        let found = reflection_of(&table);
+        holds(&line(&found, None), &["FAIL ggx-reflection A and B: shipped is off by at most ", place]);
+        let part = found.channels[0].defects.iter().find_map(|d| match d {
+            Defect::Part { most, .. } => Some(*most),
+            _ => None,
+        });
+        let part = part.expect("a part");
+        assert!((most[0]..most[1]).contains(&part), "{place}: {part}");
+        let said = found.verdict(None).to_string();
+        assert!(!said.contains("sampling noise") && !said.contains("mostly a bias"), "{said}");
+    }
+}
+
+#[test]
+fn a_gain_of_energy_is_a_failure() {
+    let found = reflection_of(&exact(&|_, _, t| t.map(|v| 1.02 * v)));
+    holds(&line(&found, None), &["FAIL ", "shipped gains energy: 1.02 of the light comes back at texel ["]);
+}
+
+#[test]
+fn what_has_a_remedy_does_not_pass_until_it_is_meant() {
+    let srgb = |v: f64| if v <= 0.0031308 { 12.92 * v } else { 1.055 * ops::pow(v, 1.0 / 2.4) - 0.055 };
+    let turned = exact(&|_, _, t| t);
+    let turn = |k: usize| (0..N * N).map(|i| turned.channels[k].values[i % N * N + i / N]).collect();
+    let turned = shipped(&[N; 2], vec![("R", turn(0)), ("G", turn(1))]);
+    let encoded = exact(&|_, _, t| t.map(|v| eight(srgb(v))));
+    for (table, option) in [(turned, "--axes roughness,mu"), (encoded, "--encoding srgb")] {
+        let found = reflection_of(&table);
+        let plain = found.plain.as_ref().expect("no reader assumes it");
+        assert_eq!(plain.options, option);
+        let verdict = found.verdict(None);
+        says(&verdict, "FAIL", &["read plainly"]);
+        assert!(!verdict.remedy.is_empty() && found.decisive(None) == plain.max, "{verdict}");
+        let best = found.best().axes.iter().map(|a| (a.scale, a.reversed)).collect();
+        let meant = Fixed { axes: Some(best), encoding: found.encoding, ..Fixed::default() };
+        let verdict = run(&table, "ggx-reflection", &meant).verdict(None);
+        says(&verdict, "PASS", &["ggx-reflection A and B"]);
+        assert!(verdict.remedy.is_empty(), "{verdict}");
+    }
+}
+
+/// Good tables: exact, in eight bits, of noise that samples leave, of Karis' samples in eight bits.
+#[test]
+fn what_formats_and_samples_leave_passes_under_its_own_name() {
+    let rounded = |_: usize, _: usize, t: [f64; 2]| t.map(eight);
+    let noisy = |x: usize, y: usize, [a, b]: [f64; 2]| [a + 5e-3 * jitter(x, y), b + 5e-3 * jitter(y + N, x)];
+    for (table, told) in [
+        (exact(&|_, _, t| t), "Channel B(lue) is constant (0)"),
+        (exact(&rounded), "what rounding to 8-bit unorm leaves"),
+        (exact(&noisy), "as sampling noise does"),
+        (of_karis(&rounded), "as rounding to 8-bit unorm does"),
+    ] {
+        let found = reflection_of(&table);
+        says(&found.verdict(None), "PASS", &[told, "R = A (scale of f0), G = B (bias of f0)"]);
+    }
+}
+
+/// A table of this tool without its sidecar: its texels are those that lookups are best with.
+#[test]
+fn a_table_of_this_tool_without_its_sidecar_passes() {
+    let scene = r#"{"schema_version":1,"formats":["dds"],"reports":false,"materials":[{"name":"metal","kind":"metal","f0":1,
+"roughness":[0,1],"wants":{"tables":[{"size":[64,64],"layout":"plain","serves":"split-sum"}]}}]}"#;
+    let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
+    let files = bake_scene(&scene).expect("a bake").files;
+    let (_, bytes) = files.iter().find(|(path, _)| path.ends_with(".dds")).expect("a table");
+    let table = read_table(bytes, "plain.dds", &Hints::default()).expect("a table").remove(0);
+    let found = reflection_of(&AuditedTable::from(&table));
+    let verdict = found.verdict(None);
+    says(&verdict, "PASS", &["ggx-reflection A and B: plain.dds"]);
+    assert!(verdict.remedy.is_empty() && found.worst() > 0.03, "{verdict}");
+}
+
+/// Below the first centre E falls on: a first column that is too low brings lookups nearer to that, and one
+/// that is too high takes them away from it.
+#[test]
+fn texels_that_lookups_are_the_better_for_are_no_defect() {
+    let moved = |by: f64| {
+        let first = move |x: usize, y: usize, [a, b]: [f64; 2]| {
+            [a + if x == 0 && (2..40).contains(&y) { by } else { 0.0 }, b]
+        };
+        reflection_of(&exact(&first))
+    };
+    let lower = moved(-0.015);
+    says(&lower.verdict(None), "PASS", &["38 texels are off for the sake of lookups, which at even places"]);
+    let lookups = lower.channels[0].defects.iter().find_map(|d| match d {
+        Defect::Optimised { lookups, .. } => Some(*lookups),
+        _ => None,
+    });
+    let [own, mended] = lookups.expect("texels that are off");
+    assert!(own < mended && mended < 1.1 * own, "{own} {mended}");
+    says(&moved(0.015).verdict(None), "FAIL", &["of A at x = 0, y = 2 to 39,"]);
+}
