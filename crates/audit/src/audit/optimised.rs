@@ -1,5 +1,7 @@
 //! Texels that are off so that what is looked up between them is less so.
 
+use std::sync::Arc;
+
 use super::column::Column;
 use super::convention::Convention;
 use super::defects::Defect;
@@ -9,10 +11,11 @@ use super::lookup::{Look, Points};
 use super::table::AuditedTable;
 
 /// Puts true texels into the parts of a channel that are off.
-pub(super) fn mend(r: &Residuals, defects: &[Defect], values: &mut [f64]) {
+pub(super) fn mend(r: &Residuals, defects: &[Defect], values: &mut Arc<Vec<f64>>) {
     // Of a lattice of a large table nothing is known of the texels between.
     let whole = r.values.len() == values.len();
     for range in defects.iter().filter_map(part).filter(|_| whole) {
+        let values = Arc::make_mut(values);
         let inside = r.judged.iter().filter(|i| r.lies_in(**i, range));
         inside.for_each(|i| values[*i] = r.truth(*i));
     }
@@ -56,8 +59,8 @@ fn used(points: &Points, convention: &Convention, table: &AuditedTable) -> [f64;
         let Some(column) = *column else { continue };
         let (column, values) = match (column, b) {
             (Column::A, Some(b)) => {
-                let both = channel.values.iter().zip(&table.channels[b].values);
-                (Column::E, both.map(|(a, b)| a + b).collect())
+                let both = channel.values.iter().zip(table.channels[b].values.iter());
+                (Column::E, Arc::new(both.map(|(a, b)| a + b).collect()))
             }
             _ => (column, channel.values.clone()),
         };
