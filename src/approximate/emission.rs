@@ -124,8 +124,17 @@ impl Emission {
     /// # Errors
     /// As [`Vendor::model`].
     pub fn beyond(&self, formula: &Hypothesis) -> Result<Option<f64>, WeightsError> {
-        let price = self.price(formula)? * f64::from(self.call.times) + self.beside_price;
+        let price = self.price_of_call(formula)?;
         Ok(self.budget.is_some_and(|most| price > most).then_some(price))
+    }
+
+    /// What a call of a formula costs: operations, or by the vendor's model with what stands beside it.
+    ///
+    /// # Errors
+    /// As [`Vendor::model`].
+    pub fn price_of_call(&self, formula: &Hypothesis) -> Result<f64, WeightsError> {
+        let Some(vendor) = self.cost else { return Ok(f64::from(self.call.ops(formula.tape().cost_ops()))) };
+        Ok(vendor.price(&formula.tape().features().times(self.call.times))? + self.beside_price)
     }
 
     /// The one to take of the emitted fits, by [`Emission::best`], of the first norm that has any.

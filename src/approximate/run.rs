@@ -243,7 +243,7 @@ impl<'a> Stage<'a> {
         };
         let tried = fits.iter().map(|fit| said(fit, &fit.hypothesis));
         let mut closest = tried.min_by(|a, b| a.0.total_cmp(&b.0));
-        for (price, h) in &dear {
+        for (_, h) in &dear {
             let own = match self.of(h) {
                 Ok(_) => None,
                 Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, memo)?),
@@ -263,11 +263,13 @@ impl<'a> Stage<'a> {
             if error <= limit {
                 let keeps = if limit.is_finite() { "keeps it" } else { "is the cheapest" };
                 let cost = match emission.cost.filter(|_| emission.budget.is_some()) {
-                    Some(vendor) => format!(
-                        "at a cost of {:.1} by {}'s model",
-                        price * f64::from(emission.call.times) + emission.beside_price,
-                        vendor.title()
-                    ),
+                    Some(vendor) => {
+                        format!(
+                            "at a cost of {:.1} by {}'s model",
+                            emission.price_of_call(h)?,
+                            vendor.title()
+                        )
+                    }
                     None => format!("with {ops} operations"),
                 };
                 return Ok(format!("{} {keeps}: error {error} {cost}", h.name()));

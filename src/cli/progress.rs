@@ -63,8 +63,8 @@ impl Progress for Bar {
 /// Between lines of a log about work whose stages are not counted.
 const LINES_APART: Duration = Duration::from_secs(10);
 
-/// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard error is
-/// no terminal, the stage that begins as a line, where ten seconds have gone since the last.
+/// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard error
+/// is no terminal, the stage that begins as a line, where ten seconds have gone since the last.
 pub struct Spinner {
     bar: ProgressBar,
     /// When the last line of a log was written; none where no line is.

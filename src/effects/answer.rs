@@ -8,7 +8,7 @@ use super::table::BakedTable;
 use super::{BakeError, Made};
 use crate::approximate::{Emission, Fit};
 use crate::data::{Approximation, Axis, Cost, Form, Layout, Source, Table, Use, Warp};
-use crate::emit::call::{Call, LookupFunction, SPLIT, SPLIT_OVER, TIMES};
+use crate::emit::call::{Call, LookupFunction, SPLIT, TIMES};
 use crate::emit::manifest::Entries;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::sections::words::{self, operations};
@@ -376,7 +376,7 @@ fn coloured(offer: &Offer, entries: &Entries) -> Option<u32> {
 /// take for that: what is recommended, or where the material has not asked for that, the most
 /// accurate, and of lookups the preferred.
 pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
-    let Entries { calls, lookups, .. } = entries;
+    let Entries { calls, lookups, tables, .. } = entries;
     let lookup = |name: &str| lookups.iter().find(|lookup| lookup.function == name);
     let serves = |purpose: &Purpose, call: &Call| match lookup(&call.function) {
         Some(_) => lookup(&purpose.name).is_some(),
@@ -408,7 +408,9 @@ pub(super) fn mark(entries: &mut Entries, purposes: &[Purpose]) {
         let own = calls.iter().filter(|call| (&call.of, &call.layer) == (of, layer));
         let is_factor = |call: &Call| call.then.as_deref() == Some(TIMES) && call.purpose != *purpose;
         if calls[i].file.is_some() && own.into_iter().any(is_factor) {
-            calls[i].then = calls[i].then.take().filter(|then| then == SPLIT_OVER).map(|_| SPLIT.into());
+            let own = tables.iter().find(|table| calls[i].file.as_ref() == Some(&table.file));
+            let is_split = own.is_some_and(|table| table.decode.contains_key("B"));
+            calls[i].then = is_split.then(|| SPLIT.into());
         }
     }
 }
@@ -473,7 +475,7 @@ fn conclusion(purpose: &Purpose) -> String {
     }
     let as_table = of(Role::Table).map(|offer| ("as a table", offer));
     if let Some((how, offer)) = as_table.or_else(|| Some(("cheaper", of(Role::Cheap)?))) {
-        let is_same = offer.error == best.error;
+        let is_same = offer.error.is_some() && (offer.error, offer.limited) == (best.error, best.limited);
         let error = if is_same { ", at the same error".into() } else { kept(offer) };
         text += &format!("; {how}: {}{error}", taken(&offer.cost));
     }

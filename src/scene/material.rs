@@ -157,7 +157,7 @@ impl Material {
         fit.chain(base).chain(self.sheen.iter_mut().map(|sheen| &mut sheen.goals))
     }
 
-    /// The tables that it asks for, each with the field that lists it: of the specular lobe and of its layers.
+    /// The tables that it asks for, each with the field that lists it: of its lobe and of its layers.
     pub fn tables(&self) -> impl Iterator<Item = (&'static str, usize, &TableWant)> {
         let own = self.wants.tables.iter().enumerate().map(|(j, table)| ("wants", j, table));
         let layer = self.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());

@@ -254,7 +254,7 @@ fn lookups_without_a_fit_are_told() {
     let missed = broken(r#"{"name": "hall", "max_ops": 3, "norms": ["max"], "lookups": [{}, {"taps": 3}]}"#);
     assert!(
         missed.len() == 1
-            && missed[0].contains("wanted by hall (probes[0].lookups): raise max_ops, 3 operations"),
+            && missed[0].contains("wanted by hall (probes[0].lookups): raise max_ops, which is 3"),
         "{missed:?}"
     );
     assert_eq!(broken(r#"{"name": "hall", "max_ops": 3, "norms": ["max"]}"#), [""; 0]);

@@ -65,7 +65,7 @@ fn check_fails_where_a_function_compiles_to_more_than_its_record_says() {
     let of = |row: &IsaRow| row.function == name;
     old.functions.insert(name.into(), IsaFunction::of(&"0".repeat(64), Some(1)));
     let (code, text, _) = put(&old);
-    let note = format!("note: {file}: 1 functions are of other code than the bake's ({name}); compile again");
+    let note = format!("note: {file}: 1 function is of other code than the bake's ({name}); compile again");
     assert!(code == 0 && text.contains(&note), "{text}");
     let single = |row: &&IsaRow| of(row) && row.precision == Precision::F32;
     let vector = made.rows.iter().find(single).expect("its row").counts.vector;

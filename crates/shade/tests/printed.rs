@@ -97,8 +97,8 @@ fn languages_without_textures_have_what_their_lookups_call() {
     );
 }
 
-/// Of a built-in each language has its own function, a function beside, or what it stands for; what is not read
-/// is named where a compiler asks for that.
+/// Of a built-in each language has its own function, a function beside, or what it stands for; what is not
+/// read is named where a compiler asks for that.
 #[test]
 fn built_ins_and_unread_arguments_are_as_each_language_has_them() {
     let text = "fn f(x: f32, y: f32) -> f32 { return fma(x, x, 1.0) + smoothstep(0.0, 1.0, x); }";

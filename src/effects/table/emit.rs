@@ -8,7 +8,7 @@ use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
-use crate::emit::call::{OVER, SPLIT_OVER};
+use crate::emit::call::{OVER, SPLIT, SPLIT_OVER};
 use crate::emit::compensation::Compensation;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
@@ -66,7 +66,7 @@ fn then(material: &Material, quantity: &str, is_split: bool) -> Option<&'static 
     match (compensation, material.specular()) {
         (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
         (_, Specular::Normalised) => Some(if is_split { SPLIT_OVER } else { OVER }),
-        (_, Specular::Single) => None,
+        (_, Specular::Single) => is_split.then_some(SPLIT),
     }
 }
 

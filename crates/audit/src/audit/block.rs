@@ -26,6 +26,10 @@ pub(super) fn block(r: &Residuals) -> Option<Defect> {
     let beyond = |over: f64| -> Vec<usize> {
         r.judged.iter().copied().filter(|i| r.errors[*i].abs() > over).collect()
     };
+    // A truth without a spread has no scale by which anything stands out.
+    if least == 0.0 {
+        return None;
+    }
     let mut over = r.judged.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max) / FALL;
     while over > least {
         let tight = tight(r, &beyond(over));

@@ -246,7 +246,9 @@ impl Audit {
         let plain = self.plain.as_ref().filter(|_| self.fit != Fit::None)?;
         let decides = match limit {
             Some(limit) => self.fit == Fit::Whole && self.worst() <= limit && plain.max > limit,
-            None => !plain.is_of_another_lobe(self.best()),
+            None => {
+                self.fit == Fit::Whole && self.two_lobes.is_none() && !plain.is_of_another_lobe(self.best())
+            }
         };
         decides.then_some(plain)
     }

@@ -34,6 +34,16 @@ pub struct LookupErrors {
 }
 
 impl LookupErrors {
+    /// Of two the one with the larger error, and between the outermost texels the larger of both.
+    fn worse(self, other: LookupErrors) -> LookupErrors {
+        let (inner, inner_at) = match other.inner > self.inner {
+            true => (other.inner, other.inner_at.clone()),
+            false => (self.inner, self.inner_at.clone()),
+        };
+        let worse = if other.max > self.max { other } else { self };
+        LookupErrors { inner, inner_at, ..worse }
+    }
+
     /// Whether the largest lies beyond the outermost texels.
     pub(super) fn is_beyond(&self) -> bool {
         self.max > 1.01 * self.inner
@@ -284,7 +294,7 @@ pub(super) fn blended(
     let sum: Vec<f64> = a.iter().zip(b.iter()).map(|(a, b)| a + b).collect();
     let look = |values, column| Look { size: &table.size, values, column, registration: None };
     let [bias, all] = [look(b, Column::B), look(&sum, Column::E)].map(|look| points.errors(&look));
-    Ok(bias?.into_iter().chain(all?).reduce(|x, y| if y.max > x.max { y } else { x }))
+    Ok(bias?.into_iter().chain(all?).reduce(LookupErrors::worse))
 }
 
 /// Linear interpolation at a position in texels.

@@ -447,8 +447,7 @@ fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[D
         return if dead { Fit::Part } else { Fit::Whole };
     }
     let spread = residuals.bounded(&residuals.judged);
-    let explained =
-        |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Optimised { .. } | Defect::Clamped { .. });
+    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
     if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 

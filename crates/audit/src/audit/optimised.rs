@@ -6,7 +6,7 @@ use super::column::Column;
 use super::convention::Convention;
 use super::defects::Defect;
 use super::errors::Residuals;
-use super::found::ChannelAudit;
+use super::found::{ChannelAudit, Fit};
 use super::lookup::{Look, Points};
 use super::table::AuditedTable;
 
@@ -36,16 +36,26 @@ pub(super) fn excused(
     [own, mended]: [&AuditedTable; 2],
     channels: &mut [ChannelAudit],
 ) {
-    let ([most, rms], [most_mended, rms_mended]) = match own.channels == mended.channels {
-        true => return,
-        false => (used(points, convention, own), used(points, convention, mended)),
-    };
-    if most >= most_mended || rms > TRADED * rms_mended {
-        return;
-    }
-    for defect in channels.iter_mut().flat_map(|c| &mut c.defects) {
-        if let Defect::Part { texels, .. } = defect {
-            *defect = Defect::Optimised { texels: texels[0], lookups: [most, most_mended] };
+    // One channel's texels do not answer for another's.
+    for (k, channel) in channels.iter_mut().enumerate() {
+        if own.channels[k] == mended.channels[k] {
+            continue;
+        }
+        let mut one = own.clone();
+        one.channels[k] = mended.channels[k].clone();
+        let ([most, rms], [most_mended, rms_mended]) =
+            (used(points, convention, own), used(points, convention, &one));
+        if most >= most_mended || rms > TRADED * rms_mended {
+            continue;
+        }
+        for defect in &mut channel.defects {
+            if let Defect::Part { texels, .. } = defect {
+                *defect = Defect::Optimised { texels: texels[0], lookups: [most, most_mended] };
+            }
+        }
+        let is_left = |d: &Defect| matches!(d, Defect::Dead { .. } | Defect::Clamped { .. });
+        if channel.fit == Fit::Part && !channel.defects.iter().any(is_left) {
+            channel.fit = Fit::Whole;
         }
     }
 }

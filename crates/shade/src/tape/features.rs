@@ -69,6 +69,12 @@ impl Features {
         }
     }
 
+    /// The work of so many evaluations in one function, whose inputs are awaited once.
+    pub fn times(&self, count: u32) -> Features {
+        let all = self.all().map(|work| work * f64::from(count));
+        Features { overlap: self.overlap, ..Features::of(all) }
+    }
+
     /// What work costs at these prices: not less than nothing.
     pub fn price(&self, work: &Features) -> f64 {
         self.all().iter().zip(work.all()).map(|(price, count)| price * count).sum::<f64>().max(0.0)

@@ -65,7 +65,7 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
     let is_kept = made.broken.is_empty();
     made.broken.extend(unserved);
     // What the limits leave of a job is not lost with its other functions (`lobefit cost`).
-    if !is_kept || !made.broken.is_empty() && context.reports(called.effect) {
+    if !is_kept || !made.broken.is_empty() && context.scene.output.reports {
         return Ok(made);
     }
     let (measured, metric) = findings::measured(&tables, &fits);

@@ -24,10 +24,7 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     steps.extend(audit.plain.iter().flat_map(|plain| readings(audit, plain)));
-    // Within a limit a part that is less exact than the rest is said, and needs no work.
-    let kept = limit.is_some() && audit.passes(limit);
     let defects = audit.channels.iter().flat_map(|c| &c.defects);
-    let defects = defects.filter(|d| !(kept && matches!(d, Defect::Part { .. })));
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     let exceeds = limit.is_some() && audit.misread(limit).is_some();
     steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, exceeds)));

@@ -13,10 +13,15 @@ pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
 
 /// What it is, how far off it is by what the verdict is on, and the limit.
 pub(super) fn headline(audit: &Audit, limit: Option<f64>) -> String {
+    headline_of(&audit.what, audit, limit)
+}
+
+/// The same of what is called so.
+pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
     let what = format!("{} {}: ", audit.quantity, listed(&held));
     let (found, more) = found(audit, limit);
-    first_line([&what, &audit.what, &found], &more, &said_limit(limit))
+    first_line([&what, called, &found], &more, &said_limit(limit))
 }
 
 /// ` of A`, of several columns.
@@ -148,6 +153,6 @@ fn what(audit: &Audit, of: &str, defect: &Defect) -> Option<(f64, String)> {
 /// The worst lookup and of what it is: of A alone no pixel is made where a shader blends f0 A + B.
 pub(super) fn largest_lookup(audit: &Audit) -> Option<(&'static str, &LookupErrors)> {
     let channels = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.lookup.as_ref()?)));
-    let worst = channels.reduce(|a, b| if b.1.max > a.1.max { b } else { a });
+    let worst = channels.reduce(|a, b| if b.1.inner > a.1.inner { b } else { a });
     audit.blend.as_ref().map(|blend| ("f0 A + B", blend)).or(worst)
 }

@@ -1,6 +1,6 @@
 //! The points of a verdict on a table or function of unknown make.
 
-use super::headline::{headline, largest_lookup};
+use super::headline::{headline, headline_of, largest_lookup};
 use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
@@ -264,13 +264,15 @@ fn idle(audit: &Audit) -> Option<String> {
     let idle = audit.channels.iter().filter(|c| c.column.is_none());
     let told = idle.map(|c| match (c.constant, &c.other) {
         (_, Some(Other::Quantity(other))) => {
-            let found = headline(other, None).replace(&other.what, "it");
+            let found = headline_of("it", other, None);
             format!("Channel {} is of another quantity: {found}.", name(c))
         }
         (_, Some(Other::Unknown)) => {
             format!("Channel {} is left out: it follows nothing that is known.", name(c))
         }
-        (_, Some(Other::Same(first))) => format!("Channel {} is the same as {first}.", name(c)),
+        (_, Some(Other::Same(first))) => {
+            format!("Channel {} is the same as {}.", name(c), audit.channel(first))
+        }
         (Some(value), _) => {
             format!("Channel {} is constant ({}) and was not judged.", name(c), number(value))
         }
