@@ -475,8 +475,7 @@ fn conclusion(purpose: &Purpose) -> String {
     }
     let as_table = of(Role::Table).map(|offer| ("as a table", offer));
     if let Some((how, offer)) = as_table.or_else(|| Some(("cheaper", of(Role::Cheap)?))) {
-        let is_known = offer.error.is_some() || offer.limited.is_some();
-        let is_same = is_known && (offer.error, offer.limited) == (best.error, best.limited);
+        let is_same = offer.error == best.error;
         let error = if is_same { ", at the same error".into() } else { kept(offer) };
         text += &format!("; {how}: {}{error}", taken(&offer.cost));
     }

@@ -335,11 +335,7 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
         (format!("max {}, RMS {}", words::max(max), words::mean(rms)), metric.clone())
     });
     // Lookups of one width differ in the rest.
-    let is_width = |best: &Offer| {
-        (best.error.is_some() || best.limited.is_some())
-            && (best.error, best.limited) == (offer.error, offer.limited)
-    };
-    if purpose.choices.first().is_some_and(|best| best.name != offer.name && is_width(best)) {
+    if purpose.choices.first().is_some_and(|best| best.name != offer.name && best.error == offer.error) {
         rows.push(("Error".into(), "that of the recommended, of the same width".into()));
         return rows;
     }
