@@ -47,7 +47,7 @@ fn chart(title: &str, ends: &[f64]) -> Curves {
     }
 }
 
-/// Lines of one colour are told apart by their width, which the style of a page makes dashes and dots of.
+/// Lines of one colour differ in their width, which the style of a page makes dashes and dots of.
 #[test]
 fn lines_of_one_colour_have_widths_of_their_own_also_in_the_legend() -> Outcome {
     let series = |i: usize| Series {

@@ -201,7 +201,8 @@ fn sizes_are_limited() {
 fn names_starts_and_documentation_are_kept() {
     let hypothesis = parse(
         "override amount: f32 = -2.5;\noverride free: f32;\nconst HALF = 0.5;\noverride half: f32 = HALF;\n\n\
-         /// What it is.\n/// Where it holds.\nfn fancy(roughness: f32, mu: f32) -> f32 { return amount * roughness + free * half; }",
+         /// What it is.\n/// Where it holds.\n\
+         fn fancy(roughness: f32, mu: f32) -> f32 { return amount * roughness + free * half; }",
     );
     assert_eq!(hypothesis.name(), "fancy");
     assert_eq!(hypothesis.inputs(), ["roughness", "mu"]);

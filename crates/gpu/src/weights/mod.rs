@@ -58,16 +58,27 @@ struct Formula {
     coloured: Option<f64>,
 }
 
+/// Why a vendor has no model.
+#[derive(Debug, thiserror::Error)]
+enum FitError {
+    /// Emitted code outside the dialect.
+    #[error(transparent)]
+    Shader(#[from] ShadeError),
+    /// No form for three channels beside its formula, by which a coloured call is priced.
+    #[error("its record of {0} has no function for three channels (`_rgb`): bake a metal, and record it")]
+    Colourless(String),
+}
+
 /// Fits a model to each vendor whose record of the scene is there.
 ///
 /// # Errors
-/// Emitted code outside the dialect.
+/// As [`FitError`].
 fn fitted(
     include: &Include,
     scene: &str,
     records: &[IsaRecord],
     times: &[GpuRecord],
-) -> Result<Vec<Fitted>, ShadeError> {
+) -> Result<Vec<Fitted>, FitError> {
     let mut all = Vec::new();
     for vendor in Vendor::ALL {
         let priced = priced(vendor);
@@ -78,7 +89,7 @@ fn fitted(
             continue;
         }
         let own = times.iter().filter(|times| times.device.driver.to_lowercase().contains(vendor.word()));
-        let model = model(&priced, record, &formulas);
+        let model = model(&priced, record, &formulas)?;
         let times = own.map(|times| against(times, include, &model, &formulas)).collect();
         all.push(Fitted { vendor, model, times });
     }
@@ -118,7 +129,7 @@ fn tape(name: &str, code: &str) -> Result<Option<Tape>, ShadeError> {
     Source::parse("fits/lobefit.wgsl", code)?.tape(name, 0).map(Some)
 }
 
-fn model(priced: &Priced, record: &IsaRecord, formulas: &[Formula]) -> Model {
+fn model(priced: &Priced, record: &IsaRecord, formulas: &[Formula]) -> Result<Model, FitError> {
     let every: Vec<&Formula> = formulas.iter().collect();
     let prices = prices(&every);
     let pairs = |cost: &dyn Fn(&Formula) -> f64| {
@@ -126,17 +137,20 @@ fn model(priced: &Priced, record: &IsaRecord, formulas: &[Formula]) -> Model {
     };
     let named = Features::NAMES.into_iter().map(String::from).zip(prices.all());
     let beside = formulas.iter().filter_map(|of| Some(of.coloured? - of.compiled));
-    let (coloured, count) = beside.fold((0.0, 0), |(sum, count), more| (sum + more, count + 1));
-    Model {
+    let beside: Vec<f64> = beside.collect();
+    if beside.is_empty() {
+        return Err(FitError::Colourless(record.compiler()));
+    }
+    Ok(Model {
         family: priced.family.into(),
         compiler: record.compiler(),
         unit: priced.unit.into(),
         prices: named.collect(),
-        coloured: decimals(coloured / f64::from(count.max(1))),
+        coloured: decimals(beside.iter().sum::<f64>() / beside.len() as f64),
         agreement: pairs(&|of| prices.price(&of.tape.features())),
         left_out: left_out(formulas),
         operations: pairs(&|of| f64::from(of.tape.cost_ops())),
-    }
+    })
 }
 
 /// Costs of formulas by prices in which neither they nor their twins of the other norm took part.
