@@ -1,6 +1,6 @@
 //! Where tables are judged: points with their truths, and more of them where a lookup errs most.
 
-use std::collections::BTreeSet;
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use super::lookup::Variable;
@@ -140,12 +140,16 @@ impl Judge {
             self.add(&mut closer, (side, (&lookup, decode)), even(over, n), memo)?;
             return Ok(closer);
         }
-        let mut errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
+        let errors = error_map(&lookup, judged(decode), &closer.points, closer.truth(0))?;
+        let mut cells = Cells::default();
+        cells.add(&lookup, &closer.points.all, &errors);
         let mut near = even(over, EVEN);
         for (places, n, width) in ROUNDS {
-            errors.extend(self.add(&mut closer, (side, (&lookup, decode)), near, memo)?);
-            let worst = apart(&lookup, &closer.points.all, &errors, places);
-            near = worst.iter().flat_map(|point| about(over, &lookup, point, (n, width))).collect();
+            let errors = self.add(&mut closer, (side, (&lookup, decode)), near, memo)?;
+            let points = &closer.points.all;
+            cells.add(&lookup, &points[points.len() - errors.len()..], &errors);
+            let about = |i: usize| about(over, &lookup, &points[i], (n, width));
+            near = cells.worst(places).into_iter().flat_map(about).collect();
         }
         self.add(&mut closer, (side, (&lookup, decode)), near, memo)?;
         Ok(closer)
@@ -175,25 +179,32 @@ fn judged(decode: Decode) -> Judged {
     if decode.has_bias() { Judged::Either } else { Judged::E }
 }
 
-/// Points that are sorted at a time: the worst of some cells are among the worst of all.
-const SORTED: usize = 1 << 12;
+/// The worst point of each cell of a table that has any: its error, and which of all points it is.
+#[derive(Default)]
+struct Cells {
+    worst: HashMap<[u64; AXES], (f64, usize)>,
+    points: usize,
+}
 
-/// The worst points of which no two lie in one cell of the table.
-fn apart(lookup: &Lookup, points: &[Point], errors: &[f64], places: usize) -> Vec<Point> {
-    let before = |a: &usize, b: &usize| errors[*b].abs().total_cmp(&errors[*a].abs()).then(a.cmp(b));
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    let (mut rest, mut cells, mut worst) = (&mut order[..], BTreeSet::new(), Vec::new());
-    while worst.len() < places && !rest.is_empty() {
-        if SORTED < rest.len() {
-            rest.select_nth_unstable_by(SORTED, before);
+impl Cells {
+    /// More points and their errors.
+    fn add(&mut self, lookup: &Lookup, points: &[Point], errors: &[f64]) {
+        for (point, error) in points.iter().zip(errors) {
+            let found = (error.abs(), self.points);
+            let cell = self.worst.entry(lookup.position(point).map(|x| x as u64)).or_insert(found);
+            if found.0.total_cmp(&cell.0).is_gt() {
+                *cell = found;
+            }
+            self.points += 1;
         }
-        let (next, others) = rest.split_at_mut(SORTED.min(rest.len()));
-        next.sort_unstable_by(before);
-        let first = |i: &&usize| cells.insert(lookup.position(&points[**i]).map(|x| x.floor() as i64));
-        worst.extend(next.iter().filter(first).map(|i| points[*i]).take(places - worst.len()));
-        rest = others;
     }
-    worst
+
+    /// Which points are the worst of their cells, the worst first, the first of equal ones.
+    fn worst(&self, places: usize) -> Vec<usize> {
+        let mut worst: Vec<_> = self.worst.values().copied().collect();
+        worst.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        worst.into_iter().map(|(_, point)| point).take(places).collect()
+    }
 }
 
 /// Points even in the coordinates of a table. Those of a region are even in its inputs: none of
