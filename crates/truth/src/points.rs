@@ -86,10 +86,15 @@ impl Points {
     /// The points with these marks, in order.
     #[must_use]
     pub fn marked(&self, marks: &[bool]) -> Points {
-        let of =
-            |column: &[f64]| column.iter().zip(marks).filter(|(_, mark)| **mark).map(|(x, _)| *x).collect();
+        self.picked(&(0..marks.len()).filter(|i| marks[*i]).collect::<Vec<usize>>())
+    }
+
+    /// The points of these numbers, which ascend.
+    #[must_use]
+    pub fn picked(&self, numbers: &[usize]) -> Points {
+        let of = |column: &[f64]| numbers.iter().map(|i| column[*i]).collect();
         let columns = self.columns().map(|(name, column)| (name.to_string(), of(column))).collect();
-        Points { columns, uniform: marks[..self.uniform].iter().filter(|mark| **mark).count() }
+        Points { columns, uniform: numbers.partition_point(|i| *i < self.uniform) }
     }
 
     /// The uniform points alone.

@@ -202,15 +202,17 @@ impl Sampled {
                 *cell = *cell * along + ((axis.part(*x) * along as f64) as usize).min(along - 1);
             }
         }
-        let all = along.pow(axes.len() as u32);
-        let of = |i: usize| self.marked(&cell.iter().map(|c| *c == i).collect::<Vec<bool>>());
-        (0..all).map(of).filter(|cell| !cell.points.is_empty()).collect()
+        let mut inside = vec![Vec::new(); along.pow(axes.len() as u32)];
+        for (i, cell) in cell.into_iter().enumerate() {
+            inside[cell].push(i);
+        }
+        inside.iter().filter(|inside| !inside.is_empty()).map(|inside| self.picked(inside)).collect()
     }
 
-    /// The points with these marks, all of them uniform.
-    fn marked(&self, marks: &[bool]) -> Sampled {
-        let of = |values: &[f64]| values.iter().zip(marks).filter(|(_, m)| **m).map(|(x, _)| *x).collect();
-        let mut points = self.points.marked(marks);
+    /// The points of these numbers, all of them uniform.
+    fn picked(&self, numbers: &[usize]) -> Sampled {
+        let of = |values: &[f64]| numbers.iter().map(|i| values[*i]).collect();
+        let mut points = self.points.picked(numbers);
         points.uniform = points.len();
         Sampled { points, scale: of(&self.scale), target: of(&self.target), integrals: 0 }
     }
