@@ -89,7 +89,7 @@ pub fn previous(
     if !is_signed(&old) {
         return Err(PreviousError::Build { folder });
     }
-    let manifest: Manifest = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
+    let manifest = Manifest::read(bytes).map_err(|e| wrong(e.to_string()))?;
     let explored = explored(root, &folder, &manifest)?;
     let answers = answers(root, &folder, &manifest)?;
     let mut parts = Vec::new();

@@ -30,7 +30,7 @@ pub struct Include {
 impl Include {
     /// The WGSL among the files of a bake, the manifest among them; none where it emits none.
     pub fn of(files: &Files) -> Option<Include> {
-        let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
+        let manifest = files.get(MANIFEST).and_then(|bytes| Manifest::read(bytes).ok());
         Include::with(files, manifest.as_ref())
     }
 

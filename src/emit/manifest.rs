@@ -470,6 +470,14 @@ impl FitEntry {
 }
 
 impl Manifest {
+    /// The manifest of these bytes. A reader of each caller's own would be compiled as often as there are.
+    ///
+    /// # Errors
+    /// No manifest of this version.
+    pub fn read(bytes: &[u8]) -> Result<Manifest, serde_json::Error> {
+        serde_json::from_slice(bytes)
+    }
+
     /// The manifest's bytes, keys in alphabetical order.
     pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
         let ordered: Value = serde_json::from_slice(&serde_json::to_vec(self)?)?;

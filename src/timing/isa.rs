@@ -346,7 +346,7 @@ impl std::fmt::Display for Grown {
 /// # Errors
 /// Files without a manifest of this version.
 pub fn operations(files: &Files) -> Result<BTreeMap<String, u32>, serde_json::Error> {
-    let manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+    let manifest = Manifest::read(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
     let Entries { tables, fits, mips, lookups, calls, .. } = manifest.entries;
     let of = calls.into_iter().map(|entry| (entry.function, entry.cost.ops));
     let of = of.chain(mips.into_iter().map(|entry| (entry.function, entry.ops)));

@@ -123,5 +123,5 @@ pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
 }
 
 fn manifest(baked: &Baked) -> Option<Manifest> {
-    serde_json::from_slice(baked.files.get(MANIFEST)?).ok()
+    Manifest::read(baked.files.get(MANIFEST)?).ok()
 }

@@ -31,7 +31,7 @@ fn the_width_of_emitted_lookups_is_the_studys() {
 #[test]
 fn the_manifest_states_the_arguments_that_the_include_files_declare() {
     let files = &baked().0.files;
-    let manifest: Manifest = serde_json::from_slice(&files["manifest.json"]).expect("a manifest");
+    let manifest = Manifest::read(&files["manifest.json"]).expect("a manifest");
     let fetched = ["table", "texels", "linear_clamp"];
     for include in &manifest.includes {
         let text = String::from_utf8_lossy(&files[&include.file]);

@@ -25,7 +25,7 @@ const SCENE: &str = r#"{ "schema_version": 1, "name": "lit", "formats": ["raw"],
 static LIT: LazyLock<Baked> = LazyLock::new(|| baked(SCENE));
 
 fn manifest() -> Manifest {
-    serde_json::from_slice(&LIT.files["manifest.json"]).expect("a manifest")
+    Manifest::read(&LIT.files["manifest.json"]).expect("a manifest")
 }
 
 /// The texels of a table of f32.

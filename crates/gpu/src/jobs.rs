@@ -66,8 +66,7 @@ impl Jobs {
         let module = naga::front::wgsl::parse_str(&include.text)
             .map_err(|e| wrong("fits/lobefit.wgsl", e.emit_to_string(&include.text)))?;
         let manifest = baked.files.get(MANIFEST).ok_or_else(|| wrong(MANIFEST, "not in the bake".into()))?;
-        let manifest: Manifest =
-            serde_json::from_slice(manifest).map_err(|e| wrong(MANIFEST, e.to_string()))?;
+        let manifest = Manifest::read(manifest).map_err(|e| wrong(MANIFEST, e.to_string()))?;
         let jobs = Jobs { all: Vec::new(), left_out: Vec::new() };
         let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new(), unfiltered };
         let manifest = manifest.entries;

@@ -25,7 +25,7 @@ pub fn bake_in(folder: &Path) -> Result<(Files, String), CliError> {
     let bytes = files.get(MANIFEST).ok_or_else(|| {
         CliError::Usage(format!("{}: holds no {MANIFEST}; bake into it first", folder.display()))
     })?;
-    let manifest: Manifest = serde_json::from_slice(bytes)
+    let manifest = Manifest::read(bytes)
         .map_err(|e| CliError::Usage(format!("{}: {MANIFEST}: {e}", folder.display())))?;
     let scene = manifest.made_from["name"].as_str().unwrap_or_default().to_owned();
     Ok((files, scene))

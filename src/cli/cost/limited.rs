@@ -129,8 +129,7 @@ impl Shipped {
         self.unkept.extend(baked.broken.iter().cloned());
         let file = format!("fits/lobefit.{}", limits.language.extension());
         let code = baked.files.get(&file).map(|text| String::from_utf8_lossy(text)).unwrap_or_default();
-        let manifest: Option<Manifest> =
-            baked.files.get(MANIFEST).map(|text| serde_json::from_slice(text)).transpose()?;
+        let manifest = baked.files.get(MANIFEST).map(|text| Manifest::read(text)).transpose()?;
         let entries = manifest.map(|manifest| manifest.entries).unwrap_or_default();
         let mut purposes: Vec<Vec<&Call>> = Vec::new();
         for call in &baked.calls {

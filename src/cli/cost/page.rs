@@ -55,7 +55,7 @@ impl Beside {
     pub fn read(folder: &Path) -> Result<Beside, CliError> {
         let (counts, times, offline) = (counts_in(folder)?, times_in(folder)?, offline_in(folder)?);
         let (files, _) = bake_in(folder)?;
-        let manifest = serde_json::from_slice(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+        let manifest = Manifest::read(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
         Ok(Beside { counts, times, offline, manifest })
     }
 

@@ -43,7 +43,7 @@ pub(super) fn formulas(
     let cache = Cache::of_user();
     let selection = Selection { cache: cache.as_ref(), ..Selection::default() };
     let files = bake(&scene, &plan(&scene), &[], selection, progress)?.files;
-    let manifest = files.get(MANIFEST).map(|bytes| serde_json::from_slice::<Manifest>(bytes)).transpose()?;
+    let manifest = files.get(MANIFEST).map(|bytes| Manifest::read(bytes)).transpose()?;
     let (Some(include), Some(manifest)) = (Include::of(&files), manifest) else { return Ok(Vec::new()) };
     let ours = manifest.entries.fits.into_iter().filter(|fit| {
         (fit.quantity.as_str(), fit.used_as.as_str()) == (served.quantity, served.used_as.word())
