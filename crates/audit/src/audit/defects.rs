@@ -19,6 +19,8 @@ pub enum Defect {
         over: f64,
         /// By this at most.
         most: f64,
+        /// At this texel.
+        texel: Vec<usize>,
         /// Mean error of those.
         mean: f64,
         /// Root mean square of the errors outside of their range.
@@ -64,6 +66,8 @@ pub enum Defect {
         texels: usize,
         /// The truth farthest beyond.
         truth: f64,
+        /// That texel.
+        texel: Vec<usize>,
     },
     /// Errors that jump from texel to texel.
     Noise {
@@ -249,9 +253,10 @@ pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], ove
     let off: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
     let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &range)).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
-    let most = off.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
+    let worst = off.iter().fold(off[0], |w, i| if r.errors[*i].abs() > r.errors[w].abs() { *i } else { w });
+    let (most, texel) = (r.errors[worst].abs(), r.texel(worst));
     let (texels, size, rest) = ([off.len(), r.judged.len()], r.sample.size.clone(), r.rms(&outside));
-    Defect::Part { texels, over, most, mean, rest, range, size }
+    Defect::Part { texels, over, most, texel, mean, rest, range, size }
 }
 
 /// Lines at an end of a part are left out of it while their squares are less than this share of those
@@ -296,8 +301,9 @@ fn clamped(r: &Residuals) -> Option<Defect> {
         let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
         if stuck.len() >= 2 {
             let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
-            let truth = stuck.iter().max_by(far).map_or(end, |i| r.truth(*i));
-            told = Some(Defect::Clamped { value: end, texels: stuck.len(), truth });
+            let worst = stuck.iter().max_by(far).copied().unwrap_or(stuck[0]);
+            let (texels, truth) = (stuck.len(), r.truth(worst));
+            told = Some(Defect::Clamped { value: end, texels, truth, texel: r.texel(worst) });
         }
     }
     told

@@ -59,7 +59,7 @@ pub use published::Published;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
-pub use verdict::{Grade, Verdict};
+pub use verdict::{Figure, Grade, Kind, Verdict};
 pub(crate) use verdict::{first_line, place};
 pub use work::work;
 

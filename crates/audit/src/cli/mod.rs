@@ -242,9 +242,11 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     drop(progress);
     let origin = origin::origin(&bytes, &origin::audit(options));
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
-    let passed = found.passed && said.is_none();
-    let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
+    let mut found = AuditFindings { cost, otherwise: beside, ..found };
+    if let Some(said) = &said {
+        let (verdict, figure) = (said.verdict(options.limit), said.figure(options.limit));
+        found = AuditFindings { passed: false, verdict, figure, ..found };
+    }
     if !found.passed && done.fit != audit::Fit::Whole && !options.quiet {
         let missing = sidecar::missing(options, &bytes);
         if !missing.is_empty() {

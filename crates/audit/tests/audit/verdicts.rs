@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use lobefit::data::Smith;
 use lobefit::scene::Scene;
-use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form};
+use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form, Kind};
 use lobefit_audit::foreign::{Hints, read_table};
 use lobefit_math::ops;
 
@@ -74,7 +74,8 @@ fn the_first_line_has_the_figure_that_decides() {
     // The limit is not kept read plainly; without one nothing is wrong, and the lobe is said.
     let read = format!("FAIL ggx-reflection A and B: shipped is off by at most {plain:.3} read plainly");
     holds(&line(&found, Some(0.01)), &[&read, "; the limit is 0.01"]);
-    assert_eq!(found.decisive(Some(0.01)), plain);
+    let figure = found.figure(Some(0.01)).expect("judged");
+    assert_eq!((figure.value, figure.kind), (plain, Kind::Plain));
     let as_both = format!("as Schlick-Smith with k = alpha/2, and by {plain:.3} as height-correlated Smith");
     holds(&line(&found, None), &["PASS ", " in lookups ", &as_both]);
     let lookup = found.blend.as_ref().expect("A and B");
@@ -82,7 +83,8 @@ fn the_first_line_has_the_figure_that_decides() {
     holds(&line(&found, None), &[&format!("at most {:.4}", lookup.inner)]);
     let meant = Fixed { form: Form::find("schlick"), ..Fixed::default() };
     let meant = run(&of_karis(&|_, _, t| t), "ggx-reflection", &meant);
-    assert_eq!((meant.plain.is_none(), meant.decisive(Some(0.01))), (true, meant.worst()));
+    let figure = meant.figure(Some(0.01)).expect("judged");
+    assert_eq!((meant.plain.is_none(), figure.value, figure.kind), (true, meant.worst(), Kind::Texel));
 }
 
 /// Damage that was "PASS", or had the first line of the sound table.
@@ -132,7 +134,10 @@ fn what_has_a_remedy_does_not_pass_until_it_is_meant() {
         assert_eq!(plain.options, option);
         let verdict = found.verdict(None);
         says(&verdict, "FAIL", &["read plainly"]);
-        assert!(!verdict.remedy.is_empty() && found.decisive(None) == plain.max, "{verdict}");
+        assert!(
+            !verdict.remedy.is_empty() && found.figure(None).expect("judged").value == plain.max,
+            "{verdict}"
+        );
         let best = found.best().axes.iter().map(|a| (a.scale, a.reversed)).collect();
         let meant = Fixed { axes: Some(best), encoding: found.encoding, ..Fixed::default() };
         let verdict = run(&table, "ggx-reflection", &meant).verdict(None);

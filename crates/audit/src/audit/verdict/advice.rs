@@ -34,9 +34,7 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
 
 /// What to do about an encoding, axes and an average of which nobody said that they are meant.
 fn readings(audit: &Audit, plain: &Plain) -> Vec<String> {
-    let encoding =
-        audit.encoding.filter(|encoding| plain.options.ends_with(&format!("--encoding {}", encoding.word)));
-    let mut steps: Vec<String> = encoding.iter().map(|encoding| encoding.remedy.to_string()).collect();
+    let mut steps: Vec<String> = plain.encoding.iter().map(|encoding| encoding.remedy.to_string()).collect();
     let best = audit.best();
     if audit.source == Source::Table && !is_open(audit) {
         steps.extend(registrations(audit));

@@ -49,7 +49,7 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 way(*mean)
             )
         }
-        Defect::Clamped { value, texels, truth } => format!(
+        Defect::Clamped { value, texels, truth, .. } => format!(
             "{texels} values stand at {} where the truth goes on to {}: clamped.",
             number(*value),
             number(*truth)

@@ -1,6 +1,7 @@
 //! The points of a verdict on a table or function of unknown make.
 
-use super::headline::{headline, headline_of, largest_lookup};
+use super::figure::largest_lookup;
+use super::headline::{headline, headline_of};
 use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
@@ -58,7 +59,7 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     match limit {
         _ if unfit => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
-        Some(limit) if audit.fit == Fit::Whole && audit.worst_as_read() <= limit => Grade::Unknown,
+        Some(limit) if audit.keeps(limit) => Grade::Unknown,
         None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
         _ => Grade::Fail,
     }

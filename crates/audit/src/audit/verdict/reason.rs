@@ -1,6 +1,6 @@
 //! Why a verdict is no PASS.
 
-use super::headline::wrong;
+use super::figure::damage;
 use super::words::number;
 use crate::audit::{Audit, Fit, Source};
 
@@ -12,8 +12,10 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> String {
             Some(plain) => {
                 format!("no reader assumes {} unless the file says so", plain.untold.join(", or "))
             }
-            None => wrong(done)
-                .map_or_else(|| "something about it is to be mended".into(), |wrong| format!("it{wrong}")),
+            None => damage(done).map_or_else(
+                || "something about it is to be mended".into(),
+                |told| format!("it{}", told.found),
+            ),
         };
     }
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
