@@ -358,7 +358,8 @@ fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<
     let mut stored: Vec<f64> = shares.iter().map(|s| s.0).collect();
     stored.sort_by(f64::total_cmp);
     let quarter = stored.get(stored.len() / 4).copied().unwrap_or(1.0);
-    if shares.len() < 8 || quarter > 0.7 {
+    // What is off the other way by as much misses no tail.
+    if shares.len() < 8 || !(-1.0..=0.7).contains(&quarter) {
         return None;
     }
     let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);
