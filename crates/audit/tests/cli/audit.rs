@@ -143,7 +143,7 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
         assert!(output.stderr.is_empty(), "what the verdict says is said once: {}", stderr(output));
         String::from_utf8(output.stdout.clone()).unwrap()
     };
-    assert!(told(&transposed).contains("give --axes roughness,mu"), "{}", told(&transposed));
+    assert!(told(&transposed).contains("say so (`--axes roughness,mu`)"), "{}", told(&transposed));
     let over = with(&[&meant[..], &["--limit", "1e-7"]].concat());
     assert_eq!(over.status.code(), Some(1));
     assert!(told(&over).contains("the limit 1e-7"), "{}", told(&over));
@@ -184,8 +184,10 @@ fn a_limit_is_for_the_plain_reading_and_says_how_to_declare_another() {
     assert_eq!(plain.status.code(), Some(1), "{}", stderr(&plain));
     let told = "--axes roughness,mu --registration left,left";
     let found: Value = serde_json::from_slice(&plain.stdout).unwrap();
-    let why = found["verdict"]["errors"][0].as_str().unwrap();
-    assert!(why.contains("read plainly") && why.contains(told), "{why}");
+    let line = found["verdict"]["headline"].as_str().unwrap();
+    assert!(line.contains("read plainly"), "{line}");
+    let remedy = found["verdict"]["remedy"].to_string();
+    assert!(remedy.contains(&format!("if it is meant so, say so (`{told}`)")), "{remedy}");
     // The figure that decides is that of the plain reading.
     assert!(found["max_error"] == found["plain"]["max"] && found["max_error"].as_f64().unwrap() > 0.02);
     let meant = with(&["--axes", "roughness,mu", "--registration", "left,left", "--json"]);

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use super::defect::{LINES, extent};
 use super::headline::{briefly, of_another};
-use super::words::{long, number, place, readings_differ};
+use super::words::{long, number, place};
 use crate::audit::errors::TexelErrors;
 use crate::audit::table::Source;
-use crate::audit::{Audit, Defect, Fit, LookupErrors, Other, inputs_at};
+use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, inputs_at};
 use lobefit::data::Place;
 
 /// What a figure is.
@@ -72,14 +72,7 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
         return Some(Told::new(kind, &column, own, nearest));
     }
     if let Some(plain) = audit.misread(limit) {
-        let (column, at) =
-            plain.at.as_ref().map_or((column, Place::new()), |(c, at)| (c.name().into(), at.clone()));
-        let there = if at.is_empty() { String::new() } else { format!(", at {}", place(&at)) };
-        let read = readings_differ(audit, audit.best(), &plain.convention);
-        let other = format!("; by {max} with {}", briefly(&plain.untold.join(", ")));
-        let found = format!(" is off by at most {} read plainly{there}", number(plain.max));
-        let told = Told::new(Kind::Plain, &column, (plain.max, &at), found);
-        return Some(Told { more: vec![format!(" ({read})"), other], ..told });
+        return Some(plainly(plain, column));
     }
     let points = vec![of_another(audit), format!(" ({} points sampled)", worst.judged)];
     if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
@@ -94,28 +87,65 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     if let Some(told) = damage(audit).filter(|_| limit.is_none() || audit.fit != Fit::Whole) {
         return Some(told);
     }
+    let lookup = largest_lookup(audit).filter(|(_, lookup)| lookup.inner > worst.max);
+    Some(lookup.map_or_else(
+        || {
+            let another = of_another(audit);
+            Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}"))
+        },
+        |lookup| match limit {
+            // A limit is on the texels: the figure that is judged stands first.
+            Some(_) => {
+                let told =
+                    Told::new(kind, &column, own, format!(" is off by at most {max} at texels ({at})"));
+                let (lookup, there) = of_lookup(audit, lookup);
+                Told { more: vec![of_another(audit), format!(", {lookup}{there}")], ..told }
+            }
+            None => between(audit, lookup, &max),
+        },
+    ))
+}
+
+/// A lookup and its place in words.
+fn of_lookup(audit: &Audit, (column, lookup): (&str, &LookupErrors)) -> (String, String) {
+    let looked = format!("{}{} in lookups", number(lookup.inner), of(audit, column));
+    (looked, format!(" ({})", place(&lookup.inner_at)))
+}
+
+/// The figure of lookups, beside the largest error at texels.
+fn between(audit: &Audit, lookup: (&str, &LookupErrors), texels: &str) -> Told {
     let another = of_another(audit);
-    let (looked, lookup) = match largest_lookup(audit).filter(|(_, lookup)| lookup.inner > worst.max) {
-        Some(found) => found,
-        None => {
-            let found = format!(" is off by at most {max}{another} at {at}");
-            return Some(Told::new(kind, &column, own, found));
-        }
-    };
-    let inner = (lookup.inner, &lookup.inner_at);
-    let (lookup, there) =
-        (format!("{}{} in lookups", number(inner.0), of(audit, looked)), format!(" ({})", place(inner.1)));
-    // A limit is on the texels: the figure that is judged stands first.
-    if limit.is_some() {
-        let told = Told::new(kind, &column, own, format!(" is off by at most {max} at texels ({at})"));
-        return Some(Told { more: vec![another, format!(", {lookup}{there}")], ..told });
-    }
+    let (looked, there) = of_lookup(audit, lookup);
     let (there, more) = match another.is_empty() {
-        true => (there, vec![format!(", {max} at texels")]),
+        true => (there, vec![format!(", {texels} at texels")]),
         false => (String::new(), Vec::new()),
     };
-    let told = Told::new(Kind::Lookup, looked, inner, format!(" is off by at most {lookup}{another}{there}"));
-    Some(Told { more, ..told })
+    let (column, lookup) = lookup;
+    let found = format!(" is off by at most {looked}{another}{there}");
+    Told { more, ..Told::new(Kind::Lookup, column, (lookup.inner, &lookup.inner_at), found) }
+}
+
+/// The figure of the plain reading; `column` has the largest error by the best one.
+fn plainly(plain: &Plain, column: String) -> Told {
+    let at = plain.at.as_ref();
+    let (column, at) = at.map_or((column, Place::new()), |(c, at)| (c.name().into(), at.clone()));
+    let there = if at.is_empty() { String::new() } else { format!(", at {}", place(&at)) };
+    let found = format!(" is off by at most {} read plainly{there}", number(plain.max));
+    let [judged, all] = plain.texels;
+    let few = if judged < all { format!(" ({judged} of {all} texels judged)") } else { String::new() };
+    Told {
+        more: vec![format!(": it has {}", untold(plain)), few],
+        ..Told::new(Kind::Plain, &column, (plain.max, &at), found)
+    }
+}
+
+/// What no reader assumes, in a few words.
+fn untold(plain: &Plain) -> String {
+    let words: Vec<&str> = plain.untold.iter().map(|words| briefly(words)).collect();
+    match words[..] {
+        [first, _, _, ..] => format!("{first} and {} more", words.len() - 1),
+        _ => words.join(", "),
+    }
 }
 
 /// What it is that fits nothing.
@@ -129,7 +159,8 @@ fn nothing(audit: &Audit) -> String {
 
 /// ` of A`, of several columns.
 fn of(audit: &Audit, column: &str) -> String {
-    let several = audit.channels.iter().filter(|c| c.column.is_some() || c.other.is_some()).count() > 1;
+    let judged = |c: &&ChannelAudit| c.column.is_some() || matches!(c.other, Some(Other::Quantity(_)));
+    let several = audit.channels.iter().filter(judged).count() > 1;
     if several { format!(" of {column}") } else { String::new() }
 }
 

@@ -24,7 +24,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     let grade = grade(audit, limit, &remedy);
     let mut errors = Vec::new();
     if grade != Grade::Pass {
-        errors.push(format!("{} since {}.", grade.word(), reason(audit, limit)));
+        errors.extend(reason(audit, limit).map(|why| format!("{} since {why}.", grade.word())));
     }
     for (k, channel) in audit.channels.iter().filter(|c| c.column.is_some()).enumerate() {
         errors.extend(at_places(audit, channel, k == 0));
@@ -33,7 +33,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
     errors.dedup();
-    errors.extend(untold(audit).filter(|_| limit.is_none() || audit.misread(limit).is_none()));
+    // Where the verdict is on it the first line says so, and the remedy.
+    errors.extend(untold(audit).filter(|_| audit.misread(limit).is_none()));
     errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
