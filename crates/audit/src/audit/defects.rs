@@ -77,6 +77,8 @@ pub enum Defect {
         share: f64,
         /// The format of which they come, where rounding to it makes as much.
         step: Option<Step>,
+        /// Whether they are those of the texels beside a part.
+        apart: bool,
     },
     /// The errors are what rounding to the format leaves.
     Steps {
@@ -158,13 +160,16 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     if found.is_empty() {
         found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)));
     }
-    let (noise, rms, rounding) = (noise(r), r.rms(&r.judged), rounding(r, step));
-    let apart = matches!(found[..], [Defect::Part { .. }]);
-    if rms <= ROUNDED * rounding && r.judged.iter().all(|i| within_a_step(r, step, *i)) {
+    let part = found.iter().find_map(|d| if let Defect::Part { range, .. } = d { Some(range) } else { None });
+    let outside = |i: &usize| part.is_none_or(|range| !r.lies_in(*i, range));
+    let rest: Vec<usize> = r.judged.iter().copied().filter(outside).collect();
+    let apart = part.is_some();
+    let (noise, rms, rounding) = (noise(r, &rest), r.rms(&rest), rounding(r, &rest, step));
+    if !apart && rms <= ROUNDED * rounding && rest.iter().all(|i| within_a_step(r, step, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
-    } else if noise > 0.5 * rms && rms > 1e-7 && !apart {
+    } else if noise > 0.5 * rms && rms > 1e-7 {
         let step = (noise <= NOISE_OF_ROUNDING * rounding).then_some(step);
-        found.push(Defect::Noise { rms: noise, share: noise / rms, step });
+        found.push(Defect::Noise { rms: noise, share: noise / rms, step, apart });
     }
     if let Some(samples) = grain.samples {
         let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r, **i)).count();
@@ -191,11 +196,11 @@ pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
     clamped(r).into_iter().chain(bias(r, r.rms(&r.judged))).collect()
 }
 
-/// Root mean square of the error that rounding to a format makes at the judged texels: a third of
-/// the square of half a step.
-fn rounding(r: &Residuals, step: Step) -> f64 {
+/// Root mean square of the error that rounding to a format makes at some texels: a third of the square of
+/// half a step.
+fn rounding(r: &Residuals, texels: &[usize], step: Step) -> f64 {
     let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
-    (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
+    (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt()
 }
 
 /// Whether rounding to nearest explains the error of a texel, but for a tenth of a step and for what
@@ -309,13 +314,15 @@ fn clamped(r: &Residuals) -> Option<Defect> {
     told
 }
 
-/// Root mean square of white noise that would make the second differences of the errors, along the
-/// axis where they are least.
-pub(super) fn noise(r: &Residuals) -> f64 {
+/// Root mean square of white noise that would make the second differences of the errors among some texels,
+/// along the axis where they are least.
+pub(super) fn noise(r: &Residuals, texels: &[usize]) -> f64 {
     let dims = r.sample.dims();
+    let mut among = vec![false; r.values.len()];
+    texels.iter().for_each(|i| among[*i] = true);
     let along = |axis: usize| {
         let mut squares = Vec::new();
-        for i in &r.judged {
+        for i in texels {
             let mut at = place(*i, &dims);
             if at[axis] == 0 || at[axis] + 1 == dims[axis] {
                 continue;
@@ -324,7 +331,7 @@ pub(super) fn noise(r: &Residuals) -> f64 {
             let before = flat(&at, &dims);
             at[axis] += 2;
             let after = flat(&at, &dims);
-            if r.judgement.judged[before] && r.judgement.judged[after] {
+            if among[before] && among[after] {
                 let second = r.errors[before] - 2.0 * r.errors[*i] + r.errors[after];
                 squares.push(second * second);
             }

@@ -112,6 +112,6 @@ fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
         }
     }
     let (over, i, albedo) = worst;
-    let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r);
+    let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r, &r.judged);
     (over > left && sums[0] > ONE_SIGN * sums[1]).then(|| Defect::Gain { albedo, texel: r.texel(i) })
 }

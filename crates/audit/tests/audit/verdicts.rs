@@ -82,6 +82,9 @@ fn the_first_line_has_the_figure_that_decides() {
     let lookup = found.blend.as_ref().expect("A and B");
     assert!(lookup.max > 3.0 * lookup.inner, "{lookup:?}");
     holds(&line(&found, None), &[&format!("at most {:.4}", lookup.inner)]);
+    // Beside it stand those of A and B over the same places.
+    let [a, b] = [0, 1].map(|k| found.channels[k].lookup.as_ref().expect("a lookup").inner);
+    holds(&found.verdict(None).to_string(), &[&format!("; A by {a:.5}, B by {b:.4}.")]);
     let meant = Fixed { form: Form::find("schlick"), ..Fixed::default() };
     let meant = run(&of_karis(&|_, _, t| t), "ggx-reflection", &meant);
     let figure = meant.figure(Some(0.01)).expect("judged");

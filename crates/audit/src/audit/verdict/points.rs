@@ -319,8 +319,9 @@ fn lookups(audit: &Audit) -> Option<String> {
     let channels = || audit.channels.iter().filter_map(|c| Some((c.column?.name(), c)));
     let (name, worst) = largest_lookup(audit)?;
     let others = channels().filter(|(own, _)| *own != name);
-    let others: Vec<String> =
-        others.filter_map(|(own, c)| Some(format!("{own} by {}", number(c.lookup.as_ref()?.max)))).collect();
+    let others: Vec<String> = others
+        .filter_map(|(own, c)| Some(format!("{own} by {}", number(c.lookup.as_ref()?.inner))))
+        .collect();
     let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
     let f0 = if audit.blend.is_some() { " at the worst f0" } else { "" };
     let where_they_are = if centred { "" } else { " at the coordinates that its texels have" };
