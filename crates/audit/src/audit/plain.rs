@@ -23,6 +23,9 @@ use lobefit::data::Place;
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
 const PLACES: usize = 16;
 
+/// The column of an error, and where it is.
+pub type Where = (Column, Place);
+
 /// A table under the plain reading, where the best reading is another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plain {
@@ -37,7 +40,7 @@ pub struct Plain {
     /// Largest error at those that were judged; infinite where the truth cannot be had at any.
     pub max: f64,
     /// The column of that, and where; none where the truth cannot be had.
-    pub at: Option<(Column, Place)>,
+    pub at: Option<Where>,
     /// What the best reading decodes and this one takes as it is stored.
     pub encoding: Option<&'static Encoding>,
 }
@@ -189,12 +192,12 @@ fn worst(
     live: &[usize],
     lobe: usize,
     read: &Convention,
-) -> Result<(f64, usize, Option<(Column, Place)>), AuditError> {
+) -> Result<(f64, usize, Option<Where>), AuditError> {
     let whole = super::whole(truth, lobe, &table.size);
     let solid = whole != usize::MAX && table.size.len() == 3;
     let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe, Truth::exact)?;
-    let mut most: Option<(f64, (Column, Place))> = None;
+    let mut most: Option<(f64, Where)> = None;
     for (place, k) in live.iter().enumerate() {
         let Some(column) = read.columns[*k] else { continue };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
