@@ -117,6 +117,28 @@ def ours(folder):
     return tables, formulas
 
 
+def pair(folder, entry):
+    """Errors of a pair of tables of area lights, or why there are none."""
+    repository, path = entry["file"].split(": ")
+    place = lambda name: os.path.join(folder, repository, name)
+    command = ["lobefit", "audit", place(path), "--as", "ltc", "--json", *entry["options"]]
+    command += ["--scales", place(entry["scales"])] if "scales" in entry else []
+    done = subprocess.run(command, capture_output=True, text=True)
+    return json.loads(done.stdout) if done.stdout.startswith("{") else done.stderr.strip()
+
+
+def shares(found):
+    """Each error of a pair: the largest, and the RMS."""
+    return [f"{number(e['max'])}, RMS {number(e['rms'])}" for e in found["errors"]]
+
+
+def grade(found):
+    """The verdict in a word; a pair has none without a limit."""
+    if isinstance(found, str):
+        return "none"
+    return found["verdict"]["grade"] if "verdict" in found else found.get("grade", "no limit")
+
+
 def number(x):
     return f"{x:.2g}" if abs(x) < 1e-3 else f"{x:.3g}"
 
@@ -208,9 +230,9 @@ def used(artefact, channel):
     return next(channel[kind] for kind in [*kinds, "texels"] if channel.get(kind))
 
 
-def glance(projects, found):
-    """A row for each artefact: its worst channel, and whether an issue is written for its project."""
-    lines = ["| project | artefact | largest error of a lookup or a call | issues below |", "|---|---|---|---|"]
+def glance(projects, found, lights):
+    """A row for each artefact: the verdict, the worst channel, and whether an issue is written for the project."""
+    lines = ["| project | artefact | verdict | largest error of a lookup or a call | issues below |", "|---|---|---|---|---|"]
     for project in projects:
         name, issues = project["project"], len(project["issues"])
         anchor = re.sub(r"[^\w\- ]", "", name.lower()).replace(" ", "-")
@@ -223,17 +245,38 @@ def glance(projects, found):
                 said = f"{worst['holds'].split(' (')[0]} {number(figures['max'])}, RMS {number(figures['rms'])}"
                 said += BRIEFLY[result["fits"]]
                 said += f" (decoded from {result['encoding']})" if result.get("encoding") else ""
-            lines.append(f"| [{name}](#{anchor}) | {artefact['what']} | {said} | {issues or ''} |")
+            lines.append(f"| [{name}](#{anchor}) | {artefact['what']} | {grade(result)} | {said} | {issues or ''} |")
+        for entry, result in lights[name]:
+            said = f"a square light {shares(result)[0]}" if isinstance(result, dict) else "see below"
+            lines.append(f"| [{name}](#{anchor}) | {entry['what']} | {grade(result)} | {said} | {issues or ''} |")
     return lines + [""]
 
 
-def section(project, found, compares, entries):
-    lines = [f"## {project['project']}", "", f"{project['at']}. {project['notes']}", ""]
-    lines += ["| artefact | holds | error at its points | second integration | error of a lookup | white furnace | ours |"]
-    lines += ["|---|---|---|---|---|---|---|"]
+def of_lights(lights, ours):
+    """The pairs of a project, and ours."""
+    lines = ["", "| tables of area lights | a square light | a light of any shape | E | B |", "|---|---|---|---|---|"]
+    for what, result in [*((entry["what"], result) for entry, result in lights), ("ours, 64 x 64 halves", ours)]:
+        cells = shares(result) if isinstance(result, dict) else [result]
+        lines.append(f"| {what} | {' | '.join(cells + [''] * (4 - len(cells)))} |")
+    return lines
+
+
+def command_of(entry):
+    """How a pair is audited, where its files lie."""
+    scales = ["--scales", os.path.basename(entry["scales"])] if "scales" in entry else []
+    command = ["lobefit", "audit", os.path.basename(entry["file"]), "--as", "ltc", *entry["options"], *scales]
+    return [f"# {entry['what']}, {entry['file']}", shlex.join(command)]
+
+
+def section(project, found, compares, entries, lights):
+    lines = [f"## {project['project']}", "", f"{project['at']}. {project['notes']}"]
+    if project["artefacts"]:
+        lines += ["", "| artefact | holds | error at its points | second integration | error of a lookup | white furnace | ours |"]
+        lines += ["|---|---|---|---|---|---|---|"]
     for artefact in project["artefacts"]:
         name = artefact["id"]
         lines += rows(artefact, found[name], compares[name], entries[name])
+    lines += of_lights(lights[project["project"]], lights["ours"]) if lights[project["project"]] else []
     lines += ["", "```sh"]
     for artefact in project["artefacts"]:
         name, file = artefact["id"], artefact["file"]
@@ -252,6 +295,8 @@ def section(project, found, compares, entries):
         if "other" in entries[name]:
             other = entries[name]["other"]
             lines.append(f"# by the second integration, as {other['lobe']}: {number(other['max'])}, RMS {number(other['rms'])}")
+    for entry, _ in lights[project["project"]]:
+        lines += command_of(entry)
     lines += ["```", ""]
     for issue in project["issues"]:
         lines += [f"> **{issue['title']}**", ">", f"> {issue['text']}", ""]
@@ -269,12 +314,16 @@ def main(folder):
     stale = {a["id"]: unknown(folder, a, known.get(a["id"])) for a in artefacts}
     entries = {i: {"why": why} if why else known[i] for i, why in stale.items()}
     page = open(os.path.join(HERE, "head.md")).read().splitlines() + [""]
-    page += glance(zoo["projects"], found)
+    lights = {p["project"]: [(e, pair(folder, e)) for e in p.get("area_lights", [])] for p in zoo["projects"]}
+    own = "tables/ggx-ltc-correlated-64x64"
+    lights["ours"] = pair(folder, {"file": f"audits/ours: {own}.exr", "scales": f"{own}-light.exr", "options": []})
+    page += glance(zoo["projects"], found, lights)
     for project in zoo["projects"]:
-        page += section(project, found, compares, entries)
+        page += section(project, found, compares, entries, lights)
     with open(os.path.join(ROOT, "docs", "audits.md"), "w") as out:
         out.write("\n".join(page).rstrip() + "\n")
     missing = [i for i, f in found.items() if isinstance(f, str)]
+    missing += [e["what"] for p in zoo["projects"] for e, f in lights[p["project"]] if isinstance(f, str)]
     unsure = [f"{i} ({why})" for i, why in stale.items() if why]
     said = ["not audited: " + ", ".join(missing)] * bool(missing)
     said += ["no second integration: " + ", ".join(unsure)] * bool(unsure)

@@ -19,6 +19,8 @@ pub enum Defect {
         over: f64,
         /// By this at most.
         most: f64,
+        /// At this texel.
+        texel: Vec<usize>,
         /// Mean error of those.
         mean: f64,
         /// Root mean square of the errors outside of their range.
@@ -64,6 +66,8 @@ pub enum Defect {
         texels: usize,
         /// The truth farthest beyond.
         truth: f64,
+        /// That texel.
+        texel: Vec<usize>,
     },
     /// Errors that jump from texel to texel.
     Noise {
@@ -73,6 +77,8 @@ pub enum Defect {
         share: f64,
         /// The format of which they come, where rounding to it makes as much.
         step: Option<Step>,
+        /// Whether they are those of the texels beside a part.
+        apart: bool,
     },
     /// The errors are what rounding to the format leaves.
     Steps {
@@ -154,13 +160,16 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     if found.is_empty() {
         found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)));
     }
-    let (noise, rms, rounding) = (noise(r), r.rms(&r.judged), rounding(r, step));
-    let apart = matches!(found[..], [Defect::Part { .. }]);
-    if rms <= ROUNDED * rounding && r.judged.iter().all(|i| within_a_step(r, step, *i)) {
+    let part = found.iter().find_map(|d| if let Defect::Part { range, .. } = d { Some(range) } else { None });
+    let outside = |i: &usize| part.is_none_or(|range| !r.lies_in(*i, range));
+    let rest: Vec<usize> = r.judged.iter().copied().filter(outside).collect();
+    let apart = part.is_some();
+    let (noise, rms, rounding) = (noise(r, &rest), r.rms(&rest), rounding(r, &rest, step));
+    if !apart && rms <= ROUNDED * rounding && rest.iter().all(|i| within_a_step(r, step, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
-    } else if noise > 0.5 * rms && rms > 1e-7 && !apart {
+    } else if noise > 0.5 * rms && rms > 1e-7 {
         let step = (noise <= NOISE_OF_ROUNDING * rounding).then_some(step);
-        found.push(Defect::Noise { rms: noise, share: noise / rms, step });
+        found.push(Defect::Noise { rms: noise, share: noise / rms, step, apart });
     }
     if let Some(samples) = grain.samples {
         let over = r.judged.iter().filter(|i| r.errors[**i].abs() > grain.leaves(r, **i)).count();
@@ -187,11 +196,11 @@ pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
     clamped(r).into_iter().chain(bias(r, r.rms(&r.judged))).collect()
 }
 
-/// Root mean square of the error that rounding to a format makes at the judged texels: a third of
-/// the square of half a step.
-fn rounding(r: &Residuals, step: Step) -> f64 {
+/// Root mean square of the error that rounding to a format makes at some texels: a third of the square of
+/// half a step.
+fn rounding(r: &Residuals, texels: &[usize], step: Step) -> f64 {
     let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
-    (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
+    (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt()
 }
 
 /// Whether rounding to nearest explains the error of a texel, but for a tenth of a step and for what
@@ -249,9 +258,10 @@ pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], ove
     let off: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
     let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &range)).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
-    let most = off.iter().map(|i| r.errors[*i].abs()).fold(0.0, f64::max);
+    let worst = off.iter().fold(off[0], |w, i| if r.errors[*i].abs() > r.errors[w].abs() { *i } else { w });
+    let (most, texel) = (r.errors[worst].abs(), r.texel(worst));
     let (texels, size, rest) = ([off.len(), r.judged.len()], r.sample.size.clone(), r.rms(&outside));
-    Defect::Part { texels, over, most, mean, rest, range, size }
+    Defect::Part { texels, over, most, texel, mean, rest, range, size }
 }
 
 /// Lines at an end of a part are left out of it while their squares are less than this share of those
@@ -296,20 +306,23 @@ fn clamped(r: &Residuals) -> Option<Defect> {
         let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
         if stuck.len() >= 2 {
             let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
-            let truth = stuck.iter().max_by(far).map_or(end, |i| r.truth(*i));
-            told = Some(Defect::Clamped { value: end, texels: stuck.len(), truth });
+            let worst = stuck.iter().max_by(far).copied().unwrap_or(stuck[0]);
+            let (texels, truth) = (stuck.len(), r.truth(worst));
+            told = Some(Defect::Clamped { value: end, texels, truth, texel: r.texel(worst) });
         }
     }
     told
 }
 
-/// Root mean square of white noise that would make the second differences of the errors, along the
-/// axis where they are least.
-pub(super) fn noise(r: &Residuals) -> f64 {
+/// Root mean square of white noise that would make the second differences of the errors among some texels,
+/// along the axis where they are least.
+pub(super) fn noise(r: &Residuals, texels: &[usize]) -> f64 {
     let dims = r.sample.dims();
+    let mut among = vec![false; r.values.len()];
+    texels.iter().for_each(|i| among[*i] = true);
     let along = |axis: usize| {
         let mut squares = Vec::new();
-        for i in &r.judged {
+        for i in texels {
             let mut at = place(*i, &dims);
             if at[axis] == 0 || at[axis] + 1 == dims[axis] {
                 continue;
@@ -318,7 +331,7 @@ pub(super) fn noise(r: &Residuals) -> f64 {
             let before = flat(&at, &dims);
             at[axis] += 2;
             let after = flat(&at, &dims);
-            if r.judgement.judged[before] && r.judgement.judged[after] {
+            if among[before] && among[after] {
                 let second = r.errors[before] - 2.0 * r.errors[*i] + r.errors[after];
                 squares.push(second * second);
             }
@@ -352,7 +365,8 @@ fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<
     let mut stored: Vec<f64> = shares.iter().map(|s| s.0).collect();
     stored.sort_by(f64::total_cmp);
     let quarter = stored.get(stored.len() / 4).copied().unwrap_or(1.0);
-    if shares.len() < 8 || quarter > 0.7 {
+    // What is off the other way by as much misses no tail.
+    if shares.len() < 8 || !(-1.0..=0.7).contains(&quarter) {
         return None;
     }
     let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);

@@ -8,7 +8,6 @@ use super::plain::Plain;
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
-use lobefit::data::Place;
 use lobefit_math::{ops, srgb};
 use lobefit_truth::quantity::Quantity;
 
@@ -123,8 +122,10 @@ impl Encoding {
             told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
         untold.push(format!("values encoded as {}", self.name));
         options += &format!("--encoding {}", self.word);
-        let plain =
-            Plain { convention, untold, options, texels: [all; 2], max: stored.worst(), at: Place::new() };
+        let held = stored.channels.iter().filter_map(|c| c.column.zip(c.errors.as_ref()));
+        let worst = held.reduce(|a, b| if b.1.max > a.1.max { b } else { a });
+        let (max, at) = worst.map_or((f64::INFINITY, None), |(c, e)| (e.max, Some((c, e.at.clone()))));
+        let plain = Plain { convention, untold, options, texels: [all; 2], max, at, encoding: Some(self) };
         Audit { plain: Some(plain), fixed: stored.fixed, ..read }
     }
 }

@@ -11,33 +11,44 @@ use super::judge::Judgement;
 use super::sample::Sample;
 use super::table::{AuditedTable, place};
 
+/// Channels whose sum is an albedo, and that.
+const HALVES: [[Column; 3]; 2] = [[Column::A, Column::B, Column::E], [Column::R, Column::T, Column::RT]];
+
+/// The sum of two channels that is an albedo, with the first of them.
+pub(super) struct Sum {
+    pub channel: usize,
+    column: Column,
+    values: Vec<f64>,
+}
+
+impl Sum {
+    /// The sum of A and B, or of R and T; none where the channels are no such halves.
+    pub(super) fn of(sample: &Sample, convention: &Convention, live: &[usize]) -> Option<Sum> {
+        let place = |wanted| live.iter().position(|k| convention.columns[*k] == Some(wanted));
+        let both = |[a, b, column]: [Column; 3]| Some((place(a)?, place(b)?, column));
+        let (a, b, column) = HALVES.into_iter().find_map(both)?;
+        let values = sample.values[a].iter().zip(&sample.values[b]).map(|(a, b)| a + b).collect();
+        Some(Sum { channel: live[a], column, values })
+    }
+}
+
 /// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from
-/// A and B.
+/// two whose `sum` is one.
 pub(super) fn furnace(
-    table: &AuditedTable,
-    convention: &Convention,
+    (table, convention): (&AuditedTable, &Convention),
     sample: &Sample,
     judgement: &Judgement,
     live: &[usize],
+    sum: Option<&Sum>,
 ) -> Option<Furnace> {
-    let channel = |wanted: &dyn Fn(Column) -> bool| {
-        live.iter().position(|k| convention.columns[*k].is_some_and(wanted)).map(|p| (live[p], p))
-    };
-    let albedo = channel(&holds_albedo);
-    let sum = channel(&|c| c == Column::A).zip(channel(&|c| c == Column::B));
-    let at = |i: usize| -> Option<(f64, f64)> {
-        if let Some((k, p)) = albedo {
-            let column = convention.columns[k]?;
-            return Some((column.albedo(sample.values[p][i])?, column.true_albedo(judgement.base[i])?));
-        }
-        let ((_, a), (_, b)) = sum?;
-        Some((sample.values[a][i] + sample.values[b][i], judgement.base[i][0]))
-    };
+    let own = |k: usize| convention.columns[k].filter(|column| holds_albedo(*column));
+    let albedo = live.iter().zip(&sample.values).find_map(|(k, values)| Some((own(*k)?, values)));
+    let (column, values) = albedo.or_else(|| sum.map(|sum| (sum.column, &sum.values)))?;
     let mut out: Option<Furnace> = None;
     let mut dark = 0;
     let dims = sample.dims();
     for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
-        let (stored, truth) = at(i)?;
+        let (stored, truth) = (column.albedo(values[i])?, column.true_albedo(judgement.base[i])?);
         // A compensation divides by the stored E: there is none of one that is 0 or less.
         let lit = stored > 0.0;
         dark += usize::from(!lit);
@@ -54,39 +65,38 @@ pub(super) fn furnace(
     out.map(|f| Furnace { dark, ..f })
 }
 
-/// The sum of A and B, for a channel of A beside one of B.
-pub(super) fn sum(
-    sample: &Sample,
-    convention: &Convention,
-    live: &[usize],
-    channel: usize,
-) -> Option<Vec<f64>> {
-    let place = |wanted| live.iter().position(|k| convention.columns[*k] == Some(wanted));
-    let [a, b] = [place(Column::A)?, place(Column::B)?];
-    let both = sample.values[a].iter().zip(&sample.values[b]);
-    (live[a] == channel).then(|| both.map(|(a, b)| a + b).collect())
-}
-
 /// A truth from which on nearly all of the light comes back.
 const BRIGHT: f64 = 0.95;
 
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// Adds a gain of energy by a channel, or by the `whole` of it and another, to its defects; a loss that is
-/// missing is part of one.
-pub(super) fn gains(r: &Residuals, whole: Option<&[f64]>, grain: Grain, defects: &mut Vec<Defect>) {
-    let whole = whole.map(|values| Residuals::new(r.sample, r.judgement, Column::E, values));
+/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects; a loss that is missing is
+/// part of one.
+pub(super) fn gains(r: &Residuals, sum: Option<&Sum>, grain: Grain, defects: &mut Vec<Defect>) {
+    let whole = sum.map(|sum| Residuals::new(r.sample, r.judgement, sum.column, &sum.values));
     if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain) {
         defects.retain(|defect| !matches!(defect, Defect::MissingLoss { .. }));
         defects.push(gain);
     }
 }
 
+/// The share of the light that comes back by a value of a column; none of what is no share, or of one by
+/// which none is gained: a normalisation below 1 takes light, and radiance grows on its way into a medium.
+fn comes_back(column: Column, value: f64) -> Option<f64> {
+    match column {
+        Column::R | Column::T | Column::AverageR => Some(value),
+        Column::LossR => Some(1.0 - value),
+        Column::Excess => None,
+        _ if column.is_normalisation() => None,
+        _ => column.albedo(value),
+    }
+}
+
 /// More energy than comes in: beyond what formats leave and what jumps from texel to texel, where the albedo
 /// is too high throughout if nearly all of the light comes back, as that of samples is not.
 fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
-    let albedos = |i: usize| r.column.albedo(r.values[i]).zip(r.column.albedo(r.truth(i)));
+    let albedos = |i: usize| comes_back(r.column, r.values[i]).zip(comes_back(r.column, r.truth(i)));
     let (mut sums, mut worst) = ([0.0; 2], (0.0, 0, 1.0));
     for i in &r.judged {
         let Some((stored, truth)) = albedos(*i) else { continue };
@@ -102,6 +112,6 @@ fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
         }
     }
     let (over, i, albedo) = worst;
-    let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r);
+    let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r, &r.judged);
     (over > left && sums[0] > ONE_SIGN * sums[1]).then(|| Defect::Gain { albedo, texel: r.texel(i) })
 }

@@ -12,7 +12,7 @@ use super::published::Published;
 use super::table::Source;
 use super::truth::Beyond;
 use super::two_lobes::TwoLobes;
-use super::verdict::Verdict;
+use super::verdict::{Figure, Verdict};
 use lobefit::data::Place;
 use lobefit::report::words;
 use serde::Serialize;
@@ -169,12 +169,7 @@ impl Audit {
 
     /// Largest error at a texel of any judged channel, of one of another quantity too.
     pub fn worst(&self) -> f64 {
-        let other = |c: &ChannelAudit| match &c.other {
-            Some(Other::Quantity(audit)) => audit.worst(),
-            _ => 0.0,
-        };
-        let own = |c: &ChannelAudit| c.errors.as_ref().map_or(0.0, |e| e.max);
-        self.channels.iter().map(|c| own(c).max(other(c))).fold(0.0, f64::max)
+        super::verdict::worst(self, true).map_or(0.0, |(_, errors)| errors.max)
     }
 
     /// The name of a channel in words: beside red, blue is not B, nor alpha A.
@@ -232,14 +227,6 @@ impl Audit {
         (is_one && self.plain.is_none()).then(|| furnace.range[0].abs().max(furnace.range[1].abs()))
     }
 
-    /// Largest error as the table will be read: plainly, but for what the user said of it.
-    pub fn worst_as_read(&self) -> f64 {
-        if let Some(error) = self.furnace_error() {
-            return error;
-        }
-        self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
-    }
-
     /// The plain reading where the verdict is on it: with a limit that it alone is over; without one, where a
     /// reader would have to be told of more than another shadowing.
     pub fn misread(&self, limit: Option<f64>) -> Option<&Plain> {
@@ -253,10 +240,14 @@ impl Audit {
         decides.then_some(plain)
     }
 
-    /// The largest error that the verdict is on.
-    pub fn decisive(&self, limit: Option<f64>) -> f64 {
-        let read = self.misread(limit).map(|plain| plain.max).filter(|max| max.is_finite());
-        read.or_else(|| self.furnace_error()).unwrap_or_else(|| self.worst())
+    /// The figure that the verdict is on: of the error, the place and the kind; none where nothing is judged.
+    pub fn figure(&self, limit: Option<f64>) -> Option<Figure> {
+        super::verdict::figure(self, limit)
+    }
+
+    /// Whether all of it fits, and the figure that the verdict is on is within a limit.
+    pub fn keeps(&self, limit: f64) -> bool {
+        self.fit == Fit::Whole && self.figure(Some(limit)).is_some_and(|figure| figure.value <= limit)
     }
 
     /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by
@@ -264,9 +255,7 @@ impl Audit {
     /// user and no limit an audit only tells.
     pub fn passes(&self, limit: Option<f64>) -> bool {
         match limit {
-            Some(limit) => {
-                self.fit == Fit::Whole && self.worst_as_read() <= limit && self.unjudged().is_none()
-            }
+            Some(limit) => self.keeps(limit) && self.unjudged().is_none(),
             None => !self.fixed || self.fit != Fit::None,
         }
     }

@@ -59,7 +59,7 @@ pub use published::Published;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
-pub use verdict::{Grade, Verdict};
+pub use verdict::{Figure, Grade, Kind, Verdict};
 pub(crate) use verdict::{first_line, place};
 pub use work::work;
 
@@ -314,6 +314,7 @@ fn finish(
         Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
         Source::Function => None,
     };
+    let sum = energy::Sum::of(&sample, &convention, live);
     let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -343,8 +344,7 @@ fn finish(
         };
         optimised::mend(&residuals, &defects, &mut mended.channels[k].values);
         if two_lobes.is_none() && table.source == Source::Table {
-            let whole = energy::sum(&sample, &convention, live, k);
-            energy::gains(&residuals, whole.as_deref(), grain, &mut defects);
+            energy::gains(&residuals, sum.as_ref().filter(|sum| sum.channel == k), grain, &mut defects);
         }
         channels.push(ChannelAudit {
             name: channel.name.clone(),
@@ -369,7 +369,7 @@ fn finish(
         optimised::excused(points, &convention, [table, &mended], &mut channels);
     }
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
-    let furnace = energy::furnace(table, &convention, &sample, &judgement, live);
+    let furnace = energy::furnace((table, &convention), &sample, &judgement, live, sum.as_ref());
     let judged = channels.iter().filter(|c| c.column.is_some());
     let plain = plain::plain(truth, table, live, fixed, best)?;
     let departure = plain::departure(truth, table, live, best)?;

@@ -26,7 +26,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         verdict: audit.verdict(limit),
         otherwise: None,
         fits: audit.fit,
-        max_error: audit.decisive(limit),
+        figure: audit.figure(limit),
         plain: audit.plain.as_ref().map(|p| AuditPlain {
             untold: p.untold.clone(),
             max: Some(p.max).filter(|m| m.is_finite()),

@@ -9,6 +9,7 @@ use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
 use super::column::Column;
 use super::convention::{Convention, Fixed, meanings};
+use super::encoded::Encoding;
 use super::errors::Residuals;
 use super::judge::judge;
 use super::lobe::Lobe;
@@ -21,6 +22,9 @@ use lobefit::data::Place;
 /// Places along each of three axes at which a plain reading is judged of a table with more than
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
 const PLACES: usize = 16;
+
+/// The column of an error, and where it is.
+pub type Where = (Column, Place);
 
 /// A table under the plain reading, where the best reading is another.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,8 +39,10 @@ pub struct Plain {
     pub texels: [usize; 2],
     /// Largest error at those that were judged; infinite where the truth cannot be had at any.
     pub max: f64,
-    /// Where that is; nowhere where the values are taken as they are stored.
-    pub at: Place,
+    /// The column of that, and where; none where the truth cannot be had.
+    pub at: Option<Where>,
+    /// What the best reading decodes and this one takes as it is stored.
+    pub encoding: Option<&'static Encoding>,
 }
 
 impl Plain {
@@ -44,7 +50,8 @@ impl Plain {
     /// fails them for it.
     pub fn is_of_another_lobe(&self, best: &Convention) -> bool {
         let own = &self.convention;
-        own.lobe != best.lobe && own.axes == best.axes && own.columns == best.columns && !self.at.is_empty()
+        let same = own.axes == best.axes && own.columns == best.columns && self.encoding.is_none();
+        own.lobe != best.lobe && same
     }
 }
 
@@ -126,7 +133,8 @@ pub(super) fn plain(
     let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
     let (max, judged, at) = worst(truth, table, live, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
-    Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max, at }))
+    let options = options.join(" ");
+    Ok(Some(Plain { convention: read, untold, options, texels, max, at, encoding: None }))
 }
 
 fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
@@ -176,19 +184,20 @@ fn is_transposed(source: Source, axes: &[AxisReading]) -> bool {
     source == Source::Table && inputs == [Input::Alpha, Input::Mu]
 }
 
-/// Largest error of any judged channel under a reading, how many texels were judged, and where it is.
+/// Largest error of any judged channel under a reading, infinite where the truth cannot be had at any texel,
+/// how many texels were judged, and the column and place of the error.
 fn worst(
     truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     lobe: usize,
     read: &Convention,
-) -> Result<(f64, usize, Place), AuditError> {
+) -> Result<(f64, usize, Option<Where>), AuditError> {
     let whole = super::whole(truth, lobe, &table.size);
     let solid = whole != usize::MAX && table.size.len() == 3;
     let sample = Sample::new(table, live, if solid { PLACES } else { whole }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe, Truth::exact)?;
-    let (mut most, mut at) = (f64::INFINITY, Place::new());
+    let mut most: Option<(f64, Where)> = None;
     for (place, k) in live.iter().enumerate() {
         let Some(column) = read.columns[*k] else { continue };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
@@ -196,10 +205,11 @@ fn worst(
             continue;
         }
         let figures = residuals.figures(|texel| super::inputs_at(read, &table.size, texel));
-        if at.is_empty() || figures.max > most {
-            (most, at) = (figures.max, figures.at);
+        if most.as_ref().is_none_or(|most| figures.max > most.0) {
+            most = Some((figures.max, (column, figures.at)));
         }
     }
     let judged = judgement.judged.iter().filter(|j| **j).count();
-    Ok((most, judged, at))
+    let (max, at) = most.map_or((f64::INFINITY, None), |(max, at)| (max, Some(at)));
+    Ok((max, judged, at))
 }

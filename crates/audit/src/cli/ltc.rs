@@ -120,7 +120,7 @@ fn setting(options: &Options) -> Result<Setting, CliError> {
     Ok(setting)
 }
 
-/// The tables of a file, those of a text from the one that is named on.
+/// The tables of a file; of a text with `--symbol` that one alone.
 fn read(options: &Options, file: &Path) -> Result<Vec<ForeignTable>, CliError> {
     let bytes = store::read(file, foreign::limits::BYTES)?;
     let size = options.size.clone().map(|size| size.0);

@@ -27,7 +27,7 @@ use crate::report::{self, AuditFindings, AuditOtherwise};
 use lobefit::cli::CliError;
 use lobefit::cli::declared;
 use lobefit::cli::options::{ThreadsOption, not_negative};
-use lobefit::cli::output::{Outcome, print, say};
+use lobefit::cli::output::{Outcome, print};
 use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
@@ -175,6 +175,8 @@ struct Read {
     holds: String,
     /// What it says of itself, or nothing.
     note: String,
+    /// Why what is said of it is not followed.
+    refused: Option<String>,
 }
 
 /// Runs the verb on its arguments (the first is the program's name), or the verb `furnace` if it
@@ -196,12 +198,15 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let bytes = read(&options)?;
     let wanted = tables::wanted(&options, &bytes)?;
     let options = &Asked { options, wanted };
-    let Read { mut audited, inverse, function, holds, note } =
+    let Read { mut audited, inverse, function, holds, note, refused } =
         if is_shader(options) { shader(options, &bytes)? } else { tables::table(options, &bytes)? };
     // A folder that cannot be written is an error before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
-    let said = stated::stated(options, &audited, &note, &progress)?;
+    let (said, refused) = match stated::stated(options, &audited, &note, &progress)? {
+        Ok(said) => (said, refused),
+        Err(refused) => (None, Some(refused)),
+    };
     if let Some(said) = &said {
         // What it says of its size is known to agree with the file.
         audited =
@@ -224,7 +229,10 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
             .threads
             .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
     };
-    let done = judge(&own)?;
+    let mut done = judge(&own)?;
+    let is_sound = done.passes(options.limit) || done.fit == audit::Fit::Whole;
+    let lacking = refused.or_else(|| sidecar::lacking(options, &bytes).filter(|_| !is_sound));
+    done.remarks.extend(lacking.map(|lacking| format!("{lacking}.")));
     let otherwise = |without: &str, audit: &Audit| AuditOtherwise {
         without: without.into(),
         verdict: audit.verdict(options.limit),
@@ -242,14 +250,10 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     drop(progress);
     let origin = origin::origin(&bytes, &origin::audit(options));
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let verdict = said.as_ref().map_or_else(|| found.verdict.clone(), |said| said.verdict(options.limit));
-    let passed = found.passed && said.is_none();
-    let found = AuditFindings { passed, cost, verdict, otherwise: beside, ..found };
-    if !found.passed && done.fit != audit::Fit::Whole && !options.quiet {
-        let missing = sidecar::missing(options, &bytes);
-        if !missing.is_empty() {
-            say(&format!("{}{missing}", file_name(options)));
-        }
+    let mut found = AuditFindings { cost, otherwise: beside, ..found };
+    if let Some(said) = &said {
+        let (verdict, figure) = (said.verdict(options.limit), said.figure(options.limit));
+        found = AuditFindings { passed: false, verdict, figure, ..found };
     }
     publish(options, folder, &found)
 }
@@ -385,7 +389,14 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
             };
             let inverse = inverse.map(|inverse| AuditedTable { what: what.clone(), ..inverse });
             let audited = AuditedTable { what, ..function };
-            Ok(Read { audited, inverse, function: Some(source.clone()), holds, note: String::new() })
+            Ok(Read {
+                audited,
+                inverse,
+                function: Some(source.clone()),
+                holds,
+                note: String::new(),
+                refused: None,
+            })
         }
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"

@@ -7,7 +7,6 @@ use std::path::Path;
 
 use super::{Options, file_name};
 use crate::foreign::{Channel, ForeignTable, Hints, RawFormat, Step};
-use lobefit::cli::output::say;
 use lobefit::data::{Container, TexelFormat};
 use lobefit::emit::container::SIDECAR;
 use lobefit::emit::manifest::Manifest;
@@ -24,27 +23,43 @@ const MANIFEST_BYTES: u64 = 16 << 20;
 const WRITER: &[u8] = b"KTXwriter\0lobefit ";
 const HEADER: usize = 4096;
 
+/// How a manifest names this tool.
+const MAKER: &[u8] = b"\"tool\": \"lobefit";
+
 /// A sidecar with its name.
 pub(super) struct Beside {
     name: String,
     said: Sidecar,
 }
 
-/// The sidecar beside the file, if there is one that can be followed; why another is not, is said.
-pub(super) fn beside(options: &Options, length: usize) -> Option<Beside> {
-    let container = container(options)?;
+/// The sidecar beside the file, if there is one.
+///
+/// # Errors
+/// Why it is not followed, in words.
+pub(super) fn beside(options: &Options, length: usize) -> Result<Option<Beside>, String> {
+    let Some(container) = container(options) else { return Ok(None) };
     let name = format!("{}{SIDECAR}", file_name(options));
-    let read = match store::read(path(options).as_ref(), BYTES) {
-        Ok(bytes) => serde_json::from_slice::<Sidecar>(&bytes).map_err(|e| e.to_string()),
-        Err(StoreError::Io { source, .. }) if source.kind() == ErrorKind::NotFound => return None,
+    let parsed = |bytes: Vec<u8>| serde_json::from_slice::<Sidecar>(&bytes).map_err(|e| e.to_string());
+    let read = read(path(options).as_ref(), BYTES);
+    let said = read.and_then(|bytes| bytes.map(parsed).transpose());
+    let said = said.and_then(|said| said.map(|said| checked(said, container, length)).transpose());
+    match said {
+        Ok(said) => Ok(said.map(|said| Beside { name, said })),
+        Err(reason) => Err(refused(options, &name, &reason)),
+    }
+}
+
+/// The bytes of a file; none where it is not there.
+///
+/// # Errors
+/// Why it is not read, in words that name no folder.
+fn read(path: &Path, most: u64) -> Result<Option<Vec<u8>>, String> {
+    match store::read(path, most) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(StoreError::Io { source, .. }) if source.kind() == ErrorKind::NotFound => Ok(None),
+        Err(StoreError::Io { source, .. }) => Err(source.to_string()),
+        Err(StoreError::TooLarge { limit, .. }) => Err(format!("it is larger than {limit} bytes")),
         Err(error) => Err(error.to_string()),
-    };
-    match read.and_then(|said| checked(said, container, length)) {
-        Ok(said) => Some(Beside { name, said }),
-        Err(reason) => {
-            refused(options, &name, &reason);
-            None
-        }
     }
 }
 
@@ -60,38 +75,68 @@ fn path(options: &Options) -> OsString {
     path
 }
 
-/// What to say of a file that is not understood, where this tool wrote it, as the header of a KTX2 file or a
-/// manifest says, and its sidecar is not there; else nothing.
-pub(super) fn missing(options: &Options, bytes: &[u8]) -> String {
-    let head = &bytes[..bytes.len().min(HEADER)];
-    let says = || head.windows(WRITER.len()).any(|part| part == WRITER);
-    let is_alone = container(options).is_some() && !Path::new(&path(options)).exists();
-    if !is_alone || !(says() || is_listed(options)) {
-        return String::new();
+/// What to say of a file that is not understood: why its sidecar is not followed, or, where this tool wrote the
+/// file, as the header of a KTX2 file or a manifest says, that its sidecar is not there.
+pub(super) fn lacking(options: &Options, bytes: &[u8]) -> Option<String> {
+    match beside(options, bytes.len()) {
+        Err(refused) => return Some(refused),
+        Ok(beside) if beside.is_some() || container(options).is_none() => return None,
+        Ok(_) => (),
     }
     let file = file_name(options);
-    format!(
-        "; its sidecar {file}{SIDECAR} is missing: a table of lobefit is read as what the sidecar beside it says"
-    )
+    let listed = if holds(&bytes[..bytes.len().min(HEADER)], WRITER) { Ok(true) } else { is_listed(options) };
+    listed.map_or_else(Some, |listed| {
+        listed.then(|| {
+            format!(
+                "its sidecar {file}{SIDECAR} is missing: a table of lobefit is read as what the sidecar beside it says"
+            )
+        })
+    })
+}
+
+fn holds(bytes: &[u8], words: &[u8]) -> bool {
+    bytes.windows(words.len()).any(|part| part == words)
 }
 
 /// Whether a manifest in the file's folder or in the one above lists a table's file of its name.
-fn is_listed(options: &Options) -> bool {
+///
+/// # Errors
+/// Why a manifest is not understood that may be one of this tool's, in words.
+fn is_listed(options: &Options) -> Result<bool, String> {
     let folder = options.file.parent().unwrap_or(Path::new(""));
-    let tables = [folder.join(MANIFEST), folder.join("..").join(MANIFEST)].into_iter().flat_map(|path| {
-        let manifest = store::read(&path, MANIFEST_BYTES).ok();
-        let manifest = manifest.and_then(|bytes| serde_json::from_slice::<Manifest>(&bytes).ok());
-        manifest.map(|manifest| manifest.entries.tables).unwrap_or_default()
-    });
-    tables.flat_map(|table| table.files).any(|file| Path::new(&file).file_name() == options.file.file_name())
+    let mut odd = None;
+    for name in [MANIFEST.to_string(), format!("../{MANIFEST}")] {
+        let file = file_name(options);
+        let unread = |why: String| {
+            format!("{name}: not read ({}); whether it lists {file} is not known", why.escape_debug())
+        };
+        let manifest = match read(&folder.join(&name), MANIFEST_BYTES) {
+            Ok(Some(bytes)) => serde_json::from_slice::<Manifest>(&bytes).map_err(|e| (e, bytes)),
+            Ok(None) => continue,
+            Err(why) => {
+                odd = odd.or(Some(unread(why)));
+                continue;
+            }
+        };
+        match manifest {
+            Ok(manifest) => {
+                let mut files = manifest.entries.tables.into_iter().flat_map(|table| table.files);
+                if files.any(|file| Path::new(&file).file_name() == options.file.file_name()) {
+                    return Ok(true);
+                }
+            }
+            // A whole document is another's, unless it names this tool.
+            Err((error, bytes)) if error.is_data() && !holds(&bytes, MAKER) => (),
+            Err((error, _)) => odd = odd.or(Some(unread(error.to_string()))),
+        }
+    }
+    odd.map_or(Ok(false), Err)
 }
 
-/// Says why a sidecar is not followed.
-pub(super) fn refused(options: &Options, name: &str, reason: &str) {
-    if !options.quiet {
-        let file = file_name(options);
-        say(&format!("{name}: not followed ({}); {file} is read without it", reason.escape_debug()));
-    }
+/// Why a sidecar is not followed.
+pub(super) fn refused(options: &Options, name: &str, reason: &str) -> String {
+    let file = file_name(options);
+    format!("{name}: not followed ({}); {file} is read without it", reason.escape_debug())
 }
 
 /// A sidecar that is of such a file, of that length.

@@ -3,7 +3,6 @@
 use super::Asked;
 use crate::audit::{self, AuditError, AuditedTable, Declared};
 use lobefit::cli::CliError;
-use lobefit::cli::output::say;
 use lobefit::cli::progress::Spinner;
 
 /// An option that bears on texels alone.
@@ -12,14 +11,14 @@ fn texels_only(options: &Asked) -> Option<&'static str> {
     given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
 }
 
-/// The table as its own statement has it; none if it makes none, or options say how it is read, or
-/// what it says cannot be understood (which is said).
+/// The table as its own statement has it; none if it makes none, or options say how it is read; or why what it
+/// says is not followed.
 pub(super) fn stated(
     options: &Asked,
     audited: &AuditedTable,
     note: &str,
     progress: &Spinner,
-) -> Result<Option<Declared>, CliError> {
+) -> Result<Result<Option<Declared>, String>, CliError> {
     let asked = !options.axes.is_empty()
         || !options.registration.is_empty()
         || options.smith.is_some()
@@ -28,7 +27,7 @@ pub(super) fn stated(
         || !options.clamp.is_empty()
         || options.encoding.is_some();
     if note.is_empty() || asked {
-        return Ok(None);
+        return Ok(Ok(None));
     }
     progress.stage("what the file says of itself");
     let (quantity, column) = options.wanted;
@@ -40,16 +39,13 @@ pub(super) fn stated(
                  read (--registration) has it judged as any table",
                 super::file_name(options)
             ))),
-            None => Ok(Some(found)),
+            None => Ok(Ok(Some(found))),
         },
         Err(AuditError::Statement { reason, .. }) => {
-            if !options.quiet {
-                let what = super::file_name(options);
-                say(&format!(
-                    "{what}: what it says of itself is not followed ({reason}); it is read as any table"
-                ));
-            }
-            Ok(None)
+            let what = super::file_name(options);
+            Ok(Err(format!(
+                "{what}: what it says of itself is not followed ({reason}); it is read as any table"
+            )))
         }
         Err(error) => Err(error.into()),
     }

@@ -20,14 +20,14 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
         _ => Err(CliError::Usage(format!(
             "{file}: does not say which quantity it stands for; say it by --as: {}{}",
             QUANTITIES.map(|quantity| quantity.name()).join(", "),
-            sidecar::missing(options, bytes)
+            lacking(options, bytes)
         ))),
     }
 }
 
 /// The quantity that the file's sidecar or its header names; none of another's file.
 fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
-    if let Some(beside) = sidecar::beside(options, bytes.len()) {
+    if let Ok(Some(beside)) = sidecar::beside(options, bytes.len()) {
         return Ok(Some(beside.quantity().to_string()));
     }
     let file = options.file.display().to_string();
@@ -47,29 +47,35 @@ fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
 /// The tables of a file as its header has them, or the hints.
 fn read(options: &Options, bytes: &[u8], hints: &Hints) -> Result<Vec<foreign::ForeignTable>, CliError> {
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), hints);
-    tables.map_err(|error| match sidecar::missing(options, bytes) {
-        missing if missing.is_empty() => error.into(),
-        missing => CliError::Usage(format!("{error}{missing}")),
+    tables.map_err(|error| match lacking(options, bytes) {
+        lacking if lacking.is_empty() => error.into(),
+        lacking => CliError::Usage(format!("{error}{lacking}")),
     })
 }
 
-/// A table as the sidecar of its file has it, and what it is called in messages.
-type Named = (foreign::ForeignTable, String);
+/// What a file lacks, behind another message.
+fn lacking(options: &Options, bytes: &[u8]) -> String {
+    sidecar::lacking(options, bytes).map_or_else(String::new, |lacking| format!("; {lacking}"))
+}
+
+/// A table as the sidecar of its file has it, what it is called in messages, and why the sidecar is not
+/// followed.
+type Named = (foreign::ForeignTable, String, Option<String>);
 
 /// The tables of a file.
 fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
-    let beside = sidecar::beside(options, bytes.len());
+    let (beside, refused) = match sidecar::beside(options, bytes.len()) {
+        Ok(beside) => (beside, None),
+        Err(refused) => (None, Some(refused)),
+    };
     let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
     let tables = read(options, bytes, &hints)?;
     let with = |table: foreign::ForeignTable| {
         let what = named(options, &table.name);
         match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
-            None => (table, what),
-            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}")),
-            Some((name, Err(reason))) => {
-                sidecar::refused(options, name, &reason);
-                (table, what)
-            }
+            None => (table, what, refused.clone()),
+            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}"), None),
+            Some((name, Err(reason))) => (table, what, Some(sidecar::refused(options, name, &reason))),
         }
     };
     Ok(tables.into_iter().map(with).collect())
@@ -78,10 +84,10 @@ fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
 /// The table that is meant, and what the file is.
 pub(super) fn table(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     let tables = tables(options, bytes)?;
-    let (table, what) = chosen(options, &tables)?.clone();
+    let (table, what, refused) = chosen(options, &tables)?.clone();
     grouped(options, &table);
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
-    Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note })
+    Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note, refused })
 }
 
 /// Says how many channels a stated size makes of a list that states none.
@@ -100,14 +106,14 @@ fn grouped(options: &Options, table: &foreign::ForeignTable) {
 /// The table that is meant, of a file that may hold several.
 fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliError> {
     let inputs = audit::inputs_of(options.wanted.0);
-    let axes = |(t, _): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
+    let axes = |(t, ..): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
     let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {
         ([one], _) => Ok(one),
         ([], [one, ..]) => Ok(one),
         ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
         (several, _) => {
-            let names: Vec<&str> = several.iter().map(|(t, _)| t.name.as_str()).collect();
+            let names: Vec<&str> = several.iter().map(|(t, ..)| t.name.as_str()).collect();
             let names = names.join("`, `");
             Err(CliError::Usage(format!(
                 "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",

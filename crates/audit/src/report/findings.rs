@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::AuditCost;
-use crate::audit::{Drawn, Fit, LookupErrors, TexelErrors, Verdict};
+use crate::audit::{Drawn, Figure, Fit, LookupErrors, TexelErrors, Verdict};
 use lobefit::data::Place;
 use lobefit::report::{Field, Origin};
 
@@ -25,9 +25,9 @@ pub struct AuditFindings {
     pub otherwise: Option<AuditOtherwise>,
     /// How well.
     pub fits: Fit,
-    /// Largest error at a texel or point of any channel that is judged, by the reading that the verdict
-    /// is on.
-    pub max_error: f64,
+    /// The figure that the verdict is on.
+    #[serde(flatten)]
+    pub figure: Option<Figure>,
     /// Largest error by the plain reading, where the plain reading is not the best
     /// one.
     #[serde(skip_serializing_if = "Option::is_none")]

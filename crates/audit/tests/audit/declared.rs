@@ -154,8 +154,20 @@ fn the_command_line_reads_it_unless_told_otherwise() {
     let (code, out, _) = with("part.exr", &["--limit", "0.00069"]);
     let decides = out.lines().next().is_some_and(|line| line.contains(" claims an error of 6.92e-4 at most"));
     assert!(code == Some(1) && decides, "{out}");
+    // The fields have the figure of the first line: the claim, or the lookups of what is not what it says.
+    for (file, more, figure) in
+        [("part.exr", &["--limit", "0.00069"][..], "claim"), ("lie.exr", &[], "lookup")]
+    {
+        let (_, out, _) = with(file, &[more, &["--json"]].concat());
+        let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+        let most = format!("{:.2e}", found["max_error"].as_f64().unwrap()).parse::<f64>().unwrap();
+        let line = found["verdict"]["headline"].as_str().unwrap();
+        let said = if most < 1e-3 { format!("{most:e}") } else { format!("{most}") };
+        assert!(found["figure"] == figure && line.contains(&said), "{said}: {line}");
+    }
     let (code, out, err) = with("odd.exr", &[]);
-    assert!(code == Some(0) && !out.contains("is what it says") && err.contains("sqxt"), "{out} {err}");
+    assert!(code == Some(0) && !out.contains("is what it says") && err.is_empty(), "{out} {err}");
+    assert!(out.contains("what it says of itself is not followed (") && out.contains("sqxt"), "{out}");
     // Its coordinate is none of those that are tried.
     let (code, out, err) = with("own.exr", &["--registration", "endpoint"]);
     assert!(code == Some(1) && !out.contains("is what it says") && err.is_empty(), "{code:?} {out} {err}");

@@ -203,7 +203,7 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
         [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
     );
     let stuck = found.channels[0].defects.iter().find_map(|d| match d {
-        Defect::Clamped { value, texels, truth } => Some((*value, *texels, *truth)),
+        Defect::Clamped { value, texels, truth, .. } => Some((*value, *texels, *truth)),
         _ => None,
     });
     let (end, texels, truth) = stuck.expect("the clamp is named");

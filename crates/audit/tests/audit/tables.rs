@@ -111,7 +111,8 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
         assert!(found.worst() < 1e-6 && plain.max > least, "{} {}", found.worst(), plain.max);
         assert_eq!(plain.options, option);
         assert!(!found.passes(Some(0.5 * least)) && found.passes(Some(1.0)), "the plain reading is judged");
-        assert!(said(&found).contains("unless the file says so"), "{}", said(&found));
+        let meant = format!("if it is meant so, say so (`{option}`)");
+        assert!(said(&found).contains(&meant) && said(&found).contains(": it has "), "{}", said(&found));
         let meant = run(&shipped, "ggx-reflection", &fixed);
         assert!(meant.plain.is_none() && meant.passes(Some(1e-6)), "{:?}", meant.plain);
     }

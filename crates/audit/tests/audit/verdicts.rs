@@ -5,9 +5,10 @@ use std::sync::LazyLock;
 
 use lobefit::data::Smith;
 use lobefit::scene::Scene;
-use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form};
+use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form, Kind};
 use lobefit_audit::foreign::{Hints, read_table};
 use lobefit_math::ops;
+use lobefit_truth::integrate::reflection::average;
 
 use crate::baked_support::bake_scene;
 use crate::points::lobes::karis;
@@ -74,15 +75,20 @@ fn the_first_line_has_the_figure_that_decides() {
     // The limit is not kept read plainly; without one nothing is wrong, and the lobe is said.
     let read = format!("FAIL ggx-reflection A and B: shipped is off by at most {plain:.3} read plainly");
     holds(&line(&found, Some(0.01)), &[&read, "; the limit is 0.01"]);
-    assert_eq!(found.decisive(Some(0.01)), plain);
+    let figure = found.figure(Some(0.01)).expect("judged");
+    assert_eq!((figure.value, figure.kind), (plain, Kind::Plain));
     let as_both = format!("as Schlick-Smith with k = alpha/2, and by {plain:.3} as height-correlated Smith");
     holds(&line(&found, None), &["PASS ", " in lookups ", &as_both]);
     let lookup = found.blend.as_ref().expect("A and B");
     assert!(lookup.max > 3.0 * lookup.inner, "{lookup:?}");
     holds(&line(&found, None), &[&format!("at most {:.4}", lookup.inner)]);
+    // Beside it stand those of A and B over the same places.
+    let [a, b] = [0, 1].map(|k| found.channels[k].lookup.as_ref().expect("a lookup").inner);
+    holds(&found.verdict(None).to_string(), &[&format!("; A by {a:.5}, B by {b:.4}.")]);
     let meant = Fixed { form: Form::find("schlick"), ..Fixed::default() };
     let meant = run(&of_karis(&|_, _, t| t), "ggx-reflection", &meant);
-    assert_eq!((meant.plain.is_none(), meant.decisive(Some(0.01))), (true, meant.worst()));
+    let figure = meant.figure(Some(0.01)).expect("judged");
+    assert_eq!((meant.plain.is_none(), figure.value, figure.kind), (true, meant.worst(), Kind::Texel));
 }
 
 /// Damage that was "PASS", or had the first line of the sound table.
@@ -119,6 +125,18 @@ fn a_gain_of_energy_is_a_failure() {
     holds(&line(&found, None), &["FAIL ", "shipped gains energy: 1.02 of the light comes back at texel ["]);
 }
 
+/// A normalisation below 1 takes light: of 1/E, and of 1/E_avg, it was said that more comes back.
+#[test]
+fn a_normalisation_below_1_gains_no_energy() {
+    let inverse = |i: usize| 0.99 / both(Smith::Correlated, at(i / N) * at(i / N), at(i % N)).0;
+    let mean = |i: usize| 0.99 / average(Smith::Correlated, at(i) * at(i), 1e-9).expect("an average").e_avg;
+    let table = shipped(&[N; 2], vec![("R", (0..N * N).map(inverse).collect())]);
+    let line_of = |table, quantity| line(&run(table, quantity, &Fixed::default()), None);
+    holds(&line_of(&table, "ggx-reflection"), &["PASS ggx-reflection 1/E"]);
+    let table = shipped(&[N], vec![("R", (0..N).map(mean).collect())]);
+    holds(&line_of(&table, "ggx-average"), &["PASS ggx-average 1/E_avg"]);
+}
+
 #[test]
 fn what_has_a_remedy_does_not_pass_until_it_is_meant() {
     let srgb = |v: f64| if v <= 0.0031308 { 12.92 * v } else { 1.055 * ops::pow(v, 1.0 / 2.4) - 0.055 };
@@ -132,7 +150,17 @@ fn what_has_a_remedy_does_not_pass_until_it_is_meant() {
         assert_eq!(plain.options, option);
         let verdict = found.verdict(None);
         says(&verdict, "FAIL", &["read plainly"]);
-        assert!(!verdict.remedy.is_empty() && found.decisive(None) == plain.max, "{verdict}");
+        // The first line says how it is misread, and the remedy what to do: no third point.
+        let text = verdict.to_string();
+        let times = |words: &str| text.matches(words).count();
+        assert_eq!([times("read plainly"), times(&format!("say so (`{option}`)"))], [1, 1], "{text}");
+        assert_eq!([times("assume"), times("Without options"), times("since")], [0; 3], "{text}");
+        let limited = found.verdict(Some(0.1)).to_string();
+        assert!(limited.contains(option) && limited.matches("read plainly").count() == 1, "{limited}");
+        assert!(
+            !verdict.remedy.is_empty() && found.figure(None).expect("judged").value == plain.max,
+            "{verdict}"
+        );
         let best = found.best().axes.iter().map(|a| (a.scale, a.reversed)).collect();
         let meant = Fixed { axes: Some(best), encoding: found.encoding, ..Fixed::default() };
         let verdict = run(&table, "ggx-reflection", &meant).verdict(None);

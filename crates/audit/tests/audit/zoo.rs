@@ -68,6 +68,31 @@ fn the_page_has_the_places_the_commands_and_the_issues_of_the_list() {
     }
 }
 
+/// The first table has the verdict of every artefact in a word, and a row for each pair of tables of area
+/// lights, which have a table of their own below.
+#[test]
+fn the_first_table_has_a_verdict_for_each_artefact() {
+    let page = text("audits.md");
+    let first = page.split("\n## ").next().expect("the first part");
+    let cells = |what: &str| -> Vec<String> {
+        let row = first.lines().find(|line| line.contains(&format!(" | {what} | ")));
+        let row = row.unwrap_or_else(|| panic!("no row of `{what}`"));
+        row.split(" | ").map(|cell| cell.trim_end_matches(" |").to_string()).collect()
+    };
+    for project in projects() {
+        for artefact in list(&project, "artefacts") {
+            let row = cells(word(artefact, "what"));
+            assert!(["PASS", "FAIL", "UNKNOWN"].contains(&row[2].as_str()), "{row:?}");
+        }
+        for pair in project["area_lights"].as_array().into_iter().flatten() {
+            let row = cells(word(pair, "what"));
+            assert!(row[2] == "no limit" && row[3].starts_with("a square light 0."), "{row:?}");
+            let command = format!("# {}, {}\nlobefit audit ", word(pair, "what"), word(pair, "file"));
+            assert!(page.contains(&command), "no `{command}`");
+        }
+    }
+}
+
 /// `recomputed.json`, which a script of its own integration writes, against the list and the page.
 #[test]
 fn a_second_integration_agrees_with_each_audit_or_the_page_says_where_it_does_not() {

@@ -85,6 +85,48 @@ fn points_are_drawn_for_whoever_integrates_them_again() {
     }
 }
 
+/// The first line had the error of a lookup, a gain or a damage where `max_error` was that of a texel.
+#[test]
+fn the_figure_of_the_first_line_is_that_of_the_fields() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    let exact = |x: usize, y: usize| split(Smith::Correlated, at(y) * at(y), at(x), &Effort::ladder()[1]);
+    type Change<'a> = &'a dyn Fn(usize, usize) -> [f64; 2];
+    let halves = |x: usize, y: usize| [exact(x, y).0 - exact(x, y).1, exact(x, y).1];
+    let block = |x: usize, y: usize| {
+        let off = (4..9).contains(&x) && (6..10).contains(&y);
+        [halves(x, y)[0] + if off { 0.03 } else { 0.0 }, halves(x, y)[1]]
+    };
+    let gain = |x: usize, y: usize| halves(x, y).map(|v| 1.02 * v);
+    let turned = |x: usize, y: usize| halves(y, x);
+    let cases: [(Change, &[&str], &str, &str); 6] = [
+        (&halves, &[], "lookup", "f0 A + B"),
+        (&halves, &["--limit", "0.01"], "texel", ""),
+        (&block, &[], "damage", "A"),
+        (&block, &["--limit", "0.01"], "texel", "A"),
+        (&gain, &[], "gain", "A"),
+        (&turned, &[], "plain", ""),
+    ];
+    for (change, more, figure, of) in cases {
+        let texels = (0..256).flat_map(|i| change(i % 16, i / 16)).flat_map(|v| (v as f32).to_le_bytes());
+        std::fs::write(folder.path().join("t.raw"), texels.collect::<Vec<u8>>()).unwrap();
+        let options = ["--size", "16x16", "--channels", "2", "--raw-format", "f32", "--json"];
+        let all = [&["audit", "t.raw", "--as", "ggx-reflection"], &options[..], more].concat();
+        let found: Value = serde_json::from_slice(&lobefit(folder.path(), &all, b"").stdout).unwrap();
+        let line = found["verdict"]["headline"].as_str().unwrap();
+        let most = found["max_error"].as_f64().unwrap();
+        assert_eq!(found["figure"], figure, "{line}");
+        let said = if figure == "gain" { 1.0 + most } else { most };
+        let digits = if figure == "gain" { format!("{said:.4e}") } else { format!("{said:.2e}") };
+        let said: f64 = digits.parse().unwrap();
+        let said = if said < 1e-3 { format!(" {said:e} ") } else { format!(" {said} ") };
+        assert!(line.contains(&said) && found["of"].as_str().unwrap().contains(of), "{said}: {found}");
+        assert!(found["at"]["mu"].is_f64() && found["at"]["alpha"].is_f64(), "{}", found["at"]);
+        let kept = all.get(12).is_none_or(|limit| most <= limit.parse().unwrap());
+        assert_eq!(found["passed"], kept, "{line}");
+    }
+}
+
 #[test]
 fn the_limit_and_a_wrong_guess_are_exit_1() {
     let folder = tempfile::tempdir().unwrap();
@@ -101,7 +143,7 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
         assert!(output.stderr.is_empty(), "what the verdict says is said once: {}", stderr(output));
         String::from_utf8(output.stdout.clone()).unwrap()
     };
-    assert!(told(&transposed).contains("give --axes roughness,mu"), "{}", told(&transposed));
+    assert!(told(&transposed).contains("say so (`--axes roughness,mu`)"), "{}", told(&transposed));
     let over = with(&[&meant[..], &["--limit", "1e-7"]].concat());
     assert_eq!(over.status.code(), Some(1));
     assert!(told(&over).contains("the limit 1e-7"), "{}", told(&over));
@@ -142,8 +184,10 @@ fn a_limit_is_for_the_plain_reading_and_says_how_to_declare_another() {
     assert_eq!(plain.status.code(), Some(1), "{}", stderr(&plain));
     let told = "--axes roughness,mu --registration left,left";
     let found: Value = serde_json::from_slice(&plain.stdout).unwrap();
-    let why = found["verdict"]["errors"][0].as_str().unwrap();
-    assert!(why.contains("read plainly") && why.contains(told), "{why}");
+    let line = found["verdict"]["headline"].as_str().unwrap();
+    assert!(line.contains("read plainly"), "{line}");
+    let remedy = found["verdict"]["remedy"].to_string();
+    assert!(remedy.contains(&format!("if it is meant so, say so (`{told}`)")), "{remedy}");
     // The figure that decides is that of the plain reading.
     assert!(found["max_error"] == found["plain"]["max"] && found["max_error"].as_f64().unwrap() > 0.02);
     let meant = with(&["--axes", "roughness,mu", "--registration", "left,left", "--json"]);

@@ -2,6 +2,8 @@
 //! processor and 288 MiB of addresses.
 
 use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
 use crate::common::{limited, lobefit, stderr};
 use crate::foreign_support::{dds, dds_extended, exr, hdr, ktx2, png};
@@ -100,6 +102,86 @@ fn hostile_files_are_refused_soon_and_in_little_memory() {
                 output.status,
                 error.chars().take(300).collect::<String>()
             ));
+        }
+        fs::remove_file(folder.path().join(name)).expect("removed");
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Runs the program within 1 GiB of addresses: what a file takes that is as large as any that is read.
+fn within_a_gibibyte(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new("sh");
+    let limit = "ulimit -v 1048576 && exec \"$@\"";
+    command.args(["-c", limit, "sh", env!("CARGO_BIN_EXE_lobefit-audit")]).args(arguments);
+    command
+        .env("MALLOC_ARENA_MAX", "1")
+        .env("RAYON_NUM_THREADS", "2")
+        .env("LOBEFIT_CACHE", folder.join("cache"));
+    command.current_dir(folder).stdin(Stdio::null()).output().expect("a shell")
+}
+
+/// Rows of the largest table of three channels.
+const ROWS: usize = SIDE as usize;
+
+/// A channel that falls as A does, at a texel of a table of SIDE columns and so many rows, in 64 steps
+/// along each axis, which packs well.
+fn falling(texel: usize, channel: usize, rows: usize) -> f64 {
+    let at = |i: usize, n: usize| ((i * 64 / n) as f64 + 0.5) / 64.0;
+    let [x, y] = [at(texel % SIDE as usize, SIDE as usize), at(texel / SIDE as usize, rows)];
+    (1.0 - 0.4 * y * (1.0 - x)) / (1 + channel) as f64
+}
+
+/// The values of so many channels of such a table by these bytes.
+fn filled_by<const N: usize>(channels: usize, rows: usize, bytes: impl Fn(f64) -> [u8; N]) -> Vec<u8> {
+    let values = 0..channels * SIDE as usize * rows;
+    values.flat_map(|i| bytes(falling(i / channels, i % channels, rows))).collect()
+}
+
+/// 3 x 2^24 values are the most that is read: in every container that packs so many into 64 MiB, in all of
+/// which every convention and encoding is tried, as of the smallest.
+#[test]
+#[ignore = "two minutes: .ci/nightly"]
+fn nightly_the_largest_files_take_a_gibibyte_at_most() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let eight = |x: f64| [(255.0 * x).round() as u8];
+    let sixteen = |x: f64| ((65535.0 * x).round() as u16).to_be_bytes();
+    let float = |x: f64| (x as f32).to_le_bytes();
+    let shape = format!("{{'descr': '|u1', 'fortran_order': False, 'shape': ({SIDE}, {SIDE}, 3), }}");
+    let raw = format!("--size {SIDE}x{SIDE} --channels 3 --raw-format unorm8");
+    type File<'a> = (&'a str, &'a str, &'a dyn Fn() -> Vec<u8>);
+    let solid = "--as ggx-glass --size 256x256x256 --channels 3 --raw-format unorm8";
+    let files: [File; 9] = [
+        ("a.png", "", &|| png(SIDE, SIDE, 3, false, &filled_by(3, ROWS, eight), false)),
+        ("b.png", "", &|| png(SIDE, SIDE, 3, true, &filled_by(3, ROWS, sixteen), false)),
+        ("a.ktx2", "", &|| ktx2(106, [SIDE, SIDE, 0], 0, &filled_by(3, ROWS, float), true)),
+        ("a.exr", "", &|| {
+            exr((SIDE as usize, SIDE as usize), &[("", &["R", "G", "B"])], |t, c| falling(t, c, ROWS))
+        }),
+        ("a.dds", "", &|| dds_extended(28, [SIDE, SIDE / 4 * 3, 1], 1, &filled_by(4, ROWS / 4 * 3, eight))),
+        ("a.npy", "--raw-format unorm8", &|| npy(&shape, &filled_by(3, ROWS, eight))),
+        ("a.raw", &raw, &|| filled_by(3, ROWS, eight)),
+        ("b.raw", solid, &|| filled_by(3, ROWS, eight)),
+        ("a.h", "--size 4096x4095 --raw-format unorm8", &|| {
+            let texels = filled_by(1, ROWS - 1, eight);
+            let texels: String = texels.into_iter().map(|value| format!("{value},")).collect();
+            format!("float a[] = {{{texels}}};").into_bytes()
+        }),
+    ];
+    let mut wrong = Vec::new();
+    for (name, options, bytes) in files {
+        let bytes = bytes();
+        assert!(bytes.len() <= 64 << 20, "{name}: {} bytes", bytes.len());
+        fs::write(folder.path().join(name), &bytes).expect("written");
+        drop(bytes);
+        let options: Vec<&str> = options.split_whitespace().collect();
+        let quantity: &[&str] = if options.contains(&"--as") { &[] } else { &["--as", "ggx-reflection"] };
+        let all = [&[name], quantity, &options[..]].concat();
+        let started = std::time::Instant::now();
+        let output = within_a_gibibyte(folder.path(), &all);
+        println!("{name}: {:.0?}", started.elapsed());
+        let line = String::from_utf8_lossy(&output.stdout).lines().next().unwrap_or_default().to_string();
+        if output.status.code() != Some(0) || !line.contains(" ggx-") {
+            wrong.push(format!("{name}: {}: {line}{}", output.status, stderr(&output)));
         }
         fs::remove_file(folder.path().join(name)).expect("removed");
     }

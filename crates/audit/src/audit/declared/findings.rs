@@ -40,7 +40,7 @@ pub fn findings(
         verdict: found.verdict(limit),
         otherwise: None,
         fits: if found.holds() { Fit::Whole } else { Fit::None },
-        max_error: found.decisive(limit),
+        figure: found.figure(limit),
         plain: None,
         encoding: None,
         limit,

@@ -17,10 +17,11 @@ use super::lobe::Form;
 use super::lookup::fetch;
 use super::table::AuditedTable;
 use super::truth::{Truth, Values, with_azimuth};
-use super::verdict::Verdict;
+use super::verdict::{Figure, Kind, Verdict};
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
+use lobefit::data::Place;
 use lobefit_truth::quantity::Quantity;
 use nodes::Inputs;
 use statement::{Axis, Statement};
@@ -107,10 +108,16 @@ impl Declared {
         self.held.iter().map(|h| h.figures.max).fold(0.0, f64::max)
     }
 
-    /// The largest error that the verdict is on: its own claim, where that alone is over the limit.
-    pub fn decisive(&self, limit: Option<f64>) -> f64 {
-        let claims = self.holds() && limit.is_some_and(|limit| self.worst() <= limit && self.claimed > limit);
-        if claims { self.claimed } else { self.worst() }
+    /// The figure that the verdict is on: the file's own claim, where that alone is over the limit.
+    pub fn figure(&self, limit: Option<f64>) -> Option<Figure> {
+        let worst = self.held.iter().reduce(|a, b| if b.figures.max > a.figures.max { b } else { a })?;
+        let (value, at) = (worst.figures.max, worst.figures.at.clone());
+        let of = worst.column.name().to_string();
+        let over = |limit| value <= limit && self.claimed > limit;
+        if self.holds() && limit.is_some_and(over) {
+            return Some(Figure { value: self.claimed, kind: Kind::Claim, of, at: Place::new() });
+        }
+        Some(Figure { value, kind: Kind::Lookup, of, at })
     }
 
     /// The verdict; `limit` is the largest error that the user allows.
@@ -132,7 +139,8 @@ impl Declared {
     /// Whether it is what it says, and within a limit wherever it claims something, by its own claim too:
     /// the claim was searched at more places.
     pub fn passes(&self, limit: Option<f64>) -> bool {
-        self.holds() && limit.is_none_or(|limit| self.worst() <= limit && self.claimed <= limit)
+        let keeps = |limit| self.figure(Some(limit)).is_some_and(|figure| figure.value <= limit);
+        self.holds() && limit.is_none_or(keeps)
     }
 }
 

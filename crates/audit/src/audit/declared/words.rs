@@ -3,7 +3,7 @@
 use super::statement::Axis;
 use super::{Declared, SLACK};
 use crate::audit::column::Column;
-use crate::audit::verdict::{Grade, Verdict, first_line, listed, long, number, place, said_limit};
+use crate::audit::verdict::{Grade, Kind, Verdict, first_line, listed, long, number, place, said_limit};
 
 /// Letter, input, registration, formula.
 pub(super) fn axis(axis: &Axis, letter: &str) -> [String; 4] {
@@ -27,15 +27,13 @@ fn headline(found: &Declared, limit: Option<f64>) -> String {
     let held: Vec<&str> = found.held.iter().map(|held| held.column.name()).collect();
     let so = match limit {
         _ if !found.holds() => "is not what it says".to_string(),
-        limit if found.decisive(limit) > found.worst() => {
+        limit if found.figure(limit).is_some_and(|figure| figure.kind == Kind::Claim) => {
             format!("claims an error of {} at most", number(found.claimed))
         }
         _ => "is what it says".into(),
     };
-    let worst = found.held.iter().map(|held| &held.figures);
-    let worst = worst.reduce(|a, b| if b.max > a.max { b } else { a });
-    let off = worst.map_or(String::new(), |worst| {
-        format!(", off by at most {} in lookups ({}; sampled)", number(worst.max), place(&worst.at))
+    let off = found.figure(None).map_or(String::new(), |worst| {
+        format!(", off by at most {} in lookups ({}; sampled)", number(worst.value), place(&worst.at))
     });
     let what = format!("{} {}: ", found.quantity, listed(&held));
     first_line([&what, &found.what, &format!(" {so}{off}")], &[], &said_limit(limit))

@@ -26,17 +26,14 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     steps.extend(audit.plain.iter().flat_map(|plain| readings(audit, plain)));
     let defects = audit.channels.iter().flat_map(|c| &c.defects);
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
-    let exceeds = limit.is_some() && audit.misread(limit).is_some();
-    steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, exceeds)));
+    steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, limit)));
     steps.dedup();
     steps
 }
 
 /// What to do about an encoding, axes and an average of which nobody said that they are meant.
 fn readings(audit: &Audit, plain: &Plain) -> Vec<String> {
-    let encoding =
-        audit.encoding.filter(|encoding| plain.options.ends_with(&format!("--encoding {}", encoding.word)));
-    let mut steps: Vec<String> = encoding.iter().map(|encoding| encoding.remedy.to_string()).collect();
+    let mut steps: Vec<String> = plain.encoding.iter().map(|encoding| encoding.remedy.to_string()).collect();
     let best = audit.best();
     if audit.source == Source::Table && !is_open(audit) {
         steps.extend(registrations(audit));
@@ -54,18 +51,19 @@ fn readings(audit: &Audit, plain: &Plain) -> Vec<String> {
     steps
 }
 
-/// What to do about a reading that no reader assumes, or for which a limit is not kept; none where only
-/// the registration is such, which has steps of its own.
-fn unassumed(audit: &Audit, plain: &Plain, exceeds: bool) -> Option<String> {
-    let own = audit.best();
+/// What to do about a reading that no reader assumes, or for which a limit is not kept; a registration and an
+/// encoding have steps of their own.
+fn unassumed(audit: &Audit, plain: &Plain, limit: Option<f64>) -> Option<String> {
+    let (own, misread) = (audit.best(), audit.misread(limit).is_some());
+    let meant = format!("if it is meant so, say so (`{}`)", plain.options);
     let same = |(a, b): (&AxisReading, &AxisReading)| a.scale == b.scale && a.reversed == b.reversed;
     let axes = own.axes.iter().zip(&plain.convention.axes).all(same);
-    let lobe = !exceeds || own.lobe == plain.convention.lobe;
+    let lobe = !(misread && limit.is_some()) || own.lobe == plain.convention.lobe;
     if axes && lobe && own.columns == plain.convention.columns {
-        return None;
+        return misread.then_some(meant);
     }
     let plainly = readings_differ(audit, own, &plain.convention);
-    Some(format!("if it is meant so, say so (`{}`); if not, make it again with {plainly}", plain.options))
+    Some(format!("{meant}; if not, make it again with {plainly}"))
 }
 
 /// What to do about a table of two lobes.

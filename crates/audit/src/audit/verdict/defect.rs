@@ -49,17 +49,18 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 way(*mean)
             )
         }
-        Defect::Clamped { value, texels, truth } => format!(
+        Defect::Clamped { value, texels, truth, .. } => format!(
             "{texels} values stand at {} where the truth goes on to {}: clamped.",
             number(*value),
             number(*truth)
         ),
-        Defect::Noise { rms, share, step } => {
+        Defect::Noise { rms, share, step, apart } => {
             let cause = step.map_or("as sampling noise does".into(), |step| {
                 format!("as rounding to {} does", step.text())
             });
             let (share, rms) = ((100.0 * share.min(1.0)).round(), number(*rms));
-            format!("{share} % of the error jumps from texel to texel, {cause} (RMS {rms}).")
+            let rest = if *apart { " of the others" } else { "" };
+            format!("{share} % of the error{rest} jumps from texel to texel, {cause} (RMS {rms}).")
         }
         Defect::Steps { step, rms } => {
             format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))

@@ -2,12 +2,15 @@
 
 mod advice;
 mod defect;
+mod figure;
 mod headline;
 mod points;
 mod reason;
 mod words;
 
 pub(super) use defect::sentence;
+pub(super) use figure::worst;
+pub use figure::{Figure, Kind};
 pub(super) use headline::said_limit;
 pub(super) use points::of;
 pub(crate) use words::place;
@@ -39,6 +42,11 @@ impl Grade {
             Grade::Unknown => "UNKNOWN",
         }
     }
+}
+
+/// The figure that the verdict on an audit is on.
+pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure> {
+    figure::figure(audit, limit).map(|told| told.figure)
 }
 
 /// Most characters of a first line, which a terminal and a log show whole.

@@ -1,6 +1,7 @@
 //! The points of a verdict on a table or function of unknown make.
 
-use super::headline::{headline, headline_of, largest_lookup};
+use super::figure::largest_lookup;
+use super::headline::{headline, headline_of};
 use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
@@ -23,7 +24,7 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     let grade = grade(audit, limit, &remedy);
     let mut errors = Vec::new();
     if grade != Grade::Pass {
-        errors.push(format!("{} since {}.", grade.word(), reason(audit, limit)));
+        errors.extend(reason(audit, limit).map(|why| format!("{} since {why}.", grade.word())));
     }
     for (k, channel) in audit.channels.iter().filter(|c| c.column.is_some()).enumerate() {
         errors.extend(at_places(audit, channel, k == 0));
@@ -32,7 +33,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
     errors.dedup();
-    errors.extend(untold(audit).filter(|_| limit.is_none() || audit.misread(limit).is_none()));
+    // Where the verdict is on it the first line says so, and the remedy.
+    errors.extend(untold(audit).filter(|_| audit.misread(limit).is_none()));
     errors.extend(departure(audit));
     errors.extend(lookups(audit));
     errors.extend(limit.map(|limit| judged(audit, limit)));
@@ -58,7 +60,7 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     match limit {
         _ if unfit => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
-        Some(limit) if audit.fit == Fit::Whole && audit.worst_as_read() <= limit => Grade::Unknown,
+        Some(limit) if audit.keeps(limit) => Grade::Unknown,
         None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
         _ => Grade::Fail,
     }
@@ -317,8 +319,9 @@ fn lookups(audit: &Audit) -> Option<String> {
     let channels = || audit.channels.iter().filter_map(|c| Some((c.column?.name(), c)));
     let (name, worst) = largest_lookup(audit)?;
     let others = channels().filter(|(own, _)| *own != name);
-    let others: Vec<String> =
-        others.filter_map(|(own, c)| Some(format!("{own} by {}", number(c.lookup.as_ref()?.max)))).collect();
+    let others: Vec<String> = others
+        .filter_map(|(own, c)| Some(format!("{own} by {}", number(c.lookup.as_ref()?.inner))))
+        .collect();
     let others = if others.is_empty() { String::new() } else { format!("; {}", others.join(", ")) };
     let f0 = if audit.blend.is_some() { " at the worst f0" } else { "" };
     let where_they_are = if centred { "" } else { " at the coordinates that its texels have" };

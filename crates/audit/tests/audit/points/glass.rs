@@ -148,6 +148,27 @@ fn point_05_transmitted_radiance_is_not_taken_for_energy() {
     says(&found.verdict(None), "PASS", &["ggx-glass R+T/eta^2"]);
 }
 
+/// R and T in two channels of a file were each below 1, and nobody held their sum against it.
+#[test]
+fn the_sum_of_r_and_t_gains_energy_where_it_is_above_1() {
+    let iors: Vec<f64> = (0..N).map(|z| 1.05 + z as f64 / (N - 1) as f64).collect();
+    let of_both = |gain: f64| {
+        let channel = |k: usize| energies(Smith::Correlated, &iors, |e, _| gain * [e.r[0], e.t[0]][k]);
+        let span = Span { input: Input::Ior, ends: [1.05, 2.05], name: "ior=1.05..2.05".into() };
+        let ior = Scale::Span(Box::leak(Box::new(span)));
+        let axes = Some([Scale::Mu, Scale::Roughness, ior].map(|scale| (scale, false)).to_vec());
+        let fixed = Fixed { axes, ..of("correlated", Some(Side::Outside)) };
+        let found = run(&shipped(&[N; 3], vec![("R", channel(0)), ("G", channel(1))]), "ggx-glass", &fixed);
+        assert_eq!(columns(&found), [Some(Column::R), Some(Column::T)]);
+        found
+    };
+    let sound = of_both(1.0);
+    says(&sound.verdict(None), "PASS", &["ggx-glass R and T"]);
+    let furnace = sound.furnace.as_ref().expect("R + T");
+    assert!(furnace.range.iter().all(|off| off.abs() < 0.02), "{furnace:?}");
+    says(&of_both(1.02).verdict(None), "FAIL", &["gains energy: 1.02 of the light comes back at texel ["]);
+}
+
 /// An axis of an index had one of a few ranges: ends may be stated, and an index may have no bound.
 #[test]
 fn point_05_an_axis_of_any_range_is_read() {

@@ -75,7 +75,11 @@ fn point_04_karis_lut_is_what_it_is() {
     assert!(lobe.form.word == "correlated" && (0.3..0.4).contains(off), "{lobe:?} {off}");
     let plain = found.plain.as_ref().expect("the name stands for another lobe");
     assert!(plain.options == "--smith schlick" && plain.max == *off, "{plain:?}");
-    says(&found.verdict(Some(0.05)), "FAIL", &["only with Schlick-Smith with k = alpha/2"]);
+    says(
+        &found.verdict(Some(0.05)),
+        "FAIL",
+        &["read plainly", "Schlick-Smith with k = alpha/2", "`--smith schlick`"],
+    );
     let meant = run(&lut, "ggx-reflection", Some("schlick"));
     assert!(meant.plain.is_none(), "{:?}", meant.plain);
     says(&meant.verdict(Some(0.05)), "PASS", &["Held against height-correlated Smith"]);
@@ -108,7 +112,11 @@ fn point_14_estevez_and_kulla_s_own_table_of_sheen_is_recognised() {
     let (lobe, off) = found.departure.as_ref().expect("another lobe");
     assert!(lobe.form.word == "neubelt" && *off > 0.05, "{off}");
     says(&found.verdict(None), "PASS", &["sheen-charlie E", "the shadowing of Estevez and Kulla (2017)"]);
-    says(&found.verdict(Some(0.05)), "FAIL", &["only with the shadowing of Estevez and Kulla"]);
+    says(
+        &found.verdict(Some(0.05)),
+        "FAIL",
+        &["read plainly", "it has the shadowing of Estevez and Kulla", "`--smith estevez-kulla`"],
+    );
     assert_eq!(found.plain.as_ref().map(|plain| plain.options.as_str()), Some("--smith estevez-kulla"));
     assert!(refused(&table, "sheen-charlie", &of(Some("correlated"))).contains("neubelt, estevez-kulla"));
 }

@@ -94,8 +94,32 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
         "{unknown}{known}"
     );
     let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
-    let (code, _, err) = audit(folder.path(), "alone.ktx2", "ggx-reflection:E", &read);
-    assert!(code == Some(1) && err.contains(&missing("ktx2")), "{err}");
+    let (code, out, err) = audit(folder.path(), "alone.ktx2", "ggx-reflection:E", &read);
+    assert!(code == Some(1) && out.contains(&missing("ktx2")[2..]) && err.is_empty(), "{out}{err}");
+    // A manifest that is torn, or that cannot be read, may list it; a whole one of others does not.
+    let is_named = |words: &str| {
+        let (code, _, err) = audit(folder.path(), &listed, "", &[]);
+        let said = format!("; manifest.json: not read ({words}");
+        assert!(code == Some(2), "{err}");
+        err.contains(&said) && err.contains(&format!("whether it lists {listed} is not known"))
+    };
+    let manifest = &files["manifest.json"];
+    write("manifest.json", &manifest[..manifest.len() / 2]);
+    assert!(is_named("EOF while parsing"));
+    let (_, out, _) =
+        audit(folder.path(), &listed, "ggx-reflection:E", &[&read[..], &["--json", "--quiet"]].concat());
+    let found: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert!(found["verdict"]["errors"].to_string().contains("manifest.json: not read (EOF"), "{found}");
+    write(
+        "manifest.json",
+        String::from_utf8(manifest.clone()).unwrap().replacen("\"effects\"", "\"e\"", 1).as_bytes(),
+    );
+    assert!(is_named("missing field"));
+    write("manifest.json", b"{\"name\": \"a page\"}");
+    assert!(!is_named(""));
+    std::fs::remove_file(folder.path().join("manifest.json")).unwrap();
+    std::fs::create_dir(folder.path().join("manifest.json")).unwrap();
+    assert!(is_named(""));
     // Another certificate, and another name of a channel.
     let (name, quantity) = TABLES[0];
     let file = format!("{name}.ktx2.json");
@@ -137,11 +161,15 @@ fn point_09_a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
         // One reading alone is tried: all that the file may be without its sidecar takes long.
         let read = ["--axes", "mu,roughness", "--registration", "centre", "--smith", "correlated"];
         let read = if words == "missing field" { &[][..] } else { &read[..] };
-        let (code, out, err) = audit(folder.path(), &file, "ggx-reflection:E", read);
+        // The verdict has it, though nothing else is to be said.
+        let read = [read, &["--json", "--quiet"]].concat();
+        let (code, out, err) = audit(folder.path(), &file, "ggx-reflection:E", &read);
         assert!(code.is_some_and(|c| c < 2), "{out}{err}");
+        let said: serde_json::Value = serde_json::from_str(&out).unwrap();
+        let said = said["verdict"]["errors"].as_array().unwrap().last().unwrap().as_str().unwrap();
         assert!(
-            err.contains(&format!("{file}.json: not followed (")) && err.contains(words),
-            "`{words}` in {err}"
+            said.contains(&format!("{file}.json: not followed (")) && said.contains(words),
+            "`{words}` in {said}"
         );
         assert!(!out.contains("is what it says"), "{out}");
     }
@@ -151,5 +179,8 @@ fn point_09_a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
     // A sidecar beyond the limit is none.
     write("t.raw.json", &vec![b' '; (1 << 20) + 1]);
     let (code, _, err) = audit(folder.path(), "t.raw", "ggx-reflection", &[]);
-    assert!(code == Some(2) && err.contains("larger than 1048576 bytes"), "{err}");
+    assert!(
+        code == Some(2) && err.contains("t.raw.json: not followed (it is larger than 1048576 bytes)"),
+        "{err}"
+    );
 }

@@ -1,0 +1,249 @@
+//! The figure that a verdict is on: the first line, `--json` and the exit code read it here.
+
+use serde::Serialize;
+
+use super::defect::{LINES, extent};
+use super::headline::{briefly, of_another};
+use super::words::{long, number, place};
+use crate::audit::errors::TexelErrors;
+use crate::audit::table::Source;
+use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, inputs_at};
+use lobefit::data::Place;
+
+/// What a figure is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// The error of a texel, as the table is best read.
+    Texel,
+    /// The error at a point of a function's arguments.
+    Point,
+    /// The error of a lookup between texels.
+    Lookup,
+    /// The error of a texel or point by the plain reading, or of the values as they are stored.
+    Plain,
+    /// The furnace error |E N - 1| of a normalisation.
+    Furnace,
+    /// What comes back of the light beyond what came in.
+    Gain,
+    /// The error of a part that is to be mended.
+    Damage,
+    /// The error that the file claims of itself.
+    Claim,
+}
+
+/// The figure, of what it is and where.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Figure {
+    /// How much; infinite (in JSON null) where the plain reading has no truth at any texel.
+    #[serde(rename = "max_error")]
+    pub value: f64,
+    /// What it is.
+    #[serde(rename = "figure")]
+    pub kind: Kind,
+    /// Of which column, or of `f0 A + B`.
+    pub of: String,
+    /// The inputs there; nothing of a claim.
+    pub at: Place,
+}
+
+/// A figure in words: what was found, and what the first line has besides where there is room.
+pub(super) struct Told {
+    pub figure: Figure,
+    pub found: String,
+    pub more: Vec<String>,
+}
+
+impl Told {
+    fn new(kind: Kind, of: &str, (value, at): (f64, &Place), found: String) -> Told {
+        Told { figure: Figure { kind, of: of.into(), value, at: at.clone() }, found, more: Vec::new() }
+    }
+}
+
+/// The figure of a verdict with a limit, or without one; none where nothing is judged.
+pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
+    // A limit is on all that the file holds.
+    let (column, worst) = worst(audit, limit.is_some())?;
+    let own = (worst.max, &worst.at);
+    let (max, at) = (number(worst.max) + &of(audit, &column), place(&worst.at));
+    let kind = if audit.source == Source::Table { Kind::Texel } else { Kind::Point };
+    if audit.fit == Fit::None && audit.two_lobes.is_none() {
+        let nearest = format!(" {}; the nearest leaves {max} at {at}", nothing(audit));
+        return Some(Told::new(kind, &column, own, nearest));
+    }
+    if let Some(plain) = audit.misread(limit) {
+        return Some(plainly(plain, column));
+    }
+    let points = vec![of_another(audit), format!(" ({} points sampled)", worst.judged)];
+    if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
+        let found = format!(" leaves |E N - 1| of at most {} at {}", number(error), place(&furnace.at));
+        let told = Told::new(Kind::Furnace, &column, (error, &furnace.at), found);
+        return Some(Told { more: points, ..told });
+    }
+    if audit.source == Source::Function {
+        let told = Told::new(kind, &column, own, format!(" is off by at most {max} at {at}"));
+        return Some(Told { more: points, ..told });
+    }
+    if let Some(told) = damage(audit).filter(|_| limit.is_none() || audit.fit != Fit::Whole) {
+        return Some(told);
+    }
+    let lookup = largest_lookup(audit).filter(|(_, lookup)| lookup.inner > worst.max);
+    Some(lookup.map_or_else(
+        || {
+            let another = of_another(audit);
+            Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}"))
+        },
+        |lookup| match limit {
+            // A limit is on the texels: the figure that is judged stands first.
+            Some(_) => {
+                let told =
+                    Told::new(kind, &column, own, format!(" is off by at most {max} at texels ({at})"));
+                let (lookup, there) = of_lookup(audit, lookup);
+                Told { more: vec![of_another(audit), format!(", {lookup}{there}")], ..told }
+            }
+            None => between(audit, lookup, &max),
+        },
+    ))
+}
+
+/// A lookup and its place in words.
+fn of_lookup(audit: &Audit, (column, lookup): (&str, &LookupErrors)) -> (String, String) {
+    let looked = format!("{}{} in lookups", number(lookup.inner), of(audit, column));
+    (looked, format!(" ({})", place(&lookup.inner_at)))
+}
+
+/// The figure of lookups, beside the largest error at texels.
+fn between(audit: &Audit, lookup: (&str, &LookupErrors), texels: &str) -> Told {
+    let another = of_another(audit);
+    let (looked, there) = of_lookup(audit, lookup);
+    let (there, more) = match another.is_empty() {
+        true => (there, vec![format!(", {texels} at texels")]),
+        false => (String::new(), Vec::new()),
+    };
+    let (column, lookup) = lookup;
+    let found = format!(" is off by at most {looked}{another}{there}");
+    Told { more, ..Told::new(Kind::Lookup, column, (lookup.inner, &lookup.inner_at), found) }
+}
+
+/// The figure of the plain reading; `column` has the largest error by the best one.
+fn plainly(plain: &Plain, column: String) -> Told {
+    let at = plain.at.as_ref();
+    let (column, at) = at.map_or((column, Place::new()), |(c, at)| (c.name().into(), at.clone()));
+    let there = if at.is_empty() { String::new() } else { format!(", at {}", place(&at)) };
+    let found = format!(" is off by at most {} read plainly{there}", number(plain.max));
+    let [judged, all] = plain.texels;
+    let few = if judged < all { format!(" ({judged} of {all} texels judged)") } else { String::new() };
+    Told {
+        more: vec![format!(": it has {}", untold(plain)), few],
+        ..Told::new(Kind::Plain, &column, (plain.max, &at), found)
+    }
+}
+
+/// What no reader assumes, in a few words.
+fn untold(plain: &Plain) -> String {
+    let words: Vec<&str> = plain.untold.iter().map(|words| briefly(words)).collect();
+    match words[..] {
+        [first, _, _, ..] => format!("{first} and {} more", words.len() - 1),
+        _ => words.join(", "),
+    }
+}
+
+/// What it is that fits nothing.
+fn nothing(audit: &Audit) -> String {
+    match (audit.source, &audit.published) {
+        (Source::Table, _) => "fits no convention".into(),
+        (Source::Function, None) => "is no approximation of it".into(),
+        (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),
+    }
+}
+
+/// ` of A`, of several columns.
+fn of(audit: &Audit, column: &str) -> String {
+    let judged = |c: &&ChannelAudit| c.column.is_some() || matches!(c.other, Some(Other::Quantity(_)));
+    let several = audit.channels.iter().filter(judged).count() > 1;
+    if several { format!(" of {column}") } else { String::new() }
+}
+
+/// The column with the largest error at its texels or points, of `all` channels those of other quantities too.
+pub(in crate::audit) fn worst(audit: &Audit, all: bool) -> Option<(String, &TexelErrors)> {
+    let one = audit.channels.iter().filter_map(|c| match &c.other {
+        Some(Other::Quantity(other)) if all => {
+            let (column, errors) = worst(other, all)?;
+            Some((format!("{} {column}", other.quantity), errors))
+        }
+        _ => Some((c.column?.name().to_string(), c.errors.as_ref()?)),
+    });
+    one.reduce(|a, b| if b.1.max > a.1.max { b } else { a })
+}
+
+/// What about a table is to be mended: of several the worst.
+pub(super) fn damage(audit: &Audit) -> Option<Told> {
+    if let Some(parts) = &audit.two_lobes {
+        let (column, worst) = worst(audit, true)?;
+        let (range, lobe) = (extent(&audit.axes, &parts.range, &parts.size), parts.lobe.words());
+        let at = if range.is_empty() { String::new() } else { format!(" at {range}") };
+        let (texels, max) = (parts.texels[1], number(worst.max));
+        let found = format!(
+            " is of two lobes: {texels} of its texels{at} are of {lobe}, off by {max} as the others are"
+        );
+        return Some(Told::new(Kind::Damage, &column, (worst.max, &worst.at), found));
+    }
+    let channels = audit.channels.iter().filter_map(|c| Some((c.column?.name(), &c.defects)));
+    let all = channels.flat_map(|(column, defects)| defects.iter().map(move |d| (column, d)));
+    let said = all.filter_map(|(column, defect)| damaged(audit, column, defect));
+    // Lines that were never filled go before all else.
+    let rank = |told: &Told| match told.figure.kind {
+        Kind::Texel => f64::INFINITY,
+        _ => told.figure.value,
+    };
+    said.reduce(|a, b| if rank(&b) > rank(&a) { b } else { a })
+}
+
+/// By how much a defect is wrong; none of one that is in the nature of the format.
+fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
+    let of = of(audit, column);
+    let (kind, value, texel, found) = match defect {
+        Defect::Part { texels, most, texel, rest, range, size, .. } => {
+            let at = match extent(&audit.axes, range, size) {
+                at if at.is_empty() => format!("{} texels", texels[0]),
+                at => at,
+            };
+            let (max, rest) = (number(*most), number(*rest));
+            let found = format!(" is off by at most {max}{of} at {at}, elsewhere by RMS {rest}");
+            (Kind::Damage, *most, texel, found)
+        }
+        Defect::Gain { albedo, texel } => {
+            let comes = long(*albedo);
+            let found = format!(" gains energy: {comes} of the light comes back at texel {texel:?}");
+            (Kind::Gain, albedo - 1.0, texel, found)
+        }
+        Defect::Dead { line: [axis, index], value } => {
+            let (column, rest) = worst(audit, false)?;
+            let (line, name, held) = (LINES[*axis], &audit.axes[*axis], number(*value));
+            let (max, at) = (number(rest.max), place(&rest.at));
+            let found = format!(
+                " was never filled at {line} {name} = {index}: it holds {held}; the rest is off by at most {max} at {at}"
+            );
+            return Some(Told::new(Kind::Texel, &column, (rest.max, &rest.at), found));
+        }
+        Defect::Clamped { value, truth, texel, .. } => {
+            let (held, there) = (number(*value), number(*truth));
+            let found = format!(" stands at {held}{of} where the truth goes on to {there}");
+            (Kind::Damage, (truth - value).abs(), texel, found)
+        }
+        Defect::MissingLoss { worst: [held, truth], texel, .. } => {
+            let (stored, loss) = (number(*held), number(*truth));
+            let found = format!(" holds {stored} of a loss of {loss} at texel {texel:?}");
+            (Kind::Damage, truth - held, texel, found)
+        }
+        _ => return None,
+    };
+    Some(Told::new(kind, column, (value, &inputs_at(audit.best(), &audit.size, texel)), found))
+}
+
+/// The worst lookup and of what it is: of A alone no pixel is made where a shader blends f0 A + B.
+pub(super) fn largest_lookup(audit: &Audit) -> Option<(&'static str, &LookupErrors)> {
+    let channels = audit.channels.iter().filter_map(|c| Some((c.column?.name(), c.lookup.as_ref()?)));
+    let worst = channels.reduce(|a, b| if b.1.inner > a.1.inner { b } else { a });
+    audit.blend.as_ref().map(|blend| ("f0 A + B", blend)).or(worst)
+}
