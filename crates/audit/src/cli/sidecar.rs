@@ -111,7 +111,7 @@ fn is_listed(options: &Options) -> Result<bool, String> {
             format!("{name}: not read ({}); whether it lists {file} is not known", why.escape_debug())
         };
         let manifest = match read(&folder.join(&name), MANIFEST_BYTES) {
-            Ok(Some(bytes)) => serde_json::from_slice::<Manifest>(&bytes).map_err(|e| (e, bytes)),
+            Ok(Some(bytes)) => Manifest::read(&bytes).map_err(|e| (e, bytes)),
             Ok(None) => continue,
             Err(why) => {
                 odd = odd.or(Some(unread(why)));
