@@ -324,6 +324,7 @@ def main(folder):
         out.write("\n".join(page).rstrip() + "\n")
     missing = [i for i, f in found.items() if isinstance(f, str)]
     missing += [e["what"] for p in zoo["projects"] for e, f in lights[p["project"]] if isinstance(f, str)]
+    missing += [own] * isinstance(lights["ours"], str)
     unsure = [f"{i} ({why})" for i, why in stale.items() if why]
     said = ["not audited: " + ", ".join(missing)] * bool(missing)
     said += ["no second integration: " + ", ".join(unsure)] * bool(unsure)

@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::audit::{AuditError, Grade};
-use crate::foreign::ForeignTable;
+use crate::foreign::{Channel, ForeignTable};
+use lobefit::data::Decode;
 use lobefit_ltc::{Deviation, Lobe, Pair, Setting, measured};
 use lobefit_shade::round_up;
 
@@ -77,8 +78,8 @@ pub fn pair(tables: &[ForeignTable]) -> Result<(Pair, bool), AuditError> {
             )));
         }
         side = columns;
-        let texel =
-            |i: usize| std::array::from_fn(|c| channels[c].values.get(i).copied().unwrap_or(f64::NAN));
+        let order = by_name(channels);
+        let texel = |i: usize| order.map(|c| channels[c].values.get(i).copied().unwrap_or(f64::NAN));
         let texels: Vec<[f64; CHANNELS]> = (0..table.texels()).map(texel).collect();
         layers.extend(texels.chunks(side * side).map(<[_]>::to_vec));
     }
@@ -94,6 +95,17 @@ pub fn pair(tables: &[ForeignTable]) -> Result<(Pair, bool), AuditError> {
     let matrices = layers.next().ok_or_else(|| AuditError::refused("the file", "holds no table"))?;
     let amplitudes = layers.next().unwrap_or_else(|| vec![[0.0; CHANNELS]; matrices.len()]);
     Ok((Pair { side, matrices, amplitudes }, has_scales))
+}
+
+/// The channels in the order of a pair: that of their names, where they have those of our tables, for OpenEXR
+/// sorts channels by name; else the file's own.
+fn by_name(channels: &[Channel]) -> [usize; CHANNELS] {
+    let of = |decode: Decode| -> Option<Vec<usize>> {
+        let names = decode.formulas().iter();
+        names.map(|(name, _)| channels.iter().position(|channel| channel.name == *name)).collect()
+    };
+    let named = [Decode::Transform, Decode::Light].into_iter().find_map(of);
+    named.and_then(|order| order.try_into().ok()).unwrap_or_else(|| std::array::from_fn(|c| c))
 }
 
 impl LtcFindings {

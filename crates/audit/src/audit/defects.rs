@@ -46,6 +46,8 @@ pub enum Defect {
     },
     /// More light comes back than came in.
     Gain {
+        /// What it is of: a column, or the one that two are halves of.
+        column: Column,
         /// The largest albedo.
         albedo: f64,
         /// That texel.
@@ -255,7 +257,9 @@ fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
 
 /// The part of those of these texels that lie in a range.
 pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], over: f64) -> Defect {
-    let off: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
+    let inside: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
+    // A range leaves out strays: lines of either axis may cross where none of the texels is.
+    let off = if inside.is_empty() { off } else { &inside };
     let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &range)).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
     let worst = off.iter().fold(off[0], |w, i| if r.errors[*i].abs() > r.errors[w].abs() { *i } else { w });

@@ -60,7 +60,7 @@ pub(super) fn furnace(
             Some(f) if !worse => f.at,
             _ => inputs_at(convention, &table.size, &places),
         };
-        out = Some(Furnace { range, at, dark });
+        out = Some(Furnace { column, range, at, dark });
     }
     out.map(|f| Furnace { dark, ..f })
 }
@@ -113,5 +113,9 @@ fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
     }
     let (over, i, albedo) = worst;
     let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r, &r.judged);
-    (over > left && sums[0] > ONE_SIGN * sums[1]).then(|| Defect::Gain { albedo, texel: r.texel(i) })
+    (over > left && sums[0] > ONE_SIGN * sums[1]).then(|| Defect::Gain {
+        column: r.column,
+        albedo,
+        texel: r.texel(i),
+    })
 }

@@ -43,6 +43,8 @@ pub struct Tried {
 /// The furnace: E over the E that the table makes the shader believe, less 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Furnace {
+    /// The column of the table's E, or the one that two are halves of.
+    pub column: Column,
     /// Least and largest; infinite where the table's E is 0 or less.
     pub range: [f64; 2],
     /// Where the magnitude is largest; the first such place.

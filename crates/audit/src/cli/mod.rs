@@ -230,8 +230,8 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
             .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
     };
     let mut done = judge(&own)?;
-    let is_sound = done.passes(options.limit) || done.fit == audit::Fit::Whole;
-    let lacking = refused.or_else(|| sidecar::lacking(options, &bytes).filter(|_| !is_sound));
+    let is_understood = done.fit == audit::Fit::Whole;
+    let lacking = refused.or_else(|| if is_understood { None } else { sidecar::lacking(options, &bytes) });
     done.remarks.extend(lacking.map(|lacking| format!("{lacking}.")));
     let otherwise = |without: &str, audit: &Audit| AuditOtherwise {
         without: without.into(),

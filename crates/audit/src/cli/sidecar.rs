@@ -125,8 +125,8 @@ fn is_listed(options: &Options) -> Result<bool, String> {
                     return Ok(true);
                 }
             }
-            // A whole document is another's, unless it names this tool.
-            Err((error, bytes)) if error.is_data() && !holds(&bytes, MAKER) => (),
+            // It is another's, unless it names this tool or is cut short before.
+            Err((error, bytes)) if !error.is_eof() && !holds(&bytes, MAKER) => (),
             Err((error, _)) => odd = odd.or(Some(unread(error.to_string()))),
         }
     }

@@ -3,6 +3,8 @@
 use crate::common;
 
 use common::{lobefit, stderr};
+use lobefit_audit::foreign::{Channel, ForeignTable, Step};
+use lobefit_audit::ltc::pair;
 use lobefit_ltc::{Lobe, Pair};
 use lobefit_truth::optics::Smith;
 use serde_json::Value;
@@ -64,4 +66,32 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     }
     let unknown = run("matrices.raw", &["--as", "ltc:beckmann"]);
     assert_eq!(unknown.status.code(), Some(2), "{}", stderr(&unknown));
+}
+
+/// Channels by their names, as OpenEXR sorts them, are those of a pair in its own order.
+#[test]
+fn channels_of_our_names_are_read_by_name() {
+    let table = |names: [&str; 4], values: [f64; 4]| {
+        let channel =
+            |(name, value): (&str, f64)| Channel { name: name.into(), values: vec![value; 4].into() };
+        ForeignTable {
+            file: "a.exr".into(),
+            name: String::new(),
+            what: String::new(),
+            size: vec![2, 2],
+            channels: names.into_iter().zip(values).map(channel).collect(),
+            step: Step::None,
+            note: String::new(),
+        }
+    };
+    let texels = |[matrices, light]: [ForeignTable; 2]| {
+        let (pair, has_scales) = pair(&[matrices, light]).unwrap();
+        assert!(has_scales);
+        [pair.matrices[3], pair.amplitudes[3]]
+    };
+    let sorted = [["m11", "m13", "m31", "m33"], ["B", "E", "sphere", "zero"]];
+    let [matrices, light] = sorted.map(|names| table(names, [1.0, 2.0, 3.0, 4.0]));
+    assert_eq!(texels([matrices, light]), [[1.0, 3.0, 2.0, 4.0], [2.0, 1.0, 4.0, 3.0]]);
+    let unnamed = || table(["0", "1", "2", "3"], [1.0, 2.0, 3.0, 4.0]);
+    assert_eq!(texels([unnamed(), unnamed()]), [[1.0, 2.0, 3.0, 4.0]; 2]);
 }

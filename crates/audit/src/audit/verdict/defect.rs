@@ -24,7 +24,7 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             number(*own),
             number(*mended)
         ),
-        Defect::Gain { albedo, texel } => {
+        Defect::Gain { albedo, texel, .. } => {
             format!("It gains energy: {} of the light comes back at texel {texel:?}.", long(*albedo))
         }
         Defect::Dead { line: [axis, index], value } => format!(

@@ -77,7 +77,7 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     let points = vec![of_another(audit), format!(" ({} points sampled)", worst.judged)];
     if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
         let found = format!(" leaves |E N - 1| of at most {} at {}", number(error), place(&furnace.at));
-        let told = Told::new(Kind::Furnace, &column, (error, &furnace.at), found);
+        let told = Told::new(Kind::Furnace, furnace.column.name(), (error, &furnace.at), found);
         return Some(Told { more: points, ..told });
     }
     if audit.source == Source::Function {
@@ -212,10 +212,11 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
             let found = format!(" is off by at most {max}{of} at {at}, elsewhere by RMS {rest}");
             (Kind::Damage, *most, texel, found)
         }
-        Defect::Gain { albedo, texel } => {
+        Defect::Gain { column, albedo, texel } => {
             let comes = long(*albedo);
             let found = format!(" gains energy: {comes} of the light comes back at texel {texel:?}");
-            (Kind::Gain, albedo - 1.0, texel, found)
+            let at = inputs_at(audit.best(), &audit.size, texel);
+            return Some(Told::new(Kind::Gain, column.name(), (albedo - 1.0, &at), found));
         }
         Defect::Dead { line: [axis, index], value } => {
             let (column, rest) = worst(audit, false)?;
