@@ -104,7 +104,7 @@ fn the_figure_of_the_first_line_is_that_of_the_fields() {
         (&halves, &["--limit", "0.01"], "texel", ""),
         (&block, &[], "damage", "A"),
         (&block, &["--limit", "0.01"], "texel", "A"),
-        (&gain, &[], "gain", "A"),
+        (&gain, &[], "gain", "E"),
         (&turned, &[], "plain", ""),
     ];
     for (change, more, figure, of) in cases {
