@@ -71,8 +71,8 @@ const BRIGHT: f64 = 0.95;
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects; a loss that is missing is
-/// part of one.
+/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects. A loss that is missing
+/// is part of the gain.
 pub(super) fn gains(r: &Residuals, sum: Option<&Sum>, grain: Grain, defects: &mut Vec<Defect>) {
     let whole = sum.map(|sum| Residuals::new(r.sample, r.judgement, sum.column, &sum.values));
     if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain) {
@@ -81,8 +81,8 @@ pub(super) fn gains(r: &Residuals, sum: Option<&Sum>, grain: Grain, defects: &mu
     }
 }
 
-/// The share of the light that comes back by a value of a column; none of what is no share, or of one by
-/// which none is gained: a normalisation below 1 takes light, and radiance grows on its way into a medium.
+/// The share of the light that comes back, by a value of a column. Columns without one cannot gain energy: a
+/// normalisation below 1 takes light away, and radiance grows on its way into a denser medium.
 fn comes_back(column: Column, value: f64) -> Option<f64> {
     match column {
         Column::R | Column::T | Column::AverageR => Some(value),

@@ -75,8 +75,8 @@ fn path(options: &Options) -> OsString {
     path
 }
 
-/// What to say of a file that is not understood: why its sidecar is not followed, or, where this tool wrote the
-/// file, as the header of a KTX2 file or a manifest says, that its sidecar is not there.
+/// What to say of a file that is not understood: why its sidecar is not followed; or that the sidecar is not
+/// there, where the header of a KTX2 file or a manifest says that this tool wrote the file.
 pub(super) fn lacking(options: &Options, bytes: &[u8]) -> Option<String> {
     match beside(options, bytes.len()) {
         Err(refused) => return Some(refused),

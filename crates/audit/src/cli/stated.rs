@@ -11,8 +11,8 @@ fn texels_only(options: &Asked) -> Option<&'static str> {
     given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
 }
 
-/// The table as its own statement has it; none if it makes none, or options say how it is read; or why what it
-/// says is not followed.
+/// The table as its own statement has it, or in words why that is not followed. A file without a statement
+/// has no such table, nor has one of which options say how it is read.
 pub(super) fn stated(
     options: &Asked,
     audited: &AuditedTable,

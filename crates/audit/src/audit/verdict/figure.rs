@@ -164,7 +164,7 @@ fn of(audit: &Audit, column: &str) -> String {
     if several { format!(" of {column}") } else { String::new() }
 }
 
-/// The column with the largest error at its texels or points, of `all` channels those of other quantities too.
+/// The column with the largest error at its texels or points; with `all`, those of other quantities too.
 pub(in crate::audit) fn worst(audit: &Audit, all: bool) -> Option<(String, &TexelErrors)> {
     let one = audit.channels.iter().filter_map(|c| match &c.other {
         Some(Other::Quantity(other)) if all => {
