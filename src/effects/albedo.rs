@@ -6,7 +6,7 @@ use crate::approximate::Memo;
 use crate::data::Smith;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, Lobe, TRUTH_ERROR};
+use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, Reflection, TRUTH_ERROR};
 
 /// E, and B where it was asked for, at every point, within [`TRUTH_ERROR`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,7 +31,7 @@ impl Albedo {
     /// # Errors
     /// As [`Albedo::new`].
     pub fn of(
-        (lobe, smith): (&dyn Lobe, Smith),
+        (lobe, smith): (&Reflection, Smith),
         points: &Points,
         split: bool,
         memo: &Memo,

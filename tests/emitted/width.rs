@@ -1,7 +1,7 @@
 //! The effect width: the emitted roughness in WGSL against facets of a textbook that are sorted by how
 //! far they refract from the mean, the files of four languages before their compilers, and the formulas
 //! beside the rule that engines ship; and the emitted roughness of widened lobes against their truth,
-//! which `crates/truth/tests/widened.rs` holds to a textbook.
+//! which `crates/truth/tests/truth/widened.rs` holds to a textbook.
 #![allow(clippy::disallowed_methods)]
 
 use crate::baked_support::{assert_promised, shared};

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 #[test]
 fn the_interpolant_is_within_its_stated_error() {
     for smith in [Smith::Correlated, Smith::Separable] {
-        let known = GGX_REFLECTION.interpolant(smith, true);
+        let known = GGX_REFLECTION.known(smith, true);
         let off = |index: u64| {
             let mut random = Pcg64::seed_from_u64(31_000_000 + index);
             let mut log = || lobefit_math::ops::exp(-4.0 * std::f64::consts::LN_10 * random.random::<f64>());
@@ -32,7 +32,7 @@ fn the_interpolant_is_within_its_stated_error() {
 
 #[test]
 fn the_interpolant_ends_with_its_domain() {
-    let known = GGX_REFLECTION.interpolant(Smith::Correlated, false);
+    let known = GGX_REFLECTION.known(Smith::Correlated, false);
     for (alpha, mu) in [(1e-4, 1e-4), (1.0, 1.0), (1e-4, 1.0), (1.0, 1e-4), (0.3, 0.7)] {
         let (e, b) = known.at(alpha, mu).expect("in the domain");
         let truth = reflection(Smith::Correlated, alpha, mu, 1e-10).expect("in the domain");

@@ -5,8 +5,8 @@
 
 All defects go into one copy of the packages, each behind a switch that an environment variable turns, so that
 they are built once. A defect is a text of a file with the expression between [[ and ]] that it replaces, and
-the test binaries that are run with it: `math` is that of crates/math, `attack` that of crates/promises, the
-others are those of crates/truth. A defect that fewer than two tests catch fails the run. caught.md beside this
+the tests that are run with it: `math` are those of crates/math, `attack` those of crates/promises, the others
+the files of crates/truth/tests. A defect that fewer than two tests catch fails the run. caught.md beside this
 file has the row of each.
 """
 
@@ -65,31 +65,36 @@ def plant(defects):
 
 
 def build():
-    """The test binaries by the names that the list has."""
+    """The commands that run tests, by the names that the list has."""
     packages = [word for name in ("math", "truth", "promises") for word in ("-p", f"lobefit-{name}")]
     command = ["cargo", "test", "--release", "--no-run", "--message-format=json", "--target-dir", COPY / "build"]
     done = subprocess.run(command + packages, cwd=COPY / "tree", stdout=subprocess.PIPE, text=True, check=True)
-    binaries = {}
+    commands = {}
     for line in done.stdout.splitlines():
         message = json.loads(line)
         if message.get("executable") and message["target"]["kind"] == ["test"]:
-            of_math = "crates/math" in message["target"]["src_path"]
-            binaries["math" if of_math else message["target"]["name"]] = Path(message["executable"])
-    return binaries
+            source, name = Path(message["target"]["src_path"]), message["target"]["name"]
+            name = "math" if "crates/math" in str(source) else name
+            commands[name] = [message["executable"]]
+            if name == "truth":
+                files = [path.stem for path in source.parent.glob("*.rs")]
+                commands.update({file: [message["executable"], f"{file}::"] for file in files})
+    return commands
 
 
-def failures(binary, number):
-    """Tests of a binary that fail with a defect; the binary itself where it does not end."""
+def failures(command, number):
+    """Tests of a command that fail with a defect; the command itself where it does not end."""
     environment = {**os.environ, SWITCH: str(number), "LOBEFIT_TRIALS": TRIALS, "RUST_BACKTRACE": "0"}
-    package = {"attack": "promises", "complete": "promises"}.get(binary.name.split("-")[0], "truth")
+    name, *part = [Path(command[0]).name.split("-")[0], *command[1:]]
+    package = {"attack": "promises", "complete": "promises"}.get(name, "truth")
+    name = part[0].removesuffix("::") if part else name
     folder = COPY / "tree" / "crates" / package
     try:
-        done = subprocess.run([binary], cwd=folder, env=environment, timeout=SECONDS, capture_output=True, text=True)
+        done = subprocess.run(command, cwd=folder, env=environment, timeout=SECONDS, capture_output=True, text=True)
     except subprocess.TimeoutExpired:
-        return [f"{binary.name.split('-')[0]} does not end"]
-    name = binary.name.split("-")[0]
+        return [f"{name} does not end"]
     found = re.findall(r"^test (\S+) \.\.\. FAILED$", done.stdout, re.MULTILINE)
-    return [f"{name} {test}" for test in found] or ([f"{name} dies"] if done.returncode else [])
+    return [f"{name} {test.removeprefix(f'{name}::')}" for test in found] or ([f"{name} dies"] if done.returncode else [])
 
 
 HEAD = [
@@ -113,15 +118,15 @@ def main():
     defects = json.loads((HERE / "defects.json").read_text())
     asked = {int(number) for number in sys.argv[1:]} or set(range(1, len(defects) + 1))
     plant(defects)
-    binaries = build()
+    commands = build()
     used = sorted({name for number in asked for name in defects[number - 1]["tests"]})
-    sound = {name: failures(binaries[name], 0) for name in used}
+    sound = {name: failures(commands[name], 0) for name in used}
     assert not any(sound.values()), f"without a defect: {sound}"
     rows, lines, missed = written(), [], []
     for number, defect in enumerate(defects, 1):
         if number not in asked:
             continue
-        caught = [test for name in defect["tests"] for test in failures(binaries[name], number)]
+        caught = [test for name in defect["tests"] for test in failures(commands[name], number)]
         row = f"| {defect['name']} | `{defect['file']}` | {len(caught)} | {', '.join(caught[:4])} |"
         print(row, flush=True)
         lines.append(row)

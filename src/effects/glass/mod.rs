@@ -22,7 +22,7 @@ use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
-use lobefit_truth::quantity::{BECKMANN_GLASS, GGX_GLASS, Sided};
+use lobefit_truth::quantity::{self, BECKMANN_GLASS, GGX_GLASS, Quantity};
 
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
@@ -32,7 +32,7 @@ pub struct Glass {
     ndf: Ndf,
     /// Names of the effect and, but in the path tracer's layout, of its functions.
     names: [&'static str; 2],
-    quantity: &'static dyn Sided,
+    quantity: &'static quantity::Glass,
     prefixes: &'static [&'static str],
     /// Times what GGX takes.
     price: f64,
@@ -188,7 +188,7 @@ impl Sliced for Glass {
 
     fn path_tracer_error(&self, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
         let side = if z < 0.5 { Side::Outside } else { Side::Inside };
-        let [_, _, loss] = self.quantity.drawn(Smith::Separable, [alpha, x * x, 1.0 + z], side, RUN)?;
+        let [_, _, loss] = self.quantity.drawn((Smith::Separable, side), [alpha, x * x, 1.0 + z], RUN)?;
         Ok(loss.standard_error)
     }
 }
@@ -208,7 +208,7 @@ fn inputs(places: impl Iterator<Item = [f64; 3]>) -> points::Points {
 /// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
 pub fn truths(
-    glass: &dyn Sided,
+    glass: &quantity::Glass,
     smith: Smith,
     points: &LookupPoints,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
@@ -217,7 +217,7 @@ pub fn truths(
 
 /// E of both sides at (alpha, mu, ior), and the evaluations that they took.
 fn energies(
-    (glass, smith): (&dyn Sided, Smith),
+    (glass, smith): (&quantity::Glass, Smith),
     places: impl Iterator<Item = [f64; 3]>,
     tolerance: f64,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {

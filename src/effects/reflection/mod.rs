@@ -24,7 +24,7 @@ pub use fits::{FitSpec, fit_all};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{build, sampled};
 
-use lobefit_truth::quantity::{self, Lobe};
+use lobefit_truth::quantity::{self, Quantity};
 
 /// The effect, of one distribution of normals.
 pub struct Reflection {
@@ -32,7 +32,7 @@ pub struct Reflection {
     /// The effect's name.
     name: &'static str,
     /// The quantity.
-    lobe: &'static dyn Lobe,
+    lobe: &'static quantity::Reflection,
     /// How names of tables begin, and the roles of those of E and of E and B.
     tables: [&'static str; 3],
     /// The emitted normalisation, average and blend, by their roles.

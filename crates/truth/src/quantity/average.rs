@@ -12,7 +12,7 @@ use crate::integrate::{IntegrateError, reflection};
 use crate::points::hull;
 
 /// Nodes of the interpolant of E_avg over a [`SPAN`] of ln(alpha), in which it is analytic: within
-/// 1e-9 (`crates/truth/tests/many.rs`).
+/// 1e-9 (`crates/truth/tests/truth/many.rs`).
 const NODES: usize = 48;
 
 /// From 1e-4 to 1, with room for the rounding of an f32.

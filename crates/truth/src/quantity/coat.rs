@@ -12,7 +12,7 @@
 //! to and fro, and the layers send back
 //!   E(mu) = E_c(mu) + (1 - E_c(mu)) rho (1 - K)/(1 - rho K),
 //! 1 for a white base at every mu. Of single scattering it is E_c + T(mu) rho (T_avg/ior^2)/(1 - rho
-//! K_single) (`crates/truth/tests/coat.rs` walks it).
+//! K_single) (`crates/truth/tests/truth/coat.rs` walks it).
 //!
 //! Ends of the domain: alpha = 0 is the smooth interface, of which nothing is lost and both K are equal;
 //! ior = 1 reflects nothing.
@@ -134,7 +134,7 @@ fn by(smith: Smith, [alpha, ior]: [f64; 2], nodes: usize) -> Result<[f64; 3], In
 }
 
 /// Nodes of the interpolant of E_avg over ln(alpha) and sqrt(ior - 1), and the bound of its error: 4e-8
-/// where it was measured, at random places up to an index of 2 (`crates/truth/tests/many.rs`).
+/// where it was measured, at random places up to an index of 2 (`crates/truth/tests/truth/many.rs`).
 const GRID: usize = 24;
 const QUICK: f64 = 1e-6;
 

@@ -19,91 +19,133 @@ const CHUNK: usize = 256;
 const FINEST: f64 = 1e-8;
 
 /// Reflected and transmitted energy, their sum and 1 less the sum, from either side.
-#[derive(Clone, Copy, Debug)]
-pub struct Glass<D> {
+#[derive(Clone, Copy)]
+pub struct Glass {
     name: &'static str,
-    /// The distribution of a width.
-    lobe: fn(f64) -> D,
+    by: &'static dyn Lobes,
     /// Whether it is the lobe of the path tracer.
     is_traced: bool,
 }
 
 /// `ggx-glass`.
-pub static GGX_GLASS: Glass<Ggx> = Glass { name: "ggx-glass", lobe: Ggx, is_traced: true };
+pub static GGX_GLASS: Glass = Glass { name: Ggx::QUANTITY, by: &(Ggx as fn(f64) -> Ggx), is_traced: true };
 
 /// `beckmann-glass`.
-pub static BECKMANN_GLASS: Glass<Beckmann> =
-    Glass { name: "beckmann-glass", lobe: Beckmann, is_traced: false };
+pub static BECKMANN_GLASS: Glass =
+    Glass { name: Beckmann::QUANTITY, by: &(Beckmann as fn(f64) -> Beckmann), is_traced: false };
 
-/// The glass of either distribution, as makers of tables ask for it.
-pub trait Sided: Quantity {
-    /// As [`Glass::both_sides`].
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    fn both_sides(&self, smith: Smith, points: &Points, tolerance: f64)
-    -> Result<[Truth; 2], IntegrateError>;
+/// Columns of alpha, mu and ior.
+type Columns<'a> = [&'a [f64]; 3];
 
-    /// As [`Glass::one_side`].
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    fn one_side(
+/// What depends on the distribution of normals, behind a pointer: so no package that names a glass
+/// compiles its kernels again.
+trait Lobes: Sync {
+    /// The energies at alpha, mu and ior by the truth's own sweep.
+    fn exactly(
         &self,
         at: (Smith, Side),
-        points: &Points,
+        place: [f64; 3],
         tolerance: f64,
-    ) -> Result<Vec<f64>, IntegrateError>;
+    ) -> Result<glass::Glass, IntegrateError>;
 
-    /// As [`monte_carlo::glass`].
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    fn drawn(&self, smith: Smith, x: [f64; 3], side: Side, run: Run) -> Result<[Sampled; 3], IntegrateError>;
+    /// As [`Glass::reflected`].
+    fn reflected(
+        &self,
+        at: (Smith, Side),
+        columns: Columns<'_>,
+        tolerance: f64,
+    ) -> Result<(Vec<f64>, u64), IntegrateError>;
+
+    /// As [`Glass::energies`].
+    fn energies(
+        &self,
+        at: (Smith, Option<Side>),
+        columns: Columns<'_>,
+        tolerance: f64,
+    ) -> Result<(Vec<Energies>, u64), IntegrateError>;
+
+    /// As [`Glass::drawn`].
+    fn drawn(&self, at: (Smith, Side), place: [f64; 3], run: Run) -> Result<[Sampled; 3], IntegrateError>;
+
+    /// The path tracer's draws.
+    fn traced(&self, at: (Smith, Side), place: [f64; 3]) -> Trace<'static>;
 }
 
-impl<D: Tabled> Sided for Glass<D> {
-    fn both_sides(
-        &self,
-        smith: Smith,
-        points: &Points,
-        tolerance: f64,
-    ) -> Result<[Truth; 2], IntegrateError> {
-        Glass::both_sides(self, smith, points, tolerance)
-    }
-
-    fn one_side(
+/// The distribution of a width.
+impl<D: Tabled + 'static> Lobes for fn(f64) -> D {
+    fn exactly(
         &self,
         (smith, side): (Smith, Side),
-        points: &Points,
+        [alpha, mu, ior]: [f64; 3],
         tolerance: f64,
-    ) -> Result<Vec<f64>, IntegrateError> {
-        Glass::one_side(self, smith, side, points, tolerance)
+    ) -> Result<glass::Glass, IntegrateError> {
+        glass::glass_of(D::QUANTITY, (smith, self(alpha)), mu, (ior, side), tolerance)
+    }
+
+    fn reflected(
+        &self,
+        (smith, side): (Smith, Side),
+        columns: Columns<'_>,
+        tolerance: f64,
+    ) -> Result<(Vec<f64>, u64), IntegrateError> {
+        let kernel = Kernel::of(*self, smith, tolerance)?;
+        in_groups(columns, |same, out: &mut Vec<f64>| {
+            let ([alpha, mu, _], start) = (same[0], out.len());
+            let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
+            out.resize(start + iors.len(), 0.0);
+            if table::covers(alpha, mu, &iors) {
+                return kernel.reflected([alpha, mu], &iors, side, &mut out[start..]);
+            }
+            for (ior, r) in iors.iter().zip(&mut out[start..]) {
+                *r = self.exactly((smith, side), [alpha, mu, *ior], tolerance)?.r;
+            }
+            Ok(iors.len() as u64)
+        })
+    }
+
+    fn energies(
+        &self,
+        (smith, only): (Smith, Option<Side>),
+        columns: Columns<'_>,
+        tolerance: f64,
+    ) -> Result<(Vec<Energies>, u64), IntegrateError> {
+        let kernel = Kernel::of(*self, smith, tolerance)?;
+        let kernel = match only {
+            Some(side) => kernel.only(side),
+            None => kernel,
+        };
+        in_groups(columns, |same, out| {
+            let ([alpha, mu, _], start) = (same[0], out.len());
+            let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
+            out.resize(start + iors.len(), Energies::default());
+            if table::covers(alpha, mu, &iors) {
+                return kernel.energies(alpha, mu, &iors, &mut out[start..]);
+            }
+            for (ior, energies) in iors.iter().zip(&mut out[start..]) {
+                for (k, side) in Side::ALL.into_iter().enumerate() {
+                    let value = self.exactly((smith, side), [alpha, mu, *ior], tolerance)?;
+                    (energies.r[k], energies.t[k]) = (value.r, value.t);
+                }
+            }
+            Ok(2 * iors.len() as u64)
+        })
     }
 
     fn drawn(
         &self,
-        smith: Smith,
+        (smith, side): (Smith, Side),
         [alpha, mu, ior]: [f64; 3],
-        side: Side,
         run: Run,
     ) -> Result<[Sampled; 3], IntegrateError> {
-        monte_carlo::glass_of(self.name, (smith, (self.lobe)(alpha)), mu, (ior, side), run)
+        monte_carlo::glass_of(D::QUANTITY, (smith, self(alpha)), mu, (ior, side), run)
+    }
+
+    fn traced(&self, (smith, side): (Smith, Side), [alpha, mu, ior]: [f64; 3]) -> Trace<'static> {
+        monte_carlo::traced_glass(smith, self(alpha), monte_carlo::view(mu), (ior, side))
     }
 }
 
-impl<D: Tabled> Glass<D> {
-    /// The energies at a point by the truth's own sweep.
-    fn exactly(
-        &self,
-        smith: Smith,
-        [alpha, mu, ior]: [f64; 3],
-        side: Side,
-        tolerance: f64,
-    ) -> Result<glass::Glass, IntegrateError> {
-        glass::glass_of(self.name, (smith, (self.lobe)(alpha)), mu, (ior, side), tolerance)
-    }
-
+impl Glass {
     /// R, T and E at points from outside and from inside, which share their work as neighbours of
     /// one alpha and mu do; E is within a tolerance in [1e-8, 1e-2], R and T within twice as much.
     ///
@@ -128,8 +170,7 @@ impl<D: Tabled> Glass<D> {
     /// As [`Quantity::at`].
     pub fn one_side(
         &self,
-        smith: Smith,
-        side: Side,
+        (smith, side): (Smith, Side),
         points: &Points,
         tolerance: f64,
     ) -> Result<Vec<f64>, IntegrateError> {
@@ -147,21 +188,8 @@ impl<D: Tabled> Glass<D> {
         points: &Points,
         tolerance: f64,
     ) -> Result<(Vec<f64>, u64), IntegrateError> {
-        let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
-        let [alpha, mu, ior] = asked.columns(self)?;
-        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
-        in_groups([alpha, mu, ior], |same, out: &mut Vec<f64>| {
-            let ([alpha, mu, _], start) = (same[0], out.len());
-            let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
-            out.resize(start + iors.len(), 0.0);
-            if table::covers(alpha, mu, &iors) {
-                return kernel.reflected([alpha, mu], &iors, side, &mut out[start..]);
-            }
-            for (ior, r) in iors.iter().zip(&mut out[start..]) {
-                *r = self.exactly(smith, [alpha, mu, *ior], side, tolerance)?.r;
-            }
-            Ok(iors.len() as u64)
-        })
+        let asked = Asked { variant: &smith.into(), points, outputs: &[], tolerance };
+        self.by.reflected((smith, side), asked.columns(self)?, tolerance)
     }
 
     /// The energies of both sides or of one, and the evaluations that they took.
@@ -172,39 +200,21 @@ impl<D: Tabled> Glass<D> {
         points: &Points,
         tolerance: f64,
     ) -> Result<(Vec<Energies>, u64), IntegrateError> {
-        let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
-        let [alpha, mu, ior] = asked.columns(self)?;
-        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
-        let kernel = match only {
-            Some(side) => kernel.only(side),
-            None => kernel,
-        };
-        in_groups([alpha, mu, ior], |same, out| self.group((&kernel, smith), same, tolerance, out))
+        let asked = Asked { variant: &smith.into(), points, outputs: &[], tolerance };
+        self.by.energies((smith, only), asked.columns(self)?, tolerance)
     }
 
-    /// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the
-    /// domain of the rings each is integrated.
-    fn group(
+    /// R, T and the loss at alpha, mu and ior by Monte Carlo.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    pub fn drawn(
         &self,
-        (kernel, smith): (&Kernel<D>, Smith),
-        points: &[[f64; 3]],
-        tolerance: f64,
-        out: &mut Vec<Energies>,
-    ) -> Result<u64, IntegrateError> {
-        let [alpha, mu, _] = points[0];
-        let iors: Vec<f64> = points.iter().map(|point| point[2]).collect();
-        let start = out.len();
-        out.resize(start + iors.len(), Energies::default());
-        if table::covers(alpha, mu, &iors) {
-            return kernel.energies(alpha, mu, &iors, &mut out[start..]);
-        }
-        for (ior, energies) in iors.iter().zip(&mut out[start..]) {
-            for (k, side) in Side::ALL.into_iter().enumerate() {
-                let value = self.exactly(smith, [alpha, mu, *ior], side, tolerance)?;
-                (energies.r[k], energies.t[k]) = (value.r, value.t);
-            }
-        }
-        Ok(2 * iors.len() as u64)
+        at: (Smith, Side),
+        place: [f64; 3],
+        run: Run,
+    ) -> Result<[Sampled; 3], IntegrateError> {
+        self.by.drawn(at, place, run)
     }
 }
 
@@ -228,7 +238,7 @@ fn in_groups<T: Send>(
     Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
 }
 
-impl<D: Tabled> Quantity for Glass<D> {
+impl Quantity for Glass {
     fn name(&self) -> &'static str {
         self.name
     }
@@ -264,8 +274,8 @@ impl<D: Tabled> Quantity for Glass<D> {
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
-        let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
-        let v = self.exactly(smith, [x[0], x[1], x[2]], side, tolerance)?;
+        let at = (variant.smith(self.name())?, variant.side(self.name())?);
+        let v = self.by.exactly(at, [x[0], x[1], x[2]], tolerance)?;
         Ok(vec![v.r, v.t, v.e, v.loss, v.error])
     }
 
@@ -295,8 +305,8 @@ impl<D: Tabled> Quantity for Glass<D> {
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
-        let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
-        let [r, t, loss] = self.drawn(smith, [x[0], x[1], x[2]], side, run)?;
+        let at = (variant.smith(self.name())?, variant.side(self.name())?);
+        let [r, t, loss] = self.drawn(at, [x[0], x[1], x[2]], run)?;
         // The replicas of R and T are correlated: the sum's error is that of its complement.
         let e = Sampled { value: r.value + t.value, ..loss };
         Ok(vec![r, t, e, loss])
@@ -304,8 +314,7 @@ impl<D: Tabled> Quantity for Glass<D> {
 
     /// The path tracer has tables of GGX, and draws visible normals.
     fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
-        let (lobe, at) = ((self.lobe)(x[0]), (x[2], variant.side?));
-        let smith = variant.smith.filter(|_| self.is_traced)?;
-        Some(monte_carlo::traced_glass(smith, lobe, monte_carlo::view(x[1]), at))
+        let at = (variant.smith.filter(|_| self.is_traced)?, variant.side?);
+        Some(self.by.traced(at, [x[0], x[1], x[2]]))
     }
 }

@@ -26,10 +26,10 @@ pub use average::GgxAverage;
 pub use coat::{ESCAPE, GgxCoat};
 pub use coupling::{COUPLING, DiffuseCoupling, Specular};
 pub use eon::EonSingle;
-pub use glass::{BECKMANN_GLASS, GGX_GLASS, Glass, Sided};
+pub use glass::{BECKMANN_GLASS, GGX_GLASS, Glass};
 pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
-pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Lobe, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
+pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
 pub use refracted::RefractedWidth;
 pub use sheen::SheenCharlie;
 pub use used::{Residual, Use};
@@ -145,7 +145,7 @@ pub trait Quantity: Sync {
     /// The outputs at one point by quadrature. The last is the estimated error of the others, at
     /// most `tolerance`: from two rules of which one has twice the nodes, it holds at all but 1 of
     /// 1000 points of `ggx-reflection` (`tests/integrate/error_bound.rs`) and at all but 1 of 300
-    /// or more of every other quantity (`crates/truth/tests/error.rs`, `tests/integrate/lobes.rs`).
+    /// or more of every other quantity (`crates/truth/tests/truth/error.rs`, `tests/integrate/lobes.rs`).
     ///
     /// # Errors
     /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the

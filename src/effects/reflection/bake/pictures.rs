@@ -9,10 +9,10 @@ use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, Looku
 use crate::effects::{Albedo, BakeError};
 use crate::report::{Field, FitCurve, FurnaceRow};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::quantity::Lobe;
+use lobefit_truth::quantity::Reflection;
 
 /// A lobe in a shadowing form.
-pub type Shadowed = (&'static dyn Lobe, Smith);
+pub type Shadowed = (&'static Reflection, Smith);
 
 /// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];

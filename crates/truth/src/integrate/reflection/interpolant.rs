@@ -56,7 +56,7 @@ impl<D: Distribution> Interpolant<D> {
     pub const SMALLEST: f64 = 1e-4;
 
     /// Largest error of E and of B of GGX, measured at random points by
-    /// `tests/integrate/interpolant.rs`. Beckmann's is below 1e-7 (`crates/truth/tests/many.rs`).
+    /// `tests/integrate/interpolant.rs`. Beckmann's is below 1e-7 (`crates/truth/tests/truth/many.rs`).
     pub const ERROR: f64 = 2e-9;
 
     /// No tile yet. E alone takes a fiftieth of the time of E and B; without `split`, B is NaN.

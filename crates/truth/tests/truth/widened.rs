@@ -298,7 +298,7 @@ fn what_nothing_widens_keeps_its_roughness() {
 /// The figures of docs/scene.md: the same mean length of GGX slopes.
 #[test]
 fn the_distribution_of_normals_matters_as_the_page_says() {
-    let page = include_str!("../../../docs/scene.md");
+    let page = include_str!("../../../../docs/scene.md");
     let mut lacking = Vec::new();
     for [r, mu, length] in [[0.2, 1.0, 0.98], [0.2, 0.3, 0.9], [0.5, 0.3, 0.9]] {
         let normal = normals(length, true);
