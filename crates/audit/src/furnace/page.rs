@@ -113,7 +113,7 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
         let rows = found.furnace.cells.chunks(VIEWS.len());
         let (lines, bars) = (rows.clone().enumerate().map(line), rows.map(bars));
         Curves {
-            title: found.furnace.channels[channel].clone(),
+            title: format!("Energy of {}", found.furnace.channels[channel]),
             x: ("cosine of the view".into(), Spread::Linear),
             y: ("energy".into(), Spread::Linear),
             series: lines.chain([white]).chain(bars).collect(),
