@@ -1,6 +1,7 @@
 //! What a scene wants of an effect: a demand for each material or probe, merged into jobs.
 
 use std::borrow::Cow;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::BakeError;
@@ -257,13 +258,25 @@ impl Job {
         !self.promises.is_empty() || self.goals.max_ops.is_some()
     }
 
-    /// What became of goals that differ: `max_ops 5 of a and 20 of b became 20`.
+    /// What became of goals that differ: `max_ops 5 of a and 20 of b became 20`, and which call takes more
+    /// than that, for what it does beside the formula.
     pub fn merging(&self) -> Option<String> {
         let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "no limit".to_string(), |n| n.to_string());
         let error = |goals: &Goals| goals.max_error.map_or_else(|| "no limit".to_string(), |e| e.to_string());
-        let parts = [became("max_ops", self, &ops), became("max_error", self, &error)];
+        let budget = became("max_ops", self, &ops).map(|text| text + &self.beyond().unwrap_or_default());
+        let parts = [budget, became("max_error", self, &error)];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
         (!parts.is_empty()).then(|| parts.join("; "))
+    }
+
+    /// The call that takes most of those that take more than the budget: of three channels, where a formula for
+    /// one may take all of it.
+    fn beyond(&self) -> Option<String> {
+        let Budget { max_ops: Some(most), call } = self.budget() else { return None };
+        let bounded = self.demands.iter().filter(|demand| demand.goals.max_ops.is_some());
+        let calls = bounded.map(|demand| (demand.call.ops(call.left(most)), &demand.name));
+        let (ops, name) = calls.min_by_key(|(ops, _)| Reverse(*ops))?;
+        (ops > most).then(|| format!(", and a call of `{name}` takes up to {ops}"))
     }
 
     fn widen(&mut self) {

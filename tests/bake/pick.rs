@@ -241,6 +241,21 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
     );
 }
 
+/// A formula for one channel may take a budget whole that a call for three shares with what it does beside.
+#[test]
+fn a_merged_budget_says_which_call_takes_more() {
+    let steel = metal("steel", r#"{"max_ops": 16}"#);
+    let plastic = metal("plastic", r#"{"max_ops": 17}"#).replace("metal", "dielectric");
+    let materials = [steel, plastic.replace("\"f0\": 0.9", "\"ior\": 1.5")].join(",");
+    let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
+    let plan = plan(&Scene::from_json(text.as_bytes(), "test.json").expect("a scene"));
+    let merging = plan.effects[0].jobs[0].merging.as_deref();
+    assert_eq!(
+        merging,
+        Some("max_ops 16 of `steel` and 17 of `plastic` became 17, and a call of `steel` takes up to 21")
+    );
+}
+
 /// A budget without an error asks for the most accurate within it, whatever another material puts up with,
 /// and whatever the other's call takes beside the formula.
 #[test]
