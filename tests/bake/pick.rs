@@ -222,6 +222,13 @@ fn a_promise_that_nothing_keeps_names_what_does() {
     }
 }
 
+/// What a plan says of goals that differ.
+fn merging(materials: &str) -> Option<String> {
+    let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
+    let scene = Scene::from_json(text.as_bytes(), "test.json").expect("a scene");
+    plan(&scene).effects[0].jobs[0].merging.clone()
+}
+
 #[test]
 fn budgets_of_several_materials_become_one_and_that_is_said() {
     let materials = [
@@ -230,13 +237,9 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
     ]
     .join(",");
     let baked = baked("", &materials);
-    assert!(baked.broken.is_empty(), "{:?}", baked.broken);
-    assert_eq!(emitted(&baked).len(), 1);
-    let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
-    let plan = plan(&Scene::from_json(text.as_bytes(), "test.json").expect("a scene"));
-    let merging = plan.effects[0].jobs[0].merging.as_deref();
+    assert!(baked.broken.is_empty() && emitted(&baked).len() == 1, "{:?}", baked.broken);
     assert_eq!(
-        merging,
+        merging(&materials).as_deref(),
         Some("max_ops 5 of `a` and 20 of `b` became 20; max_error 0.3 of `a` and 0.03 of `b` became 0.03")
     );
 }
@@ -244,14 +247,11 @@ fn budgets_of_several_materials_become_one_and_that_is_said() {
 /// A formula for one channel may take a budget whole that a call for three shares with what it does beside.
 #[test]
 fn a_merged_budget_says_which_call_takes_more() {
-    let steel = metal("steel", r#"{"max_ops": 16}"#);
     let plastic = metal("plastic", r#"{"max_ops": 17}"#).replace("metal", "dielectric");
-    let materials = [steel, plastic.replace("\"f0\": 0.9", "\"ior\": 1.5")].join(",");
-    let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
-    let plan = plan(&Scene::from_json(text.as_bytes(), "test.json").expect("a scene"));
-    let merging = plan.effects[0].jobs[0].merging.as_deref();
+    let plastic = plastic.replace("\"f0\": 0.9", "\"ior\": 1.5");
+    let materials = format!("{},{plastic}", metal("steel", r#"{"max_ops": 16}"#));
     assert_eq!(
-        merging,
+        merging(&materials).as_deref(),
         Some("max_ops 16 of `steel` and 17 of `plastic` became 17, and a call of `steel` takes up to 21")
     );
 }
