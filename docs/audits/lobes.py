@@ -137,13 +137,14 @@ def sampled(quantity, lobe, at, more):
 
 def lit(quantity, lobe, at, rest):
     """First and second base value of every shift, at one cosine."""
-    if quantity == "ggx-glass":
+    lobe = "Beckmann, " * quantity.startswith("beckmann") + lobe
+    if quantity.endswith("-glass"):
         ior, side = at["ior"], lobe
         if "rays from" not in lobe:
             ior, side = (ior, "outside, " + lobe) if ior >= 1 else (1 / ior, "inside, " + lobe)
         both = glass(side, ior, *rest)
     else:
-        both = reflection("Beckmann, " * quantity.startswith("beckmann") + lobe, *rest)
+        both = reflection(lobe, *rest)
     return np.stack([part.mean(axis=1) for part in both], axis=1)
 
 
@@ -186,7 +187,7 @@ def column(holds, quantity, at, values):
     """What a channel holds, of base values."""
     first, second = values.T
     word = holds.split(" (")[0].replace("_avg", "")
-    total = first + second if quantity == "ggx-glass" else first
+    total = first + second if quantity.endswith("-glass") else first
     simple = {"E": total, "1-E": 1 - total, "1/E": 1 / total, "1/E-1": 1 / total - 1}
     if word in simple:
         return simple[word]

@@ -139,6 +139,18 @@ def grade(found):
     return found["verdict"]["grade"] if "verdict" in found else found.get("grade", "no limit")
 
 
+def reason(name, found):
+    """Why an artefact does not pass, as the audit says it, and what mends it."""
+    if isinstance(found, str) or found["verdict"]["grade"] == "PASS":
+        return []
+    verdict, other = found["verdict"], found.get("otherwise")
+    said = [f"- `{name}`: **{verdict['grade']}** {verdict['headline']}."]
+    if other and other["verdict"]["grade"] != "UNKNOWN":
+        said.append(f"Without {other['without']}: {other['verdict']['grade']} {other['verdict']['headline']}.")
+    said += [f"Remedy: {'; '.join(verdict['remedy'])}."] * bool(verdict["remedy"])
+    return [" ".join(said)]
+
+
 def number(x):
     return f"{x:.2g}" if abs(x) < 1e-3 else f"{x:.3g}"
 
@@ -277,6 +289,8 @@ def section(project, found, compares, entries, lights):
         name = artefact["id"]
         lines += rows(artefact, found[name], compares[name], entries[name])
     lines += of_lights(lights[project["project"]], lights["ours"]) if lights[project["project"]] else []
+    reasons = [line for artefact in project["artefacts"] for line in reason(artefact["id"], found[artefact["id"]])]
+    lines += [""] * bool(reasons) + reasons
     lines += ["", "```sh"]
     for artefact in project["artefacts"]:
         name, file = artefact["id"], artefact["file"]
@@ -292,9 +306,6 @@ def section(project, found, compares, entries, lights):
         lines.append(shlex.join(["lobefit", "audit", here, *said]))
         if isinstance(found[name], dict):
             lines.append(f"# {FITS[found[name]['fits']]} {reading(found[name])}")
-        if "other" in entries[name]:
-            other = entries[name]["other"]
-            lines.append(f"# by the second integration, as {other['lobe']}: {number(other['max'])}, RMS {number(other['rms'])}")
     for entry, _ in lights[project["project"]]:
         lines += command_of(entry)
     lines += ["```", ""]

@@ -136,15 +136,6 @@ def channel(found, own, values):
     return {**rounded({**figures, **stated}), "agrees": why is None, **({"why": why} if why else {})}
 
 
-def other(found, lobe, own, values):
-    """The errors of a channel against a lobe that the audit does not know."""
-    errors = []
-    for point in own["points"]:
-        value, at, _ = read_again(point, values[own["name"]], found["conventions"][0]["axes"])
-        errors.append(value - lobes.truth(found["quantity"], lobe, at, own["holds"])[0])
-    return rounded({"lobe": lobe, "max": max(map(abs, errors)), "rms": float(np.sqrt(np.mean(np.square(errors))))})
-
-
 def rounded(figures):
     return {name: float(f"{x:.4g}") if isinstance(x, float) else x for name, x in figures.items()}
 
@@ -160,8 +151,6 @@ def entry(job):
     judged = [own for own in found["channels"] if own.get("points")]
     done = [channel(found, own, values[own["name"]]) for own in judged]
     head = {"id": artefact["id"], "sha256": make.digest(file)}
-    if "second" in artefact:
-        head["other"] = other(found, artefact["second"], judged[0], values)
     return {**head, "agrees": all(c["agrees"] for c in done), "channels": done}, time.time() - begun
 
 

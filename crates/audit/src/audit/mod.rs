@@ -387,6 +387,7 @@ fn finish(
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
         margin: two_lobes.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
         fixed: !fixed.is_free(),
+        excluded: None,
         excused: fixed.meanings.is_some() || fixed.column.is_some(),
         channels,
         furnace,

@@ -243,6 +243,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
         let domain = own.domain.clone();
         let free = judge(&Fixed { column: options.wanted.1, domain, ..Fixed::default() })?;
         beside = Some(otherwise("those options", &free));
+        done.excluded = (free.fit != audit::Fit::None).then(|| free.best().clone());
     }
     let priced = function.filter(|_| options.isa);
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));

@@ -142,6 +142,23 @@ fn transmission_is_reciprocal() {
     }
 }
 
+/// A refracted ray straight down has a cosine of 1 and a rounding above it.
+#[test]
+fn the_kernel_of_tables_is_finite_where_nothing_bends() {
+    for tolerance in [1e-3, 1e-4, 1e-6] {
+        let kernel = Kernel::of(Beckmann, Smith::Correlated, tolerance).expect("a tolerance");
+        let iors: Vec<f64> = (0..200).map(|k| 1.0 + f64::exp(-30.0 + 0.15 * f64::from(k))).collect();
+        let mut found = vec![Energies::default(); iors.len()];
+        for alpha in [4e-4, 1e-3, 0.01, 0.1, 1.0] {
+            kernel.energies(alpha, 1.0, &iors, &mut found).expect("in the domain");
+            for (ior, e) in iors.iter().zip(&found) {
+                let within = e.e().iter().all(|e| (0.3..=1.0 + tolerance).contains(e));
+                assert!(within, "{tolerance} {alpha} {ior}: {e:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_kernel_of_tables_keeps_its_tolerances() {
     for (smith, tolerance) in [(Smith::Correlated, 1e-4), (Smith::Separable, 1e-6)] {

@@ -12,6 +12,9 @@ use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     if audit.fit == Fit::None {
         let told = match audit.source {
+            _ if audit.excluded.is_some() => {
+                "make it again as the options say, or read it as what it follows"
+            }
             Source::Table => "make it again, or audit it as what it holds",
             Source::Function => "fit its constants to this quantity, or audit it as what it computes",
         };

@@ -151,6 +151,7 @@ fn untold(plain: &Plain) -> String {
 /// What it is that fits nothing.
 fn nothing(audit: &Audit) -> String {
     match (audit.source, &audit.published) {
+        _ if audit.excluded.is_some() => "is not what the options say".into(),
         (Source::Table, _) => "fits no convention".into(),
         (Source::Function, None) => "is no approximation of it".into(),
         (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),

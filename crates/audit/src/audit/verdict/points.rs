@@ -58,6 +58,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
 fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     let unfit = audit.fit == Fit::None && audit.two_lobes.is_none() && audit.published.is_none();
     match limit {
+        // It is known, and is not what the options say.
+        _ if audit.excluded.is_some() => Grade::Fail,
         _ if unfit => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
         Some(limit) if audit.keeps(limit) => Grade::Unknown,

@@ -73,7 +73,8 @@ impl Tabled for Beckmann {
 
     #[inline(always)]
     fn area_far(lobe: &Lobe<Beckmann>, cosine: f64) -> f64 {
-        let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
+        // Straight down a cosine may be 1 and a rounding.
+        let sine = positive((1.0 - cosine) * (1.0 + cosine)).sqrt();
         cosine + lobe.alpha * sine * ierfc_near(cosine / (lobe.alpha * sine))
     }
 
