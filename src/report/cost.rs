@@ -14,7 +14,7 @@ pub struct Costs {
     pub jobs: Vec<CostJob>,
     /// Tables of the committed bake.
     pub tables: Vec<TableEntry>,
-    /// Times of functions.
+    /// Times of functions of other scenes.
     pub times: Vec<GpuRecord>,
     /// What accuracy costs offline, a processor each.
     pub offline: Vec<OfflineRecord>,
@@ -23,11 +23,11 @@ pub struct Costs {
 /// What a cost is counted in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CostUnit {
-    /// The vendor and family of GPUs, `AMD navi21`; of operations what is counted.
+    /// The vendor and family of GPUs, `AMD navi21`, or the device; of operations what is counted.
     pub name: String,
     /// What is counted, in a word or two; empty where the name says it.
     pub counted: String,
-    /// What is counted, and by what compiler.
+    /// What is counted, by what compiler, and of published formulas.
     pub unit: String,
 }
 

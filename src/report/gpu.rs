@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Origin, ReportError};
 use crate::data::Use;
+use crate::emit::include::Include;
 
 /// Times that come with this version: those of the built-in scene's functions.
 const RECORDED: &str = include_str!("../../reports/gpu/nvidia-h200.json");
@@ -171,6 +172,17 @@ pub struct GpuLeftOut {
     pub function: String,
     /// Why.
     pub reason: String,
+}
+
+impl GpuRecord {
+    /// Nanoseconds of a call of a function, if it was measured as it is emitted here; of a lookup with its fetches.
+    pub fn nanoseconds(&self, function: &str, include: &Include) -> Option<f64> {
+        let code = include.hash(function)?;
+        let is_own =
+            |row: &&GpuRow| row.function.as_deref() == Some(function) && row.code.as_ref() == Some(&code);
+        let own = self.rows.iter().filter(|row| is_own(row) && row.resolved());
+        Some(own.max_by_key(|row| row.fetches)?.nanoseconds.median)
+    }
 }
 
 impl GpuRow {

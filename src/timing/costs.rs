@@ -1,4 +1,5 @@
-//! What every formula of a bake costs: operations, and compiled code on the GPUs of each vendor.
+//! What every formula of a bake costs: operations, compiled code on the GPUs of each vendor, and time where it was
+//! measured.
 
 use super::isa::{IsaRecord, Precision};
 use super::priced::priced;
@@ -6,13 +7,14 @@ use crate::approximate::Fit;
 use crate::bake::{BakeError, Baked};
 use crate::data::{Norm, Source, Vendor};
 use crate::emit::include::Include;
-use crate::report::{CostJob, CostPoint, CostUnit};
+use crate::report::{CostJob, CostPoint, CostUnit, GpuRecord};
+use lobefit_math::correlation::Correlation;
 use lobefit_truth::quantity::{COUPLING, Specular};
 
-/// A vendor with the record of its compiled code.
-struct Counted<'a> {
-    vendor: Vendor,
-    record: &'a IsaRecord,
+/// What formulas are counted by: the record of a vendor's compiled code, or of times.
+enum Counted<'a> {
+    Compiled(Vendor, &'a IsaRecord),
+    Timed(&'a GpuRecord),
 }
 
 /// Units and formulas of the bake of a scene, the fits of the largest error and published formulas.
@@ -23,6 +25,7 @@ pub fn costs(
     baked: &Baked,
     scene: &str,
     records: &[IsaRecord],
+    times: &[GpuRecord],
 ) -> Result<(Vec<CostUnit>, Vec<CostJob>), BakeError> {
     let lacks = || BakeError::Scene {
         field: "languages".into(),
@@ -31,9 +34,10 @@ pub fn costs(
     let include = Include::of(&baked.files).ok_or_else(lacks)?;
     let record = |vendor| {
         let of = |record: &&IsaRecord| record.driver == priced(vendor).driver && record.scene == scene;
-        Some(Counted { vendor, record: records.iter().find(of)? })
+        Some(Counted::Compiled(vendor, records.iter().find(of)?))
     };
-    let counted: Vec<Counted> = Vendor::ALL.into_iter().filter_map(record).collect();
+    let compiled = Vendor::ALL.into_iter().filter_map(record);
+    let counted: Vec<Counted> = compiled.chain(times.iter().map(Counted::Timed)).collect();
     let mut units =
         vec![CostUnit { name: "operations".into(), counted: String::new(), unit: "operations".into() }];
     units.extend(counted.iter().map(Counted::unit));
@@ -65,31 +69,66 @@ pub fn costs(
             }
         }
     }
-    Ok((units, jobs.into_iter().map(|(_, job)| job).collect()))
+    let jobs: Vec<CostJob> = jobs.into_iter().map(|(_, job)| job).collect();
+    for (k, _) in counted.iter().enumerate().filter(|(_, of)| matches!(of, Counted::Timed(_))) {
+        let followed = followed(&units, &jobs, k + 1);
+        units[k + 1].unit += &followed;
+    }
+    Ok((units, jobs))
+}
+
+/// How well operations, and compiled code of the same vendor, follow the times of a unit.
+fn followed(units: &[CostUnit], jobs: &[CostJob], timed: usize) -> String {
+    let first = |name: &str| name.split(' ').next().map(str::to_owned);
+    let points = || jobs.iter().flat_map(|job| &job.points);
+    let against = |(of, unit): (usize, &CostUnit)| {
+        let is_same = of == 0 || first(&unit.name) == first(&units[timed].name);
+        let pairs = points().filter_map(|point| Some((point.costs[of]?, point.costs[timed]?)));
+        let found = Correlation::of(&pairs.collect::<Vec<_>>()).filter(|_| is_same)?;
+        let (name, count) = (&unit.name, found.count);
+        Some(format!("; its correlation (Pearson) with {name} is {:.3} over {count} formulas", found.values))
+    };
+    units[..timed].iter().enumerate().filter_map(against).collect()
 }
 
 impl Counted<'_> {
     fn unit(&self) -> CostUnit {
-        let priced = priced(self.vendor);
-        let name = format!("{} {}", self.vendor.title(), priced.family);
+        let (vendor, record) = match self {
+            Counted::Compiled(vendor, record) => (*vendor, record),
+            Counted::Timed(record) => {
+                let unit = "picoseconds of a call on a full device, of published ones those that are emitted";
+                let name = record.device.adapter.clone();
+                return CostUnit { name, counted: "picoseconds".into(), unit: unit.into() };
+            }
+        };
+        let priced = priced(vendor);
+        let name = format!("{} {}", vendor.title(), priced.family);
         // What follows a comma is how they are counted.
         let counted = priced.unit.split(',').next().unwrap_or(priced.unit).into();
-        CostUnit { name, counted, unit: format!("{}, by {}", priced.unit, self.record.compiler()) }
+        let unit = format!(
+            "{}, by {}, published ones by the model of that compiler",
+            priced.unit,
+            record.compiler()
+        );
+        CostUnit { name, counted, unit }
     }
 
     /// What the compiled code of a formula of ours costs, if it is of this code; of a published one,
-    /// which is not emitted, what the vendor's model says.
+    /// which is not emitted, what the vendor's model says. Its time, if it is of this code.
     fn cost(&self, fit: &Fit, include: &Include) -> Result<Option<f64>, BakeError> {
         let name = fit.hypothesis.name();
-        let current = include.hash(name).is_some_and(|hash| self.record.is_of(name, &hash));
-        let priced = priced(self.vendor);
-        let mut rows =
-            self.record.rows.iter().filter(|row| row.function == name && row.family == priced.family);
+        let (vendor, record) = match self {
+            Counted::Compiled(vendor, record) => (*vendor, record),
+            Counted::Timed(record) => return Ok(record.nanoseconds(name, include).map(|time| 1e3 * time)),
+        };
+        let current = include.hash(name).is_some_and(|hash| record.is_of(name, &hash));
+        let priced = priced(vendor);
+        let mut rows = record.rows.iter().filter(|row| row.function == name && row.family == priced.family);
         let row = rows.find(|row| row.precision == Precision::F32).filter(|_| current);
         if row.is_some() || fit.emitted {
             return Ok(row.and_then(|row| (priced.cost)(&row.counts)));
         }
-        let price = self.vendor.price(&fit.hypothesis.tape().features());
+        let price = vendor.price(&fit.hypothesis.tape().features());
         Ok(Some(price.map_err(crate::approximate::FitStageError::from)?))
     }
 }

@@ -69,13 +69,16 @@ impl Beside {
         baked: &Baked,
         (options, path): (&Options, &Path),
     ) -> Result<String, CliError> {
-        let (units, jobs) = costs(baked, &input.scene.name, &self.counts)?;
+        let scene = &input.scene.name;
+        let (timed, times): (Vec<GpuRecord>, Vec<GpuRecord>) =
+            self.times.into_iter().partition(|record| record.origin.scene == *scene);
+        let (units, jobs) = costs(baked, scene, &self.counts, &timed)?;
         let mut origin = origin(input, &plan::plan(&input.scene), &command(options, path))?;
         if path == Path::new(PAGE) {
             origin.pages = bar_from("").map_err(BakeError::from)?;
             origin = origin.with_figures("../manifest.json");
         }
-        let (tables, times, offline) = (self.manifest.entries.tables, self.times, self.offline);
+        let (tables, offline) = (self.manifest.entries.tables, self.offline);
         Ok(cost_page(&Costs { origin, units, jobs, tables, times, offline }).map_err(BakeError::from)?)
     }
 }

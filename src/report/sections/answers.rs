@@ -295,14 +295,7 @@ pub(super) fn time(
     record: Option<&GpuRecord>,
     include: Option<&Include>,
 ) -> Option<f64> {
-    let function = function?;
-    let code = include?.hash(function)?;
-    let rows = record?.rows.iter();
-    let own =
-        rows.filter(|row| row.function.as_deref() == Some(function) && row.code.as_ref() == Some(&code));
-    // Of a lookup the time with its fetches.
-    let row = own.filter(|row| row.resolved()).max_by_key(|row| row.fetches)?;
-    Some(1e-3 * row.nanoseconds.median * SCREEN)
+    Some(1e-3 * record?.nanoseconds(function?, include?)? * SCREEN)
 }
 
 fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, String)> {

@@ -45,7 +45,7 @@ fn conclusion(costs: &Costs) -> String {
         Some(format!("{} on {}", significant(to / from, 2), unit.name))
     });
     format!(
-        "An error of {TO} in place of {FROM} takes {} operations in place of {}, {} times as many; compiled, times {} ({}).\n",
+        "An error of {TO} in place of {FROM} takes {} operations in place of {}, {} times as many; compiled or measured, times {} ({}).\n",
         brief(to, 3),
         brief(from, 3),
         significant(to / from, 2),
@@ -67,16 +67,20 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
     let mut of = Vec::new();
     for (i, unit) in costs.units.iter().enumerate() {
         let charts: Vec<Scatter> = costs.jobs.iter().filter_map(|job| chart(job, i, unit)).collect();
-        let by = if i == 0 { "" } else { ", published ones by the model of that compiler" };
         let caption = format!(
-            "Largest error against cost: {}{by}. Lower is more accurate, further left is cheaper. Stairs join the formulas of ours that \
+            "Largest error against cost: {}. Lower is more accurate, further left is cheaper. Stairs join the formulas of ours that \
              no other beats in both.",
             unit.unit
         );
         let charts = figures(&charts, &caption)?;
         of.push((unit.name.clone(), if i == 0 { charts } else { Block::Packed(vec![charts]) }));
     }
-    of.extend(costs.times.iter().map(|times| (times.device.adapter.clone(), measured(times))));
+    of.extend(
+        costs
+            .times
+            .iter()
+            .map(|times| (format!("{}: built-in scene", times.device.adapter), measured(times))),
+    );
     if !costs.tables.is_empty() {
         of.push(("bytes of tables".into(), tables(costs)));
     }

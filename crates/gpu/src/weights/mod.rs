@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use cli::verb;
 use lobefit::data::{Agreement, Model, Vendor, Weights};
 use lobefit::emit::include::Include;
-use lobefit::report::{GpuKind, GpuRecord};
+use lobefit::report::GpuRecord;
 use lobefit::timing::isa::{Counts, IsaRecord, IsaRow, Precision};
 use lobefit::timing::priced::{Priced, TIMED, priced, timed};
 use lobefit_math::correlation::Correlation;
@@ -187,7 +187,7 @@ fn decimals(x: f64) -> f64 {
 /// Costs against the times of a device.
 fn against(times: &GpuRecord, include: &Include, model: &Model, formulas: &[Formula]) -> Times {
     let timed_formulas: Vec<(&Formula, f64)> =
-        formulas.iter().filter_map(|of| Some((of, time(times, include, &of.name)?))).collect();
+        formulas.iter().filter_map(|of| Some((of, times.nanoseconds(&of.name, include)?))).collect();
     let pairs = |cost: &dyn Fn(&Formula) -> f64| {
         Correlation::of(&timed_formulas.iter().map(|(of, time)| (cost(of), *time)).collect::<Vec<_>>())
     };
@@ -199,14 +199,6 @@ fn against(times: &GpuRecord, include: &Include, model: &Model, formulas: &[Form
         compiled: pairs(&|of| of.compiled),
         picoseconds: least_squares(&rows),
     }
-}
-
-/// Recorded nanoseconds of a function, if it is of this code.
-fn time(times: &GpuRecord, include: &Include, name: &str) -> Option<f64> {
-    let hash = include.hash(name)?;
-    let mut rows = times.rows.iter().filter(|row| row.kind != GpuKind::LookupFetches);
-    let row = rows.find(|row| row.function.as_deref() == Some(name) && row.code.as_ref() == Some(&hash));
-    row.map(|row| row.nanoseconds.median)
 }
 
 fn prices(formulas: &[&Formula]) -> Features {
