@@ -141,7 +141,7 @@ def grade(found):
 
 def reason(name, found):
     """Why an artefact does not pass, as the audit says it, and what mends it."""
-    if isinstance(found, str) or found["verdict"]["grade"] == "PASS":
+    if isinstance(found, str) or grade(found) == "PASS":
         return []
     verdict, other = found["verdict"], found.get("otherwise")
     said = [f"- `{name}`: **{verdict['grade']}** {verdict['headline']}."]

@@ -146,7 +146,7 @@ impl Found {
         let (mut records, mut counts, mut of_records) = (Vec::new(), Vec::new(), Vec::new());
         let mut studies = studies::Studies::default();
         if options.asks_for("reports/") {
-            (records, of_records) = records::records(root, &baked)?;
+            (records, of_records) = records::records(root, (&baked, scene))?;
             let (found, grown) = counts::counts(root, &baked, scene)?;
             counts = found;
             of_records.extend(grown);

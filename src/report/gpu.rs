@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Origin, ReportError};
-use crate::data::Use;
+use crate::data::{Use, Vendor};
 use crate::emit::include::Include;
 
 /// Times that come with this version: those of the built-in scene's functions.
@@ -175,6 +175,11 @@ pub struct GpuLeftOut {
 }
 
 impl GpuRecord {
+    /// Whether the graphics processor is of a vendor.
+    pub fn is_of(&self, vendor: Vendor) -> bool {
+        self.device.driver.to_lowercase().contains(vendor.word())
+    }
+
     /// Nanoseconds of a call of a function, if it was measured as it is emitted here; of a lookup with its fetches.
     pub fn nanoseconds(&self, function: &str, include: &Include) -> Option<f64> {
         let code = include.hash(function)?;

@@ -70,25 +70,27 @@ pub fn costs(
         }
     }
     let jobs: Vec<CostJob> = jobs.into_iter().map(|(_, job)| job).collect();
-    for (k, _) in counted.iter().enumerate().filter(|(_, of)| matches!(of, Counted::Timed(_))) {
-        let followed = followed(&units, &jobs, k + 1);
+    for (k, of) in counted.iter().enumerate() {
+        let Counted::Timed(record) = of else { continue };
+        let is_own = |of: &Counted| matches!(of, Counted::Compiled(vendor, _) if record.is_of(*vendor));
+        let own = counted.iter().position(is_own).map(|own| own + 1);
+        let followed =
+            [Some(0), own].into_iter().flatten().filter_map(|of| followed(&units, &jobs, [of, k + 1]));
+        let followed: String = followed.collect();
         units[k + 1].unit += &followed;
     }
     Ok((units, jobs))
 }
 
-/// How well operations, and compiled code of the same vendor, follow the times of a unit.
-fn followed(units: &[CostUnit], jobs: &[CostJob], timed: usize) -> String {
-    let first = |name: &str| name.split(' ').next().map(str::to_owned);
-    let points = || jobs.iter().flat_map(|job| &job.points);
-    let against = |(of, unit): (usize, &CostUnit)| {
-        let is_same = of == 0 || first(&unit.name) == first(&units[timed].name);
-        let pairs = points().filter_map(|point| Some((point.costs[of]?, point.costs[timed]?)));
-        let found = Correlation::of(&pairs.collect::<Vec<_>>()).filter(|_| is_same)?;
-        let (name, count) = (&unit.name, found.count);
-        Some(format!("; its correlation (Pearson) with {name} is {:.3} over {count} formulas", found.values))
-    };
-    units[..timed].iter().enumerate().filter_map(against).collect()
+/// How well a unit follows the times of another; none of fewer than three formulas.
+fn followed(units: &[CostUnit], jobs: &[CostJob], [of, timed]: [usize; 2]) -> Option<String> {
+    let points = jobs.iter().flat_map(|job| &job.points);
+    let pairs: Vec<_> = points.filter_map(|point| Some((point.costs[of]?, point.costs[timed]?))).collect();
+    let Correlation { values, count, .. } = Correlation::of(&pairs)?;
+    let name = &units[of].name;
+    Some(format!(
+        "; its correlation (Pearson) with {name} is {values:.3} over {count} formulas of the largest error"
+    ))
 }
 
 impl Counted<'_> {

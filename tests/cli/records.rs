@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 
 /// The two cheapest formulas of a rough base, in a bake of half a second.
 const SCENE: &[u8] =
-    br#"{"schema_version": 1, "reports": false, "pick": "all", "languages": ["wgsl"], "materials": [{"name": "m",
+    br#"{"schema_version": 1, "name": "test", "reports": false, "pick": "all", "languages": ["wgsl"], "materials": [{"name": "m",
   "kind": "dielectric", "f0": 0.04, "roughness": 0, "base": {"roughness": [0.2, 0.3], "max_ops": 6}}]}"#;
 
 /// The function of [`SCENE`] that records are about.
@@ -198,6 +198,9 @@ fn check_tells_which_times_are_of_other_code_and_does_not_fail() {
     let (code, text, _) = run(at, &["check", "-"]);
     assert_eq!(code, 0, "{text}");
     assert!(text.contains("2 of 2 times"), "{text}");
+    put(at, &GpuRecord { origin: Origin { scene: "another".into(), ..old.origin.clone() }, ..old });
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert!(code == 0 && !text.contains("note:"), "{text}");
 }
 
 #[test]

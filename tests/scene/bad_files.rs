@@ -370,7 +370,7 @@ fn binary_files_of_gltf() {
         ),
         ("a.glb", binary(2, b"JSON", u32::MAX, b"{}"), "a.glb: its JSON is larger than 16777216 bytes"),
         ("a.glb", binary(2, b"JSON", 2, b"{}"), "a.glb:1:2: missing field `asset`"),
-        ("a.glb", binary(2, b"JSON", 1, b"{}"), "a.glb:1:1: EOF while parsing an object"),
+        ("a.glb", binary(2, b"JSON", 1, b"{}"), "a.glb:1:1: the file ends inside an object"),
         (
             "a.json",
             binary(2, b"JSON", 2, b"[]"),

@@ -102,7 +102,8 @@ fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)
         "key must be a string" => "object keys must be strings in double quotes",
         other => other,
     };
-    let message = &["usize", "u64"].iter().fold(message.to_string(), |text, kind| {
+    let message = message.replace("EOF while parsing", "the file ends inside");
+    let message = &["usize", "u64"].iter().fold(message, |text, kind| {
         text.replace(&format!("expected {kind}"), "expected a whole number, 0 or above")
     });
     // serde_path_to_error ends a path with "?" where the reader stood between two fields.

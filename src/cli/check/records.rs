@@ -72,8 +72,11 @@ pub(super) fn placed(entry: &Entry, all: &[Entry]) -> bool {
 
 /// The records that are there, and what is wrong with them: no record, or another page than its
 /// own. Times of other code are nothing wrong, for they are measured where there is a device; a
-/// note names them.
-pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Difference>), CliError> {
+/// note names them, of records of this scene.
+pub(super) fn records(
+    root: &Path,
+    (baked, scene): (&Baked, &str),
+) -> Result<(Vec<Record>, Vec<Difference>), CliError> {
     let (mut records, mut differences) = (Vec::new(), Vec::new());
     let entries = store::list(root, FOLDER)?;
     for entry in entries.iter().filter(|e| e.name.ends_with(".json") && placed(e, &entries)) {
@@ -84,7 +87,10 @@ pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Di
         let Some(bytes) = found.get(&file) else { continue };
         match record::read(bytes) {
             Ok(record) => {
-                let (stale, missing) = (record::stale(&record, baked), record::missing(&record, baked));
+                let (stale, missing) = match record.origin.scene == scene {
+                    true => (record::stale(&record, baked), record::missing(&record, baked)),
+                    false => (Vec::new(), Vec::new()),
+                };
                 let (html, figures) = record::page(&record)
                     .map_err(|source| CliError::Record { file: file.clone(), source })?;
                 let shown = found.get(&page).map_or(&[][..], Vec::as_slice);

@@ -79,7 +79,7 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
         costs
             .times
             .iter()
-            .map(|times| (format!("{}: built-in scene", times.device.adapter), measured(times))),
+            .map(|times| (format!("{}: {}", times.device.adapter, scene(times)), measured(times))),
     );
     if !costs.tables.is_empty() {
         of.push(("bytes of tables".into(), tables(costs)));
@@ -113,7 +113,15 @@ fn chart(job: &CostJob, of: usize, unit: &CostUnit) -> Option<Scatter> {
     })
 }
 
-/// Times of the functions of the built-in scene.
+/// The scene whose functions were measured.
+fn scene(record: &GpuRecord) -> &str {
+    match record.origin.scene.as_str() {
+        "default" => "built-in scene",
+        other => other,
+    }
+}
+
+/// Times of the functions of another scene.
 fn measured(record: &GpuRecord) -> Block {
     let timed = record.rows.iter().filter(|row| row.resolved());
     let row = |row: &GpuRow| {
@@ -131,9 +139,10 @@ fn measured(record: &GpuRecord) -> Block {
         ("which error", false),
     ];
     let caption = format!(
-        "Measured on {}, throughput of the full device; the functions that the built-in scene emits. The errors are those at the \
+        "Measured on {}, throughput of the full device; functions of another scene ({}). The errors are those at the \
          points of the run; the certificates are searched for the worst and so larger.",
-        record.device.adapter
+        record.device.adapter,
+        scene(record)
     );
     Block::Table(words::table(&columns, timed.filter_map(row).collect(), &caption))
 }

@@ -61,6 +61,24 @@ impl Fixed {
             == Fixed::default()
     }
 
+    /// The same without one of what is given, and at last without all of it; by the option.
+    pub fn without(&self) -> Vec<(&'static str, Fixed)> {
+        let own = || self.clone();
+        let free =
+            Fixed { inverse: self.inverse, samples: self.samples, points: self.points, ..Fixed::default() };
+        let all = [
+            ("--smith", Fixed { form: None, ..own() }),
+            ("--side", Fixed { side: None, ..own() }),
+            ("--registration", Fixed { registrations: None, ..own() }),
+            ("--axes", Fixed { axes: None, ..own() }),
+            ("--meaning", Fixed { meanings: None, ..own() }),
+            ("--encoding", Fixed { encoding: None, ..own() }),
+            ("--clamp", Fixed { floors: Vec::new(), ..own() }),
+            ("those options", Fixed { column: self.column, domain: self.domain.clone(), ..free }),
+        ];
+        all.into_iter().filter(|(_, fixed)| fixed != self).collect()
+    }
+
     /// Refuses what cannot be meant for a table of this many axes and channels.
     pub(super) fn check(&self, truth: &Truth, axes: usize, channels: usize) -> Result<(), AuditError> {
         let refuse =

@@ -117,8 +117,9 @@ pub struct Audit {
     pub margin: f64,
     /// Whether part of the convention was given by the user.
     pub fixed: bool,
-    /// The convention that it follows without the user's options, where it follows none that they leave open.
-    pub excluded: Option<Convention>,
+    /// Without which options it follows a convention, where it follows none that they leave open: one, as
+    /// `--smith`, or all.
+    pub excluded: Option<&'static str>,
     /// Whether the user said which channels are meant: others may be constant.
     pub excused: bool,
     /// The plain reading, where the best reading is another and the user did not say that the other

@@ -58,7 +58,7 @@ Exit codes:
   0  with --limit: the table or function fits and is within it; without --limit: whatever the verdict is, FAIL and UNKNOWN too,
      but for the two cases of 1
   1  with --limit: over it, not all judged, or no convention fits; without --limit: no convention fits that options (--axes,
-     --registration, --smith, --side, --meaning) leave open, or
+     --registration, --smith, --side, --meaning, --encoding, --clamp) leave open, or
      the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says
   2  options, or a file that cannot be read or judged
   3  --out, or standard output, cannot be written
@@ -232,19 +232,30 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let mut done = judge(&own)?;
     let is_understood = done.fit == audit::Fit::Whole;
     let lacking = refused.or_else(|| if is_understood { None } else { sidecar::lacking(options, &bytes) });
-    done.remarks.extend(lacking.map(|lacking| format!("{lacking}.")));
     let otherwise = |without: &str, audit: &Audit| AuditOtherwise {
         without: without.into(),
         verdict: audit.verdict(options.limit),
     };
     let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if options_fit_nothing(&done) {
-        progress.stage("the same without the options");
-        let domain = own.domain.clone();
-        let free = judge(&Fixed { column: options.wanted.1, domain, ..Fixed::default() })?;
-        beside = Some(otherwise("those options", &free));
-        done.excluded = (free.fit != audit::Fit::None).then(|| free.best().clone());
+        for (without, fixed) in own.without() {
+            progress.stage(&format!("the same without {without}"));
+            let other = judge(&fixed)?;
+            beside = Some(otherwise(without, &other));
+            if other.fit != audit::Fit::Whole {
+                continue;
+            }
+            if own.form.is_some() && fixed.form.is_none() {
+                // Of another lobe: how far off it is from the one that is said, read as it is.
+                let read = other.best().axes.iter();
+                let (axes, registrations) = read.map(|a| ((a.scale, a.reversed), a.registration)).unzip();
+                done = judge(&Fixed { axes: Some(axes), registrations: Some(registrations), ..own.clone() })?;
+            }
+            (done.excluded, done.published) = (Some(without), other.published);
+            break;
+        }
     }
+    done.remarks.extend(lacking.map(|lacking| format!("{lacking}.")));
     let priced = function.filter(|_| options.isa);
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
     let cost = priced.map(price).transpose()?;

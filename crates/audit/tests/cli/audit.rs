@@ -5,7 +5,7 @@ use crate::common;
 use common::{lobefit, names, stderr};
 use lobefit::data::Smith;
 use lobefit_truth::integrate::reflection::{Effort, split};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// An array in C of E at end points of roughness and mu.
 fn array() -> String {
@@ -161,11 +161,20 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
     // Its convention is known, and the options say another.
     let told = told(&with(&["--axes", "mu,gloss"]));
     assert!(
-        told.starts_with("FAIL ggx-reflection E: tables.h (table_E) is not what the options say; "),
+        told.starts_with("FAIL ggx-reflection E: tables.h (table_E) is not what --axes says; "),
         "{told}"
     );
-    assert!(told.contains("but follows roughness (alpha = roughness^2) along x, end points, "), "{told}");
-    assert!(told.contains("Without those options: FAIL ggx-reflection E: tables.h"), "{told}");
+    assert!(told.contains("- Remedy: read it as it is, or make it again as --axes says\n"), "{told}");
+    assert!(told.contains("\nWithout --axes: FAIL ggx-reflection E: tables.h"), "{told}");
+    // Of another lobe it is read as it is.
+    let lobe = ["--smith", "separable", "--axes", "roughness,mu", "--json"];
+    let found: Value = serde_json::from_slice(&with(&lobe).stdout).unwrap();
+    assert_eq!(
+        (&found["verdict"]["grade"], &found["otherwise"]["without"]),
+        (&json!("FAIL"), &json!("--smith"))
+    );
+    let read = &found["conventions"][0]["axes"];
+    assert_eq!((&read[0]["coordinate"], &read[1]["registration"]), (&json!("roughness"), &json!("endpoint")));
     assert_eq!(names(folder.path()), ["tables.h"]);
 }
 

@@ -88,7 +88,7 @@ fn fitted(
         if formulas.is_empty() {
             continue;
         }
-        let own = times.iter().filter(|times| times.device.driver.to_lowercase().contains(vendor.word()));
+        let own = times.iter().filter(|times| times.origin.scene == scene && times.is_of(vendor));
         let model = model(&priced, record, &formulas)?;
         let times = own.map(|times| against(times, include, &model, &formulas)).collect();
         all.push(Fitted { vendor, model, times });

@@ -2,7 +2,7 @@
 
 use super::defect::{LINES, extent};
 use super::points::{LIKELY, SAME};
-use super::words::{listed, readings_differ};
+use super::words::{excluded, listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
@@ -12,15 +12,15 @@ use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     if audit.fit == Fit::None {
         let told = match audit.source {
-            _ if audit.excluded.is_some() => {
-                "make it again as the options say, or read it as what it follows"
-            }
             Source::Table => "make it again, or audit it as what it holds",
             Source::Function => "fit its constants to this quantity, or audit it as what it computes",
         };
         let dead =
             audit.channels.iter().flat_map(|c| &c.defects).filter(|d| matches!(d, Defect::Dead { .. }));
-        let mut steps = vec![format!("do not ship it as this quantity: {told}")];
+        let mut steps = vec![match excluded(audit) {
+            Some(said) => format!("read it as it is, or make it again as {said}"),
+            None => format!("do not ship it as this quantity: {told}"),
+        }];
         steps.extend(dead.filter_map(|d| mending(d, &audit.axes, audit.source)));
         steps.dedup();
         return steps;

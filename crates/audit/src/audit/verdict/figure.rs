@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::defect::{LINES, extent};
 use super::headline::{briefly, of_another};
-use super::words::{long, number, place};
+use super::words::{excluded, long, number, place};
 use crate::audit::errors::TexelErrors;
 use crate::audit::table::Source;
 use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, inputs_at};
@@ -150,8 +150,10 @@ fn untold(plain: &Plain) -> String {
 
 /// What it is that fits nothing.
 fn nothing(audit: &Audit) -> String {
+    if let Some(said) = excluded(audit) {
+        return format!("is not what {said}");
+    }
     match (audit.source, &audit.published) {
-        _ if audit.excluded.is_some() => "is not what the options say".into(),
         (Source::Table, _) => "fits no convention".into(),
         (Source::Function, None) => "is no approximation of it".into(),
         (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),

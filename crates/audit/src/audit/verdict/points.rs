@@ -1,7 +1,7 @@
 //! The points of a verdict on a table or function of unknown make.
 
 use super::figure::largest_lookup;
-use super::headline::{headline, headline_of};
+use super::headline::{briefly, headline, headline_of};
 use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
@@ -304,8 +304,12 @@ fn furnace(audit: &Audit) -> Option<String> {
     if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) || seen < UNSEEN {
         return None;
     }
+    let another = audit.departure.is_some()
+        || audit.plain.as_ref().is_some_and(|plain| plain.is_of_another_lobe(audit.best()));
+    let lobe = audit.best().lobe.words();
+    let what = if another { format!("a white metal of {}", briefly(&lobe)) } else { "it".into() };
     Some(format!(
-        "compensated with it, it comes out {} to {} off white, worst at {}.",
+        "compensated with it, {what} comes out {} to {} off white, worst at {}.",
         percent(f.range[0]),
         percent(f.range[1]),
         place(&f.at)

@@ -1,7 +1,7 @@
 //! Why a verdict is no PASS, where its first line does not say so.
 
 use super::figure::damage;
-use super::words::{number, readings_differ};
+use super::words::{excluded, number};
 use crate::audit::{Audit, Fit, Source};
 
 /// Which of the figures is over the limit, or what else is wrong.
@@ -18,9 +18,8 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         let given = if done.fixed { " that the options leave open" } else { "" };
         let limit = limit.map_or(String::new(), |limit| format!(", the limit is {}", number(limit)));
         let off = format!("; by the nearest it is off by {}{limit}", number(done.worst()));
-        if let Some(excluded) = &done.excluded {
-            let own = readings_differ(done, done.best(), excluded);
-            return Some(format!("it is not what the options say but follows {own}{off}"));
+        if let Some(said) = excluded(done) {
+            return Some(format!("it follows a convention, but not what {said}{off}"));
         }
         return Some(match (function, &done.two_lobes, done.fit) {
             (_, Some(_), _) => format!("a part of the table is of another shadowing form{off}"),

@@ -96,6 +96,12 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
     }
 }
 
+/// What says another convention than the one that it follows: `--smith says`, `the options say`.
+pub(super) fn excluded(audit: &Audit) -> Option<String> {
+    let option = audit.excluded?;
+    Some(if option.starts_with('-') { format!("{option} says") } else { "the options say".into() })
+}
+
 impl AxisReading {
     /// `roughness (alpha = roughness^2)`, `gloss = 1 - roughness`, `1 - mu`.
     pub fn words(&self) -> String {
