@@ -157,7 +157,10 @@ fn height(block: &Block) -> f64 {
             cards.chunks(2).map(tallest).sum()
         }
         Block::Cards(cards) => cards.iter().map(|card| of_card(card, 3)).sum(),
-        Block::Switch { of, .. } => of.iter().map(|(_, block)| height(block)).fold(40.0, f64::max),
+        Block::Switch { of, .. } => {
+            let own = |(_, blocks): &(String, Vec<Block>)| blocks.iter().map(height).sum();
+            of.iter().map(own).fold(40.0, f64::max)
+        }
     }
 }
 

@@ -163,7 +163,9 @@ fn block(out: &mut String, block: &Block) {
             cards.iter().for_each(|one| card(out, one));
             out.push_str("</div>\n");
         }
-        Block::Switch { name, of } => switch(out, ("switch", name), of, |out, _, one| self::block(out, one)),
+        Block::Switch { name, of } => {
+            switch(out, ("switch", name), of, |out, _, own| own.iter().for_each(|one| self::block(out, one)));
+        }
         Block::Facts { rows } => {
             out.push_str("<dl class=\"facts\">\n");
             for (name, value) in rows {

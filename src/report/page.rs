@@ -85,8 +85,8 @@ pub enum Block {
     Switch {
         /// What is switched: an identifier, unique in its page.
         name: String,
-        /// The blocks; the first is seen at first.
-        of: Vec<(String, Block)>,
+        /// The blocks; the first are seen at first.
+        of: Vec<(String, Vec<Block>)>,
     },
     /// Blocks that the page holds packed until their part of a switch, or their fold, is seen.
     Packed(Vec<Block>),

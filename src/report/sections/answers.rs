@@ -412,8 +412,8 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
         return Ok(None);
     }
     let of = vec![
-        ("largest error".to_string(), chart(0, "largest error")?),
-        ("RMS error".to_string(), chart(1, "RMS error")?),
+        ("largest error".to_string(), vec![chart(0, "largest error")?]),
+        ("RMS error".to_string(), vec![chart(1, "RMS error")?]),
     ];
     Ok(Some(Section {
         id: "frontier".into(),

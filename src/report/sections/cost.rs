@@ -72,17 +72,20 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
              no other beats in both.",
             unit.unit
         );
-        let charts = figures(&charts, &caption)?;
-        of.push((unit.name.clone(), if i == 0 { charts } else { Block::Packed(vec![charts]) }));
+        // The first chart of operations stands in the page, for readers without scripts.
+        let (open, rest) = charts.split_at(usize::from(i == 0).min(charts.len()));
+        let mut blocks = if open.is_empty() { Vec::new() } else { vec![figures(open, "")?] };
+        blocks.push(Block::Packed(vec![figures(rest, &caption)?]));
+        of.push((unit.name.clone(), blocks));
     }
     of.extend(
         costs
             .times
             .iter()
-            .map(|times| (format!("{}: {}", times.device.adapter, scene(times)), measured(times))),
+            .map(|times| (format!("{}: {}", times.device.adapter, scene(times)), vec![measured(times)])),
     );
     if !costs.tables.is_empty() {
-        of.push(("bytes of tables".into(), tables(costs)));
+        of.push(("bytes of tables".into(), vec![tables(costs)]));
     }
     Ok(Section {
         id: "frontiers".into(),

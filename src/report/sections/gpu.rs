@@ -123,12 +123,19 @@ fn plain(id: &str, title: &str, lead: &str, rows: &[&GpuRow]) -> Section {
     Section { id: id.into(), title: title.into(), lead: lead.into(), blocks }
 }
 
+/// Rows of a page that is not packed.
+const FEW: usize = 40;
+
 fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
     let mut blocks = Vec::new();
     for group in groups(rows) {
         blocks.extend(chart(&group)?);
     }
     blocks.push(Block::Table(table(rows)));
+    if rows.len() > FEW {
+        let rest = blocks.split_off(1);
+        blocks.push(Block::Packed(rest));
+    }
     Ok(Section { id: "fits".into(), title: "Fits".into(), lead: FITS.into(), blocks })
 }
 

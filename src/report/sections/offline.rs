@@ -67,7 +67,7 @@ fn of(studies: &[OfflineStudy]) -> Result<Vec<Block>, ReportError> {
     for work in WORKS {
         let charts: Vec<Curves> = studies.iter().enumerate().filter_map(|(i, s)| chart(i, s, work)).collect();
         if !charts.is_empty() {
-            parts.push((work.0.to_string(), figures(&charts, caption)?));
+            parts.push((work.0.to_string(), vec![figures(&charts, caption)?]));
         }
     }
     let name = format!("offline-{}", studies[0].quantity);
