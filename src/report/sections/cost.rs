@@ -74,8 +74,13 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
         );
         // The first chart of operations stands in the page, for readers without scripts.
         let (open, rest) = charts.split_at(usize::from(i == 0).min(charts.len()));
-        let mut blocks = if open.is_empty() { Vec::new() } else { vec![figures(open, "")?] };
-        blocks.push(Block::Packed(vec![figures(rest, &caption)?]));
+        let rest = Block::Packed(vec![figures(rest, &caption)?]);
+        let blocks = if open.is_empty() {
+            vec![rest]
+        } else {
+            let summary = "What else formulas stand for".into();
+            vec![figures(open, &caption)?, Block::Fold { summary, blocks: vec![rest] }]
+        };
         of.push((unit.name.clone(), blocks));
     }
     of.extend(

@@ -133,8 +133,9 @@ fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
     }
     blocks.push(Block::Table(table(rows)));
     if rows.len() > FEW {
+        let summary = "The other charts, and all figures".into();
         let rest = blocks.split_off(1);
-        blocks.push(Block::Packed(rest));
+        blocks.push(Block::Fold { summary, blocks: vec![Block::Packed(rest)] });
     }
     Ok(Section { id: "fits".into(), title: "Fits".into(), lead: FITS.into(), blocks })
 }
