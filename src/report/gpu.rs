@@ -180,7 +180,8 @@ impl GpuRecord {
         self.device.driver.to_lowercase().contains(vendor.word())
     }
 
-    /// Nanoseconds of a call of a function, if it was measured as it is emitted here; of a lookup with its fetches.
+    /// Nanoseconds of a call of a function, if it was measured as it is emitted here; of a lookup with its
+    /// fetches.
     pub fn nanoseconds(&self, function: &str, include: &Include) -> Option<f64> {
         let code = include.hash(function)?;
         let is_own =

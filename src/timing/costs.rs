@@ -1,5 +1,5 @@
-//! What every formula of a bake costs: operations, compiled code on the GPUs of each vendor, and time where it was
-//! measured.
+//! What every formula of a bake costs: operations, compiled code on the GPUs of each vendor, and time
+//! where it was measured.
 
 use super::isa::{IsaRecord, Precision};
 use super::priced::priced;

@@ -142,7 +142,7 @@ fn transmission_is_reciprocal() {
     }
 }
 
-/// A refracted ray straight down has a cosine of 1 and a rounding above it.
+/// The cosine of a ray refracted straight down may be one rounding above 1.
 #[test]
 fn the_kernel_of_tables_is_finite_where_nothing_bends() {
     for tolerance in [1e-3, 1e-4, 1e-6] {

@@ -73,7 +73,7 @@ impl Tabled for Beckmann {
 
     #[inline(always)]
     fn area_far(lobe: &Lobe<Beckmann>, cosine: f64) -> f64 {
-        // Straight down a cosine may be 1 and a rounding.
+        // The cosine of a ray refracted straight down may be one rounding above 1.
         let sine = positive((1.0 - cosine) * (1.0 + cosine)).sqrt();
         cosine + lobe.alpha * sine * ierfc_near(cosine / (lobe.alpha * sine))
     }
