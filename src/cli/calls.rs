@@ -15,7 +15,7 @@ use crate::scene::{Kind, Scene};
 /// Stands before the recommended function where a material or probe has a choice.
 pub(super) const MARK: &str = "*";
 
-/// What is called, a row for each function, with who calls it, and what it costs: operations, or by
+/// What is called, a row for each function, with who calls it, and what it costs: operations, and by
 /// the model of a vendor's GPUs. What is recommended to a material or probe that has a choice is
 /// marked.
 pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Vec<String> {
@@ -38,19 +38,20 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     let kinds = scene.materials.iter().map(|material| (material.name.as_str(), material.kind)).collect();
     let row = |(call, names): &(&Call, Vec<&str>)| {
         let CostEntry { ops, fetches, bytes } = call.cost;
-        let cost = call.price.filter(|_| vendor.is_some());
-        let cost = cost.map_or_else(|| ops.to_string(), |price| format!("{price:.1}"));
-        let figures = [cost, fetches.to_string(), bytes.to_string(), short(call.max_error)];
-        let [cost, fetches, bytes, error] = figures;
+        let price = call.price.filter(|_| vendor.is_some()).map_or_else(String::new, |x| format!("{x:.1}"));
+        let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
+        let [ops, fetches, bytes, error] = figures;
         let mark = match preferred[..] {
             [] => String::new(),
             _ => format!("{:2}", if preferred.contains(&call.function.as_str()) { MARK } else { "" }),
         };
-        [mark + &call.function, cost, fetches, bytes, error, call.metric.clone(), who(names, &kinds)]
+        [mark + &call.function, ops, price, fetches, bytes, error, call.metric.clone(), who(names, &kinds)]
     };
+    let priced = vendor.map_or_else(String::new, |vendor| format!("{} cost", vendor.title()));
     let header = [
         ("call", Left),
-        (if vendor.is_some() { "cost" } else { "operations" }, Right),
+        ("operations", Right),
+        (&*priced, Right),
         ("fetches", Right),
         ("bytes", Right),
         ("max error", Right),

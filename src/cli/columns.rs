@@ -9,7 +9,7 @@ pub enum Side {
     Right,
 }
 
-/// The lines of a table; none without rows.
+/// The lines of a table, of its columns those with a filled cell; none without rows.
 pub fn lines<const N: usize>(header: [(&str, Side); N], rows: &[[String; N]]) -> Vec<String> {
     if rows.is_empty() {
         return Vec::new();
@@ -19,8 +19,10 @@ pub fn lines<const N: usize>(header: [(&str, Side); N], rows: &[[String; N]]) ->
         cells.chain([header[k].0.chars().count()]).max().unwrap_or_default()
     };
     let widths: [usize; N] = std::array::from_fn(width);
+    let is_filled = |k: &usize| rows.iter().any(|row| !row[*k].is_empty());
+    let filled: Vec<usize> = (0..N).filter(is_filled).collect();
     let line = |cells: [&str; N]| {
-        let padded = (0..N).map(|k| match header[k].1 {
+        let padded = filled.iter().map(|&k| match header[k].1 {
             Side::Left => format!("{:<1$}", cells[k], widths[k]),
             Side::Right => format!("{:>1$}", cells[k], widths[k]),
         });

@@ -138,7 +138,7 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
     let (code, said, dear) = limited(&["--budget", "20", "--vendor", "Intel"]);
     assert_eq!((code, shipped(&dear, "ggx_albedo")), (Some(1), None), "the arithmetic of a table costs more");
     let unkept = dear["unkept"].to_string();
-    assert!(unkept.contains("ggx_albedo (m) is the nearest to the limits: a cost of "), "{unkept}");
+    assert!(unkept.contains("ggx_albedo (m) is the nearest to the limits: Intel cost of "), "{unkept}");
     assert_eq!(said, "");
     let price = shipped(&dear, FORMULA).map(|of| of["price"].as_f64().expect("a price"));
     assert!(price.is_none_or(|price| price <= 20.0), "{price:?}");

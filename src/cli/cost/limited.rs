@@ -1,5 +1,7 @@
 //! `lobefit cost --budget`, `--max-error`, `--max-bytes`: what to ship of a scene within limits.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -201,10 +203,11 @@ impl Shipped {
         lines.extend(cosines(&calls, scene));
         if let (Some(unit), Some(vendor), false) = (&self.unit, limits.vendor, lines.is_empty()) {
             lines.push(format!(
-                "cost: {unit}, by the model of {}'s compiled code, fetches not counted",
+                "{0} cost: {unit}, by the model of {0}'s compiled code, fetches not counted",
                 vendor.title()
             ));
         }
+        lines.extend(limits.budget.and_then(|_| shared(&calls)));
         let mut snippets: Vec<String> = Vec::new();
         for of in &self.ship {
             let field = of.field.as_ref().map_or_else(String::new, |field| format!("; {field}"));
@@ -222,6 +225,21 @@ impl Shipped {
         lines.extend(snippets);
         lines.iter().map(|line| visible(line) + "\n").collect()
     }
+}
+
+/// Which functions have room in the budget because another material calls their formula for more.
+fn shared(calls: &[Call]) -> Option<String> {
+    let is_dearer = |own: &Call, other: &Call| other.name == own.name && cost(other) > cost(own);
+    let dearer = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
+    let rooms: BTreeSet<(&str, String)> =
+        calls.iter().filter_map(|own| Some((own.function.as_str(), dearer(own)?))).collect();
+    let named: Vec<String> = rooms.iter().map(|(own, by)| format!("{own} by {by}")).collect();
+    (!named.is_empty()).then(|| {
+        format!(
+            "held to less than the budget: {}, which is of the same formula; a scene without it may have a more accurate one",
+            named.join(", ")
+        )
+    })
 }
 
 /// The fields of a scene by which `bake` picks what a call is made of: of a table its size and error,
@@ -266,7 +284,10 @@ fn beyond(call: &Call, limits: &Limits) -> Vec<String> {
     let cost = cost(call);
     let mut beyond = Vec::new();
     if let Some(most) = limits.budget.filter(|most| cost > *most) {
-        beyond.push(format!("a cost of {} where the budget is {most}", short(cost)));
+        beyond.push(match limits.vendor {
+            Some(vendor) => format!("{} cost of {} where the budget is {most}", vendor.title(), short(cost)),
+            None => format!("{} operations where the budget is {most}", short(cost)),
+        });
     }
     if let Some(most) = limits.max_error.filter(|most| call.max_error > *most) {
         beyond.push(format!("an error of {} where max_error is {most}", short(call.max_error)));

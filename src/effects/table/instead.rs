@@ -238,7 +238,10 @@ fn said(
                 "measured, and not within it: {all}; with twice as many texels a side an error falls to a quarter at best"
             ),
         });
-        lines.push("raise max_error".into());
+        let least = choices.iter().min_by(|a, b| a.error.total_cmp(&b.error));
+        let to =
+            |Choice { words, error, .. }: &Choice| format!("raise max_error to {error}, which {words} keeps");
+        lines.push(least.map_or_else(|| "raise max_error".into(), to));
     }
     lines
 }

@@ -157,6 +157,9 @@ fn checked(said: Sidecar, container: Container, length: usize) -> Result<Sidecar
     let texels = numbers.and_then(|n| sizes.try_fold(n, usize::checked_mul));
     match texels.and_then(|bytes| bytes.checked_add(*offset)) {
         Some(bytes) if bytes == length => Ok(said),
+        Some(bytes) if bytes > length => {
+            Err(format!("it speaks of {bytes} bytes, and the file ends after {length}: it may be cut short"))
+        }
         _ => Err(format!("it does not speak of the {length} bytes that the file has")),
     }
 }

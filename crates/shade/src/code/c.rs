@@ -40,6 +40,7 @@ const FACTS: Facts = Facts {
     ],
     opening: "#pragma once\n#include <math.h>\n",
     attributes: "",
+    reads_arrays: true,
     words: WORDS,
 };
 

@@ -55,6 +55,7 @@ const FACTS: Facts = Facts {
     ],
     opening: "",
     attributes: "",
+    reads_arrays: false,
     words: WORDS,
 };
 

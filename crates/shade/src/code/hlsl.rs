@@ -51,6 +51,7 @@ const FACTS: Facts = Facts {
     notes: &["HLSL of shader model 5 or later."],
     opening: "#pragma once\n",
     attributes: "",
+    reads_arrays: false,
     words: WORDS,
 };
 

@@ -79,6 +79,11 @@ impl Language {
         self.facts().title
     }
 
+    /// Whether its lookups of tables read arrays, in the order of the `raw` file, for want of textures.
+    pub fn reads_arrays(self) -> bool {
+        self.facts().reads_arrays
+    }
+
     /// What follows the dot in a file's name.
     pub fn extension(self) -> &'static str {
         self.facts().extension

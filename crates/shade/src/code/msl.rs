@@ -52,6 +52,7 @@ const FACTS: Facts = Facts {
     ],
     opening: "#pragma once\n#include <metal_stdlib>\nusing namespace metal;\n",
     attributes: "",
+    reads_arrays: false,
     words: WORDS,
 };
 

@@ -23,6 +23,8 @@ pub(super) struct Facts {
     pub opening: &'static str,
     /// What a file says before its functions where it needs nothing else.
     pub attributes: &'static str,
+    /// Whether its lookups read arrays, in the order of the `raw` file, for want of textures.
+    pub reads_arrays: bool,
     /// Its words.
     pub words: Words,
 }

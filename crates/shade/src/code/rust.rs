@@ -21,6 +21,7 @@ const FACTS: Facts = Facts {
     notes: &[],
     opening: "",
     attributes: "// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n",
+    reads_arrays: true,
     words: WORDS,
 };
 

@@ -36,6 +36,7 @@ const FACTS: Facts = Facts {
     notes: &[],
     opening: "",
     attributes: "",
+    reads_arrays: false,
     words: WORDS,
 };
 

@@ -52,12 +52,15 @@ pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure>
 /// Most characters of a first line, which a terminal and a log show whole.
 const LINE: usize = 160;
 
+/// Characters of a file's name that stand in a first line even where it grows beyond that.
+const NAME: usize = 32;
+
 /// A first line behind its word: of the file's name as much as there is room for, and of `more`, which the
 /// points say too, the first that there is room for.
 pub(crate) fn first_line([what, file, found]: [&str; 3], more: &[String], limit: &str) -> String {
     let length = |text: &str| text.chars().count();
     let room = LINE - length(Grade::Unknown.word()) - 1 - length(limit);
-    let file_room = room.saturating_sub(length(what) + length(found));
+    let file_room = room.saturating_sub(length(what) + length(found)).max(NAME);
     let file = match length(file) <= file_room {
         true => file.to_string(),
         false => file.chars().take(file_room.saturating_sub(1)).chain(['\u{2026}']).collect(),

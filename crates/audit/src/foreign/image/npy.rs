@@ -27,8 +27,9 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     let needed = shape.iter().try_fold(format.bytes() as u128, |n, &side| n.checked_mul(side as u128));
     if needed != Some(found) {
         let message = format!(
-            "{found} bytes follow, an array of {} {kind} has another number of them",
-            shape::words(&shape)
+            "{found} bytes follow, and an array of {} {kind} has {}",
+            shape::words(&shape),
+            needed.map_or_else(|| "more than can be counted".into(), |n| n.to_string())
         );
         return Err(source.malformed(start as u64, message));
     }
