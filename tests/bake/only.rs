@@ -125,6 +125,22 @@ fn containers_come_with_their_sidecars_and_go_with_a_bake_without_them() {
     same(&files(folder.path()), full());
 }
 
+/// Functions of C and Rust read arrays, in the order of the `raw` file: that is the file of their calls.
+#[test]
+fn the_file_of_a_call_is_the_one_that_its_function_reads() {
+    for (languages, read) in [(r#"["c"]"#, "raw"), (r#"["c", "rust"]"#, "raw"), (r#"["c", "wgsl"]"#, "npy")] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = format!(
+            r#"{{"schema_version": 1, "languages": {languages}, "formats": ["npy", "raw"], "reports": false, "materials":
+            [{{"name": "m", "kind": "metal", "f0": 0.6, "roughness": [0.3, 1], "wants": {{"tables": [{{"size": [8, 8]}}]}}}}]}}"#
+        );
+        assert_eq!(bake(folder.path(), &scene, &[]), (0, String::new()));
+        let manifest = manifest(&files(folder.path()));
+        let file = format!("tables/ggx-dfg-correlated-8x8.{read}");
+        assert_eq!([&manifest["calls"][0]["file"], &manifest["tables"][0]["file"]], [&file, &file]);
+    }
+}
+
 #[test]
 fn a_limit_that_cannot_be_met_fails_with_the_table_and_the_field() {
     for (material, table) in [

@@ -147,6 +147,21 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
     let price = roomy["price"].as_f64().expect("a price");
     assert!(price > 20.0 && price <= 100.0, "{price}");
     assert_eq!(dear["unit"], "cycles of a wave");
+    // Beside a vendor's cost operations stand as ever; a formula that is called for more is said to be.
+    let two = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.6, "roughness": [0.3, 1], "wants": {"fit": {}}},
+      {"name": "d", "kind": "dielectric", "ior": 1.5, "roughness": [0.3, 1], "wants": {"fit": {}}}]}"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    for (options, columns, dearer) in [
+        (&["--budget", "100", "--vendor", "intel"][..], "operations  Intel cost  fetches", true),
+        (&["--budget", "16"], "operations  fetches", true),
+        (&["--max-error", "0.02"], "operations  fetches", false),
+    ] {
+        let output = lobefit(folder.path(), &[&["cost", "-"], options].concat(), two);
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(text.lines().next().is_some_and(|header| header.contains(columns)), "{text}");
+        let held = "held to less than the budget: ggx_energy_compensation by ggx_energy_compensation_rgb, ";
+        assert_eq!(text.contains(held), dearer, "{text}");
+    }
     // A function beside the normalisation that no formula gives is not passed over.
     let blend = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "dielectric", "ior": 1.5,
       "roughness": [0.3, 1], "wants": {"fit": {"blend": true}}}]}"#;

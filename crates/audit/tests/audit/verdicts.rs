@@ -123,6 +123,15 @@ fn a_block_is_named_with_its_place_and_its_error() {
 fn a_gain_of_energy_is_a_failure() {
     let found = reflection_of(&exact(&|_, _, t| t.map(|v| 1.02 * v)));
     holds(&line(&found, None), &["FAIL ", "shipped gains energy: 1.02 of the light comes back at texel ["]);
+    // The remedy has a scene, whose table passes.
+    let remedy = found.verdict(None).remedy.join("; ");
+    let (_, scene) = remedy.split_once("lobefit bake of the scene ").expect("a scene");
+    let scene = Scene::from_json(scene.as_bytes(), "remedy").expect("a scene");
+    let files = bake_scene(&scene).expect("a bake").files;
+    let (_, bytes) = files.iter().find(|(path, _)| path.ends_with(".exr")).expect("a table");
+    let table = read_table(bytes, "own.exr", &Hints::default()).expect("a table").remove(0);
+    assert_eq!(table.size, [N; 2]);
+    says(&reflection_of(&AuditedTable::from(&table)).verdict(None), "PASS", &["ggx-reflection A and B"]);
 }
 
 /// A normalisation below 1 takes light: of 1/E, and of 1/E_avg, it was said that more comes back.

@@ -1,6 +1,7 @@
 //! What to change.
 
 use super::defect::{LINES, extent};
+use super::drop_in::drop_in;
 use super::points::{LIKELY, SAME};
 use super::words::{excluded, listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
@@ -23,6 +24,7 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         }];
         steps.extend(dead.filter_map(|d| mending(d, &audit.axes, audit.source)));
         steps.dedup();
+        steps.extend(drop_in(audit).filter(|_| audit.source == Source::Table));
         return steps;
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
@@ -31,6 +33,9 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, limit)));
     steps.dedup();
+    let is_poor = |d: &Defect| matches!(d, Defect::Gain { .. } | Defect::MissingLoss { .. });
+    let is_poor = audit.channels.iter().flat_map(|c| &c.defects).any(is_poor);
+    steps.extend(drop_in(audit).filter(|_| is_poor && audit.source == Source::Table));
     steps
 }
 

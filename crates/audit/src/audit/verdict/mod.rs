@@ -2,6 +2,7 @@
 
 mod advice;
 mod defect;
+mod drop_in;
 mod figure;
 mod headline;
 mod points;
