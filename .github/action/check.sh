@@ -32,7 +32,8 @@ fi
 
 # Of another scene every file is another: the change is what there is to say, and what else is at fault lies beside the bake.
 facts='def changed: .scene_changes // [];
-  def is_changed: changed | length > 0;
+  def broken: .promises_not_kept // [];
+  def is_changed: changed | length > 0 and (broken | length == 0);
   def faults: is_changed as $is | .differences[] | select(($is | not) or (.file | test("^reports/(studies|gpu|isa)/")));
   def for_shaders: if (.changed_for_shaders // []) == [] then "no number and no code that a shader reads changed"
     else "numbers or code that a shader reads changed in " + (.changed_for_shaders | join(", ")) end;'
@@ -46,7 +47,7 @@ scene=${SCENE:-}
 scene=${scene#./}
 jq -r --arg folder "$folder" --arg scene "${scene:-${folder}manifest.json}" --arg bake "$bake" "$escape$facts"'
   def error(file; says): "::error file=" + (file | property) + ",title=lobefit check::" + (says | text);
-  select(.same | not) | (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
+  select(.same | not) | (broken[] | error($scene; "promise not kept: " + .)), (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
   (faults | error($folder + .file; .detail))' <<<"$verdict"
 
 # Without a runner the summary goes where the rest goes.
@@ -57,9 +58,11 @@ cell='def cell: tostring | gsub("[\r\n|]"; " "); def row: "| " + (map(cell) | jo
 echo "## lobefit check: $against"
 echo
 jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from its recipe." else
+  (broken | select(length > 0) | "The scene asks for what nothing keeps; no bake follows from it:", "", (.[] | "- " + cell)),
   (select(is_changed) | "The scene changed:", "", (changed[] | "- " + cell), "",
     (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
-  ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row))
+  ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row)),
+  (select((.differences | length > 0) and (is_changed | not)) | "", "Bake it again: `" + $bake + "`")
   end' <<<"$verdict"
 echo
 if [ -f "$against/manifest.json" ]; then

@@ -275,7 +275,11 @@ impl<'a> Stage<'a> {
                 return Ok(format!("{} {keeps}: error {error} {cost}", h.name()));
             }
         }
-        let to = |(error, name, ops)| format!(" to {error}, which {name} has with {ops} operations");
+        let dear = |ops: u32| self.wanted.max_ops.is_some_and(|most| ops > most);
+        let to = |(error, name, ops)| match dear(ops) {
+            true => format!(" to {error} and max_ops to {ops}, which {name} has"),
+            false => format!(" to {error}, which {name} has with {ops} operations"),
+        };
         Ok(format!(
             "no formula of the catalogue keeps it in this region: raise max_error{}",
             closest.map(to).unwrap_or_default()

@@ -98,6 +98,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     drop(progress);
     // What breaks a promise is not written by a bake: there is nothing to compare with.
     if !found.broken.is_empty() {
+        if options.json {
+            print_json(&found.verdict())?;
+        }
         say_each("the scene changed", &found.changes);
         say_broken(&found.broken);
         return Ok(Outcome::Failed);
@@ -180,10 +183,11 @@ impl Found {
     fn verdict(&self) -> Verdict<'_> {
         Verdict {
             schema_version: 1,
-            same: self.all().next().is_none(),
+            same: self.broken.is_empty() && self.all().next().is_none(),
+            promises_not_kept: &self.broken,
             scene_changes: &self.changes,
             changed_for_shaders: (!self.changes.is_empty()).then_some(&self.changed),
-            differences: self.all().collect(),
+            differences: self.all().filter(|_| self.broken.is_empty()).collect(),
             records: &self.records,
             counts: &self.counts,
             studies_unknown: self.studies_unknown.as_deref(),
@@ -195,6 +199,10 @@ impl Found {
         let mut lines = Vec::new();
         if self.changes.is_empty() {
             lines.extend(self.of_bake.iter().map(|difference| format!("{difference}\n")));
+            if self.of_bake.iter().any(|difference| difference.kind != bake::Kind::Missing) {
+                let bake = command("bake", "--out", options, options.pages.no_reports);
+                lines.push(format!("bake it again: {}\n", visible(&bake)));
+            }
         } else if !self.of_bake.is_empty() {
             // Of another scene every file is another: the change is what there is to say.
             for change in &self.changes {
@@ -266,6 +274,9 @@ impl Found {
 struct Verdict<'a> {
     schema_version: u32,
     same: bool,
+    /// Promises of the scene that no bake keeps, so that there is nothing to compare with.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    promises_not_kept: &'a [String],
     /// What changed in the scene since the bake that is checked.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     scene_changes: &'a [String],

@@ -117,8 +117,10 @@ impl JobSummary {
         if let (Some(cheapest), Some(most)) = (cheapest, max_ops)
             && cheapest > most
         {
-            self.approximation +=
-                &format!("; no formula has so few: the cheapest takes {}", words::operations(cheapest));
+            self.approximation += &format!(
+                "; no formula has so few, and `bake` fails: the cheapest takes {}",
+                words::operations(cheapest)
+            );
         }
         self
     }

@@ -150,8 +150,18 @@ fn placed(bytes: &[u8], file: &str, path: &str, message: String) -> SceneError {
     }
 }
 
-/// An unknown field of a part of the scene, with what is said where the scene itself has one of that name.
-fn misplaced(error: SceneError) -> SceneError {
+/// What a scene must have, with a value that it may have.
+const EXAMPLES: [(&str, &str); 5] = [
+    ("schema_version", "1"),
+    ("materials", "[{ \"name\": \"steel\", \"kind\": \"metal\", \"f0\": 0.57, \"roughness\": [0.1, 1] }]"),
+    ("name", "\"steel\""),
+    ("kind", "\"metal\""),
+    ("roughness", "[0.1, 1]"),
+];
+
+/// An unknown field of a part of the scene, with what is said where the scene itself has one of that name; a missing
+/// one, with an example.
+fn advised(error: SceneError) -> SceneError {
     let SceneError::Field { file, at, path, mut message } = error else { return error };
     if let Some((name, _)) = message.strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {
         let alone = serde_json::Map::from_iter([(name.to_string(), serde_json::Value::Null)]);
@@ -159,6 +169,10 @@ fn misplaced(error: SceneError) -> SceneError {
         if !read.is_err_and(|error| error.to_string().starts_with("unknown field")) {
             message = format!("{message}; the scene itself has a field of that name");
         }
+    }
+    let missing = message.strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'));
+    if let Some((name, value)) = EXAMPLES.iter().find(|(name, _)| missing == Some(name)) {
+        message = format!("{message}; for example \"{name}\": {value}");
     }
     SceneError::Field { file, at, path, message }
 }
@@ -197,7 +211,7 @@ impl Scene {
 
     /// The fields, each right by itself.
     fn parsed(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
-        let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES).map_err(misplaced)?;
+        let parsed: SceneFile = read_object(bytes, file, limits::STRING_BYTES).map_err(advised)?;
         let whole = |field: &str, message: String| {
             let message = about(field, message);
             let (path, message) = told(&message);

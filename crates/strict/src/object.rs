@@ -99,7 +99,13 @@ fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)
     let suffix = format!(" at line {} column {}", error.line(), error.column());
     let message = said.strip_suffix(&suffix).unwrap_or(&said);
     let message = match message {
-        "key must be a string" => "object keys must be strings in double quotes",
+        "key must be a string" => {
+            "object keys must be strings in double quotes (and a decimal is written with a point)"
+        }
+        "expected value" => {
+            "expected a value: a number such as 0.9, a text in double quotes, a list, an object, true, false or null"
+        }
+        "trailing characters" => "the object has ended before this: is there a bracket too many?",
         other => other,
     };
     let message = message.replace("EOF while parsing", "the file ends inside");
@@ -114,9 +120,15 @@ fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)
         ("" | ".", inner) => inner.into(),
         (path, inner) => format!("{path}.{inner}"),
     };
-    // Of a field that is judged with its neighbours the reader stood at the end of them all.
-    let own = || if inner.is_empty() { None } else { place(text.as_bytes(), &path) };
-    let at = own().unwrap_or_else(|| position(error));
+    // Of a field that is judged with its neighbours, and of an object, the reader stood behind them all.
+    let is_whole =
+        error.is_data() && !["unknown field", "duplicate field"].iter().any(|m| message.starts_with(m));
+    let opens = |at: &Position| {
+        let line = text.lines().nth(at.line - 1).unwrap_or_default();
+        is_whole && line.as_bytes().get(at.column - 1) == Some(&b'{')
+    };
+    let own = place(text.as_bytes(), &path).filter(|at| !inner.is_empty() || opens(at));
+    let at = own.unwrap_or_else(|| position(error));
     let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
     SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }
 }

@@ -218,7 +218,7 @@ impl Shipped {
         }
         if !snippets.is_empty() {
             lines.push(
-                "picked for these limits alone; bake picks the same where what stands beside a call takes the place of the scene's limits there; --json has the code"
+                "for `bake` to pick the same, write the fields behind // into the scene, in place of its own limits; --json has the code"
                     .into(),
             );
         }
@@ -245,8 +245,13 @@ fn shared(calls: &[Call]) -> Option<String> {
 /// The fields of a scene by which `bake` picks what a call is made of: of a table its size and error,
 /// of a formula its error, which no cheaper one keeps. A probe's limit is on another error.
 fn field(plan: &Plan, entries: &Entries, (call, all): (&Call, &[Call]), limits: &Limits) -> Option<String> {
-    let demand = plan.effects.first()?.work.first()?.demands.first()?;
+    let demands = &plan.effects.first()?.work.first()?.demands;
+    let demand = demands.iter().find(|demand| demand.name == call.of)?;
     let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
+    // Of what a field asks for beside its own functions, no limit there is on the error.
+    if call.file.is_none() && limits.max_error.is_some() && demand.goals.max_error.is_none() {
+        return None;
+    }
     if call.file.is_none() {
         let cost = limits.vendor.map(|vendor| format!("; \"cost\": \"{}\" of the scene", vendor.word()));
         return Some(format!("{field}: \"max_error\": {}{}", call.max_error, cost.unwrap_or_default()));

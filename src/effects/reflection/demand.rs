@@ -261,7 +261,7 @@ impl Reflection {
         let limit = job.goals.max_error.filter(|limit| limit < least)?;
         let keeps = self.reached.iter().find(|(_, error)| *error <= limit);
         let instead = keeps.map_or(
-            ", and no formula less: `bake` ends with the table that keeps it".into(),
+            ", and no formula less: `bake` fails, and names the table that keeps it".into(),
             |(ops, error)| format!(", {} reach {error}", call.ops(*ops)),
         );
         Some(format!(

@@ -45,7 +45,7 @@ fn conclusion(costs: &Costs) -> String {
         Some(format!("{} on {}", significant(to / from, 2), unit.name))
     });
     format!(
-        "An error of {TO} in place of {FROM} takes {} operations in place of {}, {} times as many; compiled or measured, times {} ({}).\n",
+        "An error of {TO} in place of {FROM} takes {} operations in place of {}, {} times as many; in compiled code or measured time the factor is {} ({}).\n",
         brief(to, 3),
         brief(from, 3),
         significant(to / from, 2),
@@ -191,7 +191,8 @@ fn digits(costs: &Costs) -> Section {
     Section {
         id: "digits".into(),
         title: "What the next digit costs".into(),
-        lead: "The least cost of a formula within an error, in each unit, and how many times the row above it is.".into(),
+        lead: "The least cost of a formula within an error, in each unit, and how many times the row above it is. Each unit may have a formula of its \
+            own; the one named has the fewest operations.".into(),
         blocks: blocks.collect(),
     }
 }

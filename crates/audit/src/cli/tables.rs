@@ -74,7 +74,7 @@ fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
         let what = named(options, &table.name);
         match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
             None => (table, what, refused.clone()),
-            Some((name, Ok(said))) => (said, format!("{what} with its sidecar {name}"), None),
+            Some((_, Ok(said))) => (said, format!("{what} with its sidecar"), None),
             Some((name, Err(reason))) => (table, what, Some(sidecar::refused(options, name, &reason))),
         }
     };

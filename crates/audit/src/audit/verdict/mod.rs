@@ -54,7 +54,7 @@ pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure>
 const LINE: usize = 160;
 
 /// Characters of a file's name that stand in a first line even where it grows beyond that.
-const NAME: usize = 48;
+const NAME: usize = 64;
 
 /// A first line behind its word: of the file's name as much as there is room for, and of `more`, which the
 /// points say too, the first that there is room for.
