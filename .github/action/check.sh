@@ -33,7 +33,7 @@ fi
 # Of another scene every file is another: the change is what there is to say, and what else is at fault lies beside the bake.
 facts='def changed: .scene_changes // [];
   def broken: .promises_not_kept // [];
-  def is_changed: changed | length > 0 and (broken | length == 0);
+  def is_changed: (changed | length > 0) and (broken | length == 0);
   def faults: is_changed as $is | .differences[] | select(($is | not) or (.file | test("^reports/(studies|gpu|isa)/")));
   def for_shaders: if (.changed_for_shaders // []) == [] then "no number and no code that a shader reads changed"
     else "numbers or code that a shader reads changed in " + (.changed_for_shaders | join(", ")) end;'

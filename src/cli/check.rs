@@ -199,7 +199,7 @@ impl Found {
         let mut lines = Vec::new();
         if self.changes.is_empty() {
             lines.extend(self.of_bake.iter().map(|difference| format!("{difference}\n")));
-            if self.of_bake.iter().any(|difference| difference.kind != bake::Kind::Missing) {
+            if self.of_bake.iter().any(|difference| difference.kind == bake::Kind::Different) {
                 let bake = command("bake", "--out", options, options.pages.no_reports);
                 lines.push(format!("bake it again: {}\n", visible(&bake)));
             }

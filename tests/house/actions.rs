@@ -275,6 +275,19 @@ fn the_script_annotates_files_and_writes_the_summary() {
     assert!(summary.contains("| `reports/index.html` | missing: the recipe makes it |"), "{summary}");
     assert!(summary.contains("| `fits/50%, a b:c` | extra"), "{summary}");
 
+    // What the scene asks for now no table keeps: nothing follows from it that files could be held against.
+    let strict = SCENE.replace(r#""layout":"plain""#, r#""layout":"plain","max_error":1e-6"#);
+    std::fs::write(folder.path().join("strict.json"), strict).expect("written");
+    let asked = [("SCENE", "strict.json"), ("AGAINST", "assets")];
+    let (code, annotations, summary) = script(folder.path(), &asked).expect("run before");
+    let [line] = annotations.lines().collect::<Vec<_>>()[..] else { panic!("one line: {annotations}") };
+    let start = "::error file=strict.json,title=lobefit check::promise not kept: table ggx-dfg-correlated-32x32-plain: ";
+    assert!(code == 1 && line.starts_with(start), "{code} {line}");
+    assert!(
+        summary.contains("asks for what nothing keeps; no bake follows from it:\n\n- table ggx-"),
+        "{summary}"
+    );
+
     let tables = [&environment[..], &[("ONLY", "tables")]].concat();
     let (code, annotations, _) = script(folder.path(), &tables).expect("run before");
     assert_eq!((code, annotations.as_str()), (0, ""));

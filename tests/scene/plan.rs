@@ -145,7 +145,10 @@ fn a_plan_says_what_no_formula_keeps() {
         plan.effects[0].jobs[0].approximation.clone()
     };
     let none = said(r#""max_ops":3"#);
-    assert!(none.ends_with("; no formula has so few: the cheapest takes 5 operations"), "{none}");
+    assert!(
+        none.ends_with("; no formula has so few, and `bake` fails: the cheapest takes 5 operations"),
+        "{none}"
+    );
     let few = said(r#""max_ops":8,"max_error":0.01"#);
     assert!(few.ends_with("8 operations reach 0.082, 18 reach 0.00972"), "{few}");
     let table = said(r#""max_error":0.0001"#);

@@ -24,7 +24,8 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         }];
         steps.extend(dead.filter_map(|d| mending(d, &audit.axes, audit.source)));
         steps.dedup();
-        steps.extend(drop_in(audit).filter(|_| audit.source == Source::Table));
+        // What follows another convention is as good as another.
+        steps.extend(drop_in(audit).filter(|_| audit.source == Source::Table && audit.excluded.is_none()));
         return steps;
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
