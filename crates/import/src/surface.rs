@@ -108,7 +108,7 @@ impl Surface {
             let has_base = |part: &&mut Part| part.fields.iter().any(|(name, _)| *name == "base");
             match parts.iter_mut().find(has_base) {
                 Some(part) => part.fields.push(("coat", coat)),
-                None => said.missing("clear coat over no diffuse base: its darkening is left out"),
+                None => said.missing("clear coat over no diffuse base, a metal or glass: this version has none, and the whole coat is left out"),
             }
         }
         Parts { parts, said }

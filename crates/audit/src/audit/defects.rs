@@ -4,6 +4,7 @@ use super::FITS;
 use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
+use super::spikes::spikes;
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
 use crate::foreign::Step;
@@ -160,7 +161,8 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     let step = grain.step;
     let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
     if found.is_empty() {
-        found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)));
+        let spikes = || spikes(r, grain).map(|off| these(r, &off, grain.leaves(r, off[0])));
+        found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)).or_else(spikes));
     }
     let part = found.iter().find_map(|d| if let Defect::Part { range, .. } = d { Some(range) } else { None });
     let outside = |i: &usize| part.is_none_or(|range| !r.lies_in(*i, range));

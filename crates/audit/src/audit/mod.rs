@@ -34,6 +34,7 @@ mod published;
 mod sample;
 mod scan;
 mod screen;
+mod spikes;
 mod table;
 mod truth;
 mod two_lobes;

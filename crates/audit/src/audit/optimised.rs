@@ -36,6 +36,11 @@ pub(super) fn excused(
     [own, mended]: [&AuditedTable; 2],
     channels: &mut [ChannelAudit],
 ) {
+    // Texels that are wrong in two channels are no better with one of them mended.
+    let damaged = || used(points, convention, own)[0] >= used(points, convention, mended)[0];
+    if own.channels == mended.channels || damaged() {
+        return;
+    }
     // One channel's texels do not answer for another's.
     for (k, channel) in channels.iter_mut().enumerate() {
         if own.channels[k] == mended.channels[k] {

@@ -1,5 +1,7 @@
 //! What to change.
 
+use std::collections::BTreeSet;
+
 use super::defect::{LINES, extent};
 use super::drop_in::drop_in;
 use super::points::{LIKELY, SAME};
@@ -33,7 +35,8 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     let defects = audit.channels.iter().flat_map(|c| &c.defects);
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, limit)));
-    steps.dedup();
+    let mut said = BTreeSet::new();
+    steps.retain(|step| said.insert(step.clone()));
     let is_poor = |d: &Defect| matches!(d, Defect::Gain { .. } | Defect::MissingLoss { .. });
     let is_poor = audit.channels.iter().flat_map(|c| &c.defects).any(is_poor);
     steps.extend(drop_in(audit).filter(|_| is_poor && audit.source == Source::Table));

@@ -1,0 +1,64 @@
+//! Texels that are off by far more than the texels next to them, in a table of samples, whose errors elsewhere
+//! are too large for damage to be told by its share of them.
+
+use super::defects::Grain;
+use super::errors::Residuals;
+use super::table::{flat, place};
+
+/// At most so many: more are a part of the table.
+const MOST: usize = 32;
+
+/// One of so many texels, at most.
+const SHARE: usize = 100;
+
+/// How many times the largest error of the others each is off by. Samples of 4096 texels leave a largest error and
+/// one next to it that are within a tenth of each other; where light grazes errors grow, and fade to all sides.
+const GAP: f64 = 2.0;
+
+/// The same of a texel at an end of an axis, where the hardest integrals are.
+const GAP_AT_END: f64 = 8.0;
+
+/// How many times the largest error of the texels next to it.
+const STEEP: f64 = 4.0;
+
+/// These texels.
+pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Vec<usize>> {
+    let most = MOST.min(r.judged.len() / SHARE);
+    let error = |i: usize| r.errors[i].abs();
+    let mut largest = r.judged.clone();
+    if most == 0 || largest.len() <= most {
+        return None;
+    }
+    largest.select_nth_unstable_by(most, |a, b| error(*b).total_cmp(&error(*a)));
+    largest.truncate(most + 1);
+    largest.sort_by(|a, b| error(*b).total_cmp(&error(*a)).then(a.cmp(b)));
+    let is_spike = |off: &[usize], i: usize| {
+        let beside = beside(r, i).into_iter().filter(|j| !off.contains(j)).map(error);
+        let beside = beside.fold(f64::NAN, f64::max);
+        error(i) > grain.leaves(r, i) && error(i) >= STEEP * beside
+    };
+    let are_spikes = |k: &usize| {
+        let (off, rest) = largest.split_at(*k);
+        let gap = |i: &usize| if at_end(r, *i) { GAP_AT_END } else { GAP };
+        off.iter().all(|i| error(*i) >= gap(i) * error(rest[0]) && is_spike(off, *i))
+    };
+    (1..=most).rev().find(are_spikes).map(|k| largest[..k].to_vec())
+}
+
+fn at_end(r: &Residuals, i: usize) -> bool {
+    let size = r.sample.dims();
+    place(i, &size).iter().zip(&size).any(|(k, n)| *k == 0 || k + 1 == *n)
+}
+
+/// The judged texels next to one, those across a corner among them.
+fn beside(r: &Residuals, i: usize) -> Vec<usize> {
+    let size = &r.sample.dims();
+    let at = place(i, size);
+    let steps = 3_usize.pow(size.len() as u32);
+    let near = (0..steps).filter_map(|step| {
+        let by = place(step, &vec![3; size.len()]);
+        let moved = at.iter().zip(by).zip(size).map(|((k, by), n)| (k + by).checked_sub(1).filter(|k| k < n));
+        moved.collect::<Option<Vec<usize>>>().map(|texel| flat(&texel, size))
+    });
+    near.filter(|j| *j != i && r.judged.binary_search(j).is_ok()).collect()
+}
