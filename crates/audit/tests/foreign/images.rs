@@ -308,7 +308,10 @@ fn arrays_of_numpy_state_what_is_not_read() {
         (dictionary(">f8", "False", "(4, 8)"), "little-endian"),
         (dictionary("<f8", "True", "(4, 8)"), "ascontiguousarray"),
         (dictionary("<f8", "False", "(4, 9)"), "256 bytes follow, and an array of 4 x 9 <f8 has 288"),
-        (dictionary("<f8", "False", "(4294967296, 4294967296, 4294967296)"), "256 bytes follow, and an array of "),
+        (
+            dictionary("<f8", "False", "(4294967296, 4294967296, 4294967296)"),
+            "256 bytes follow, and an array of ",
+        ),
         (dictionary("<f8", "False", "(4, -8)"), "shape"),
         (dictionary("|u1", "False", "(256,)"), "unorm8"),
         ("{}".to_string(), "no descr"),
