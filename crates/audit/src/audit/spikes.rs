@@ -1,5 +1,5 @@
-//! Texels that are off by far more than the texels next to them, in a table of samples, whose errors elsewhere
-//! are too large for damage to be told by its share of them.
+//! Texels that are off by far more than the texels next to them, in a table of samples, whose errors
+//! elsewhere are too large for damage to be known by its share of them.
 
 use super::defects::Grain;
 use super::errors::Residuals;
@@ -11,8 +11,9 @@ const MOST: usize = 32;
 /// One of so many texels, at most.
 const SHARE: usize = 100;
 
-/// How many times the largest error of the others each is off by. Samples of 4096 texels leave a largest error and
-/// one next to it that are within a tenth of each other; where light grazes errors grow, and fade to all sides.
+/// How many times the largest error of the others each is off by. Of one set of points for all texels
+/// (Hammersley's) the two largest errors are within a tenth of each other; where light grazes errors grow,
+/// and fade to all sides. Of points drawn anew for each texel one may stand out so: too few samples.
 const GAP: f64 = 2.0;
 
 /// The same of a texel at an end of an axis, where the hardest integrals are.
@@ -21,7 +22,7 @@ const GAP_AT_END: f64 = 8.0;
 /// How many times the largest error of the texels next to it.
 const STEEP: f64 = 4.0;
 
-/// These texels.
+/// The texels that stand out so, the worst first.
 pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Vec<usize>> {
     let most = MOST.min(r.judged.len() / SHARE);
     let error = |i: usize| r.errors[i].abs();

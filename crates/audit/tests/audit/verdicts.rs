@@ -106,7 +106,7 @@ fn a_block_is_named_with_its_place_and_its_error() {
         (of_karis(&block), "of A at x = 10 to 29, y = 20 to 29,", [0.029, 0.036]),
         (exact(&rows), "of A at y = 32 to 63,", [0.0270, 0.0280]),
         (exact(&texel), "of A at x = 12, y = 30,", [0.0999, 0.1001]),
-        // In a table of samples, whose errors at grazing view hide them from what is told by its share.
+        // In a table of samples, whose errors at grazing view are larger in all than those of one texel.
         (of_karis(&texel), "of A at x = 12, y = 30,", [0.09, 0.11]),
         (of_karis(&two), "of A at x = 32, y = 32", [0.41, 0.44]),
     ] {

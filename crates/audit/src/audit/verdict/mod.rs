@@ -50,10 +50,10 @@ pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure>
     figure::figure(audit, limit).map(|told| told.figure)
 }
 
-/// Most characters of a first line, which a terminal and a log show whole.
+/// Most characters of a first line whose file has a short name, which a terminal and a log show whole.
 const LINE: usize = 160;
 
-/// Characters of a file's name that stand in a first line even where it grows beyond that.
+/// Characters of a file's name, with the dots that end it, that a first line has even where it grows beyond.
 const NAME: usize = 64;
 
 /// A first line behind its word: of the file's name as much as there is room for, and of `more`, which the

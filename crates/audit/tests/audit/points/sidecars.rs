@@ -61,7 +61,7 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
                 out.starts_with(&format!("PASS {quantity} ")) && out.contains("is what it says"),
                 "{out}"
             );
-            // A long name ends in an ellipsis, behind 64 characters at least.
+            // A long name ends in an ellipsis, as the 64th character or later.
             let line = out.lines().next().unwrap();
             assert!(
                 line.contains(&own)
