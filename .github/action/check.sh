@@ -31,10 +31,13 @@ if [ "$code" -gt 1 ]; then
 fi
 
 # Of another scene every file is another: the change is what there is to say, and what else is at fault lies beside the bake.
+# What lies beside a bake, and files that are none of it, no bake mends.
 facts='def changed: .scene_changes // [];
+  def is_beside: .file | test("^reports/(studies|gpu|isa)/");
+  def is_mended: any(.differences[]; .kind != "extra" and (is_beside | not));
   def broken: .promises_not_kept // [];
   def is_changed: (changed | length > 0) and (broken | length == 0);
-  def faults: is_changed as $is | .differences[] | select(($is | not) or (.file | test("^reports/(studies|gpu|isa)/")));
+  def faults: is_changed as $is | .differences[] | select(($is | not) or is_beside);
   def for_shaders: if (.changed_for_shaders // []) == [] then "no number and no code that a shader reads changed"
     else "numbers or code that a shader reads changed in " + (.changed_for_shaders | join(", ")) end;'
 bake="lobefit bake${SCENE:+ $(printf %q "$SCENE")}"
@@ -47,7 +50,9 @@ scene=${SCENE:-}
 scene=${scene#./}
 jq -r --arg folder "$folder" --arg scene "${scene:-${folder}manifest.json}" --arg bake "$bake" "$escape$facts"'
   def error(file; says): "::error file=" + (file | property) + ",title=lobefit check::" + (says | text);
-  select(.same | not) | (broken[] | error($scene; "promise not kept: " + .)), (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
+  select(.same | not) | (broken[] | error($scene; "promise not kept: " + .)),
+  (select(broken != [] and changed != []) | error($scene; "the scene changed: " + (changed | join("; ")))),
+  (select(is_changed) | error($scene; (changed | join("; ")) + "; " + for_shaders + "; run " + $bake)),
   (faults | error($folder + .file; .detail))' <<<"$verdict"
 
 # Without a runner the summary goes where the rest goes.
@@ -58,11 +63,12 @@ cell='def cell: tostring | gsub("[\r\n|]"; " "); def row: "| " + (map(cell) | jo
 echo "## lobefit check: $against"
 echo
 jq -r --arg bake "$bake" "$cell$facts"' if .same then "Every file follows from its recipe." else
-  (broken | select(length > 0) | "The scene asks for what nothing keeps; no bake follows from it:", "", (.[] | "- " + cell)),
-  (select(is_changed) | "The scene changed:", "", (changed[] | "- " + cell), "",
-    (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
+  (broken | select(length > 0) | "The scene asks for what nothing keeps; no bake follows from it:", "",
+    (.[] | split("\n") | "- " + (.[0] | cell), (.[1:][] | "  - " + (ltrimstr("  ") | cell)))),
+  (changed | select(length > 0) | "", "The scene changed:", "", (.[] | "- " + cell)),
+  (select(is_changed) | "", (for_shaders | (.[:1] | ascii_upcase) + .[1:] + "."), "", "Bake it again: `" + $bake + "`"),
   ([faults] | select(length > 0) | "", "| file | what differs |", "|---|---|", (.[] | ["`" + .file + "`", .detail] | row)),
-  (select((.differences | length > 0) and (is_changed | not)) | "", "Bake it again: `" + $bake + "`")
+  (select(is_mended and (is_changed | not)) | "", "Bake it again: `" + $bake + "`")
   end' <<<"$verdict"
 echo
 if [ -f "$against/manifest.json" ]; then

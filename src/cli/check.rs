@@ -180,6 +180,11 @@ impl Found {
         self.of_bake.iter().chain(&self.of_studies).chain(&self.of_records)
     }
 
+    /// Files of the bake that are not there.
+    fn missing(&self) -> usize {
+        self.of_bake.iter().filter(|difference| difference.kind == bake::Kind::Missing).count()
+    }
+
     fn verdict(&self) -> Verdict<'_> {
         Verdict {
             schema_version: 1,
@@ -199,7 +204,9 @@ impl Found {
         let mut lines = Vec::new();
         if self.changes.is_empty() {
             lines.extend(self.of_bake.iter().map(|difference| format!("{difference}\n")));
-            if self.of_bake.iter().any(|difference| difference.kind == bake::Kind::Different) {
+            if self.missing() < self.files
+                && self.of_bake.iter().any(|difference| difference.kind != bake::Kind::Extra)
+            {
                 let bake = command("bake", "--out", options, options.pages.no_reports);
                 lines.push(format!("bake it again: {}\n", visible(&bake)));
             }
@@ -228,9 +235,7 @@ impl Found {
             lines.push(format!("note: reports/studies: not checked: {reason}\n"));
         }
         lines.push(self.closing(options));
-        if self.files > 0
-            && self.of_bake.iter().filter(|d| d.kind == bake::Kind::Missing).count() == self.files
-        {
+        if self.files > 0 && self.missing() == self.files {
             let bake = visible(&command("bake", "--out", options, options.pages.no_reports));
             lines.push(format!(
                 "none of them is there: `--against` names the folder of a bake; `{bake}` makes one here\n"

@@ -269,8 +269,8 @@ impl Job {
         (!parts.is_empty()).then(|| parts.join("; "))
     }
 
-    /// The call that takes most of those that take more than the budget: of three channels, where a formula for
-    /// one may take all of it.
+    /// The call that takes most of those that take more than the budget: of three channels, where a formula
+    /// for one may take all of it.
     fn beyond(&self) -> Option<String> {
         let Budget { max_ops: Some(most), call } = self.budget() else { return None };
         let bounded = self.demands.iter().filter(|demand| demand.goals.max_ops.is_some());

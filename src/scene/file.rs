@@ -159,8 +159,8 @@ const EXAMPLES: [(&str, &str); 5] = [
     ("roughness", "[0.1, 1]"),
 ];
 
-/// An unknown field of a part of the scene, with what is said where the scene itself has one of that name; a missing
-/// one, with an example.
+/// An unknown field of a part of the scene, with what is said where the scene itself has one of that name;
+/// a missing one, with an example.
 fn advised(error: SceneError) -> SceneError {
     let SceneError::Field { file, at, path, mut message } = error else { return error };
     if let Some((name, _)) = message.strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {

@@ -159,7 +159,7 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
         let output = lobefit(folder.path(), &[&["cost", "-"], options].concat(), two);
         let text = String::from_utf8_lossy(&output.stdout);
         assert!(text.lines().next().is_some_and(|header| header.contains(columns)), "{text}");
-        let held = "held to less than the budget: ggx_energy_compensation by ggx_energy_compensation_rgb, ";
+        let held = "of one formula: of ggx_energy_compensation and ggx_energy_compensation_rgb the second; ";
         assert_eq!(text.contains(held), dearer, "{text}");
     }
     // A function beside the normalisation that no formula gives is not passed over.

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{lobefit, names, stderr};
+use common::{lobefit, lobefit_with, names, stderr};
 use lobefit::cli::output;
 use lobefit::store::Written;
 use serde_json::{Value, json};
@@ -312,7 +312,9 @@ fn bake_prints_columns_and_names_its_stages_where_nobody_sees_a_bar() {
     let folder = tempfile::tempdir().unwrap();
     let scene = br#"{"schema_version":1,"formats":["exr","npy"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
         "wants":{"tables":[{"size":[8,8],"layout":"plain"}],"fit":{"max_ops":7,"norms":["max"]}}}]}"#;
-    let output = lobefit(folder.path(), &["bake", "-"], scene);
+    // What the cache has has no stage.
+    let cache = folder.path().join("cache");
+    let output = lobefit_with(&cache, folder.path(), &["bake", "-"], scene);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     let lines: Vec<&str> = out.lines().collect();

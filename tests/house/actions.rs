@@ -274,19 +274,30 @@ fn the_script_annotates_files_and_writes_the_summary() {
     }
     assert!(summary.contains("| `reports/index.html` | missing: the recipe makes it |"), "{summary}");
     assert!(summary.contains("| `fits/50%, a b:c` | extra"), "{summary}");
+    assert!(summary.contains("Bake it again: `lobefit bake a\\ scene.json --out ./assets/`"), "{summary}");
+    // A file that is none of the bake's no bake takes away.
+    std::fs::write(&page, "").expect("written");
+    let only_extra = [&environment[..], &[("ONLY", "fits")]].concat();
+    let (_, _, summary) = script(folder.path(), &only_extra).expect("run before");
+    assert!(summary.contains("| extra") && !summary.contains("Bake it again"), "{summary}");
 
     // What the scene asks for now no table keeps: nothing follows from it that files could be held against.
     let strict = SCENE.replace(r#""layout":"plain""#, r#""layout":"plain","max_error":1e-6"#);
     std::fs::write(folder.path().join("strict.json"), strict).expect("written");
     let asked = [("SCENE", "strict.json"), ("AGAINST", "assets")];
     let (code, annotations, summary) = script(folder.path(), &asked).expect("run before");
-    let [line] = annotations.lines().collect::<Vec<_>>()[..] else { panic!("one line: {annotations}") };
+    let [line, change] = annotations.lines().collect::<Vec<_>>()[..] else { panic!("{annotations}") };
     let start = "::error file=strict.json,title=lobefit check::promise not kept: table ggx-dfg-correlated-32x32-plain: ";
     assert!(code == 1 && line.starts_with(start), "{code} {line}");
+    let field = "materials[0].wants.tables[0].max_error: 1e-6 is new";
+    assert_eq!(change, format!("::error file=strict.json,title=lobefit check::the scene changed: {field}"));
+    let nothing = "asks for what nothing keeps; no bake follows from it:\n\n- table ggx-";
     assert!(
-        summary.contains("asks for what nothing keeps; no bake follows from it:\n\n- table ggx-"),
+        summary.contains(nothing) && summary.contains("\n  - measured, and not within it: "),
         "{summary}"
     );
+    assert!(summary.contains(&format!("The scene changed:\n\n- {field}\n")), "{summary}");
+    assert!(!summary.contains("Bake it again"), "{summary}");
 
     let tables = [&environment[..], &[("ONLY", "tables")]].concat();
     let (code, annotations, _) = script(folder.path(), &tables).expect("run before");

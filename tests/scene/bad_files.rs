@@ -126,7 +126,7 @@ fn documents_of_gltf() {
             b"7".to_vec(),
             "a.gltf:1:1: invalid type: integer `7`, expected a glTF document, an object",
         ),
-        ("a.gltf", b"{}".to_vec(), "a.gltf:1:2: missing field `asset`"),
+        ("a.gltf", b"{}".to_vec(), "a.gltf:1:1: missing field `asset`"),
         (
             "a.gltf",
             b"{\"asset\":{\"version\":\"2.0\"}} x".to_vec(),
@@ -172,7 +172,7 @@ fn documents_of_gltf() {
         (
             "a.gltf",
             gltf(r#""materials":{}"#),
-            "a.gltf:1:39: materials: invalid type: map, expected a list in brackets, [...], of at most 65536 entries",
+            "a.gltf:1:40: materials: invalid type: map, expected a list in brackets, [...], of at most 65536 entries",
         ),
         (
             "a.gltf",
@@ -184,7 +184,7 @@ fn documents_of_gltf() {
             gltf(r#""materials":null"#),
             "a.gltf:1:43: materials: invalid type: null, expected a list in brackets, [...], of at most 65536 entries",
         ),
-        ("a.gltf", gltf(r#""meshes":[{}]"#), "a.gltf:1:39: meshes[0]: missing field `primitives`"),
+        ("a.gltf", gltf(r#""meshes":[{}]"#), "a.gltf:1:38: meshes[0]: missing field `primitives`"),
         (
             "a.gltf",
             gltf(r#""meshes":[{"primitives":[{"material":0}]}]"#),
@@ -203,7 +203,7 @@ fn documents_of_gltf() {
         (
             "a.gltf",
             gltf(r#""meshes":[{"primitives":[{"extensions":{"KHR_materials_variants":{}}}]}]"#),
-            "a.gltf:1:94: meshes[0].primitives[0].extensions.KHR_materials_variants: missing field `mappings`",
+            "a.gltf:1:93: meshes[0].primitives[0].extensions.KHR_materials_variants: missing field `mappings`",
         ),
         (
             "a.gltf",
@@ -290,7 +290,7 @@ fn materials_of_gltf() {
         (
             "a.gltf",
             pbr(r#""metallicRoughnessTexture":{}"#),
-            "a.gltf:1:94: materials[0].pbrMetallicRoughness.metallicRoughnessTexture: missing field `index`",
+            "a.gltf:1:93: materials[0].pbrMetallicRoughness.metallicRoughnessTexture: missing field `index`",
         ),
         (
             "a.gltf",
@@ -373,7 +373,7 @@ fn binary_files_of_gltf() {
             "a.glb: its JSON should be 3 bytes, and the file ends before",
         ),
         ("a.glb", binary(2, b"JSON", u32::MAX, b"{}"), "a.glb: its JSON is larger than 16777216 bytes"),
-        ("a.glb", binary(2, b"JSON", 2, b"{}"), "a.glb:1:2: missing field `asset`"),
+        ("a.glb", binary(2, b"JSON", 2, b"{}"), "a.glb:1:1: missing field `asset`"),
         ("a.glb", binary(2, b"JSON", 1, b"{}"), "a.glb:1:1: the file ends inside an object"),
         (
             "a.json",

@@ -180,7 +180,7 @@ fn what_is_no_gltf_is_refused_with_its_place() {
         (b"glTF".to_vec(), "t.glb: the file ends in its header"),
         (binary(b"{}", 9), "t.glb: its JSON should be 9 bytes, and the file ends before"),
         (binary(b"{}", u32::MAX), "t.glb: its JSON is larger than 16777216 bytes"),
-        (binary(b"{}", 2), "t.glb:1:2: missing field `asset`"),
+        (binary(b"{}", 2), "t.glb:1:1: missing field `asset`"),
         (b"{".to_vec(), "t.glb:1:1: the file ends inside an object"),
         (
             br#"{"asset":{"version":"1.0"}}"#.to_vec(),

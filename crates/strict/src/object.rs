@@ -93,6 +93,19 @@ impl<'de> Visitor<'de> for Follow<'_> {
     }
 }
 
+/// The brace that an object begins with, whose place is known but for the white space behind the brace; none of
+/// what is no object.
+fn brace(text: &str, at: Position) -> Option<Position> {
+    let lines: Vec<&str> = text.split('\n').take(at.line).collect();
+    let (last, before) = lines.split_last()?;
+    let start: usize = before.iter().map(|line| line.len() + 1).sum();
+    let read = text.get(..start + at.column.min(last.len()))?;
+    let read = read.trim_end_matches(|c: char| c.is_ascii_whitespace() || c == '}' || c == '"');
+    let read = read.trim_end().strip_suffix('{')?;
+    let line = read.bytes().filter(|byte| *byte == b'\n').count() + 1;
+    Some(Position { line, column: read.len() - read.rfind('\n').map_or(0, |end| end + 1) + 1 })
+}
+
 /// serde_json's error as ours: its place moved to the front.
 fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)) -> SceneError {
     let said = error.to_string();
@@ -123,11 +136,9 @@ fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)
     // Of a field that is judged with its neighbours, and of an object, the reader stood behind them all.
     let is_whole =
         error.is_data() && !["unknown field", "duplicate field"].iter().any(|m| message.starts_with(m));
-    let opens = |at: &Position| {
-        let line = text.lines().nth(at.line - 1).unwrap_or_default();
-        is_whole && line.as_bytes().get(at.column - 1) == Some(&b'{')
-    };
-    let own = place(text.as_bytes(), &path).filter(|at| !inner.is_empty() || opens(at));
+    let own = place(text.as_bytes(), &path);
+    let own =
+        own.and_then(|at| if inner.is_empty() { brace(text, at).filter(|_| is_whole) } else { Some(at) });
     let at = own.unwrap_or_else(|| position(error));
     let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
     SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }

@@ -73,9 +73,13 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         max_bytes: options.max_bytes,
         language: options.language.or(of_scene.copied()).unwrap_or(Language::Wgsl),
     };
+    // The same with a limit on the error: what of a scene takes one.
+    let by_error = Limits { max_error: limits.max_error.or(Some(1.0)), ..limits };
+    let by_error = plan::plan(&input.scene.clone().limited(&by_error));
     let input = input.limited(&limits);
     let plan = plan::plan(&input.scene);
-    let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
+    let [jobs, by_error] = [&plan, &by_error]
+        .map(|plan| plan.effects.iter().flat_map(|called| jobs(plan, called)).collect::<Vec<Plan>>());
     let (progress, cache) =
         (Bar::new(options.quiet || options.json, (&input.scene, &plan), 0), Cache::of_user());
     let selection = || Selection { cache: cache.as_ref(), whole: true, ..Selection::default() };
@@ -95,7 +99,7 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         ship: Vec::new(),
         unkept: Vec::new(),
     };
-    for (plan, baked) in jobs.iter().zip(&baked) {
+    for (plan, baked) in by_error.iter().zip(&baked) {
         shipped.add(plan, baked, &limits)?;
     }
     shipped.tables_beside_functions();
@@ -126,7 +130,7 @@ fn jobs<'a>(plan: &'a Plan, called: &'a Called) -> impl Iterator<Item = Plan> + 
 
 impl Shipped {
     /// Adds what a job made: of the calls of a material for one purpose the recommended, or where
-    /// that is beyond the limits the most accurate within them.
+    /// that is beyond the limits the most accurate within them. The plan is that of a limit on the error.
     fn add(&mut self, plan: &Plan, baked: &Baked, limits: &Limits) -> Result<(), BakeError> {
         self.unkept.extend(baked.broken.iter().cloned());
         let file = format!("fits/lobefit.{}", limits.language.extension());
@@ -216,7 +220,7 @@ impl Shipped {
                 snippets.push(snippet);
             }
         }
-        if !snippets.is_empty() {
+        if self.ship.iter().any(|of| of.field.is_some()) {
             lines.push(
                 "for `bake` to pick the same, write the fields behind // into the scene, in place of its own limits; --json has the code"
                     .into(),
@@ -227,16 +231,16 @@ impl Shipped {
     }
 }
 
-/// Which functions have room in the budget because another material calls their formula for more.
+/// Which functions have room in the budget since another of their formula costs more.
 fn shared(calls: &[Call]) -> Option<String> {
     let is_dearer = |own: &Call, other: &Call| other.name == own.name && cost(other) > cost(own);
     let dearer = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
     let rooms: BTreeSet<(&str, String)> =
         calls.iter().filter_map(|own| Some((own.function.as_str(), dearer(own)?))).collect();
-    let named: Vec<String> = rooms.iter().map(|(own, by)| format!("{own} by {by}")).collect();
+    let named: Vec<String> = rooms.iter().map(|(own, by)| format!("of {own} and {by} the second")).collect();
     (!named.is_empty()).then(|| {
         format!(
-            "held to less than the budget: {}, which is of the same formula; a scene without it may have a more accurate one",
+            "a budget is for the dearer of two functions of one formula: {}; a scene without it may have a more accurate one",
             named.join(", ")
         )
     })
@@ -249,7 +253,7 @@ fn field(plan: &Plan, entries: &Entries, (call, all): (&Call, &[Call]), limits: 
     let demand = demands.iter().find(|demand| demand.name == call.of)?;
     let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
     // Of what a field asks for beside its own functions, no limit there is on the error.
-    if call.file.is_none() && limits.max_error.is_some() && demand.goals.max_error.is_none() {
+    if call.file.is_none() && demand.goals.max_error.is_none() {
         return None;
     }
     if call.file.is_none() {

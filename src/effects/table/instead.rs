@@ -239,8 +239,7 @@ fn said(
             ),
         });
         let least = choices.iter().min_by(|a, b| a.error.total_cmp(&b.error));
-        let to =
-            |Choice { words, error, .. }: &Choice| format!("raise max_error to {error}, which {words} keeps");
+        let to = |Choice { words, error, .. }: &Choice| format!("raise max_error to {error}, with {words}");
         lines.push(least.map_or_else(|| "raise max_error".into(), to));
     }
     lines

@@ -9,6 +9,10 @@ fn not_a_material() -> Vec<Case> {
         case(material(r#""f0":1,"roughness":1"#), "materials[0]: missing field `kind`"),
         case(material(r#""kind":"wood","f0":1,"roughness":1"#), "materials[0].kind: unknown variant `wood`"),
         case(material(r#""kind":"metal","roughness":1"#), "materials[0]: a metal needs `f0`"),
+        case(
+            "{ \"schema_version\": 1, \"materials\": [\n  {\n    \"name\": \"a\", \"kind\": \"metal\",\n    \"roughness\": 1\n  },\n  7]}".to_string(),
+            "scene.json:2:3: materials[0]: a metal needs `f0`",
+        ),
         case(material(r#""kind":"metal","ior":1.5,"roughness":1"#), "materials[0]: `ior` is for dielectrics"),
         case(
             material(r#""kind":"dielectric","roughness":1"#),

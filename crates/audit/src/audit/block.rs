@@ -1,6 +1,6 @@
 //! A block of texels that departs from the rest of its table.
 
-use super::defects::{Defect, SEEN, of_range, tight};
+use super::defects::{Defect, SEEN, of_extent, tight};
 use super::errors::Residuals;
 use super::table::place;
 
@@ -36,12 +36,12 @@ pub(super) fn block(r: &Residuals) -> Option<Defect> {
         // A block of rows may fade along x, as what it holds does.
         let wide = |(axis, n): (usize, &usize)| {
             let mut wide = tight.clone();
-            wide[axis] = [0, n - 1];
+            wide.range[axis] = [0, n - 1];
             wide
         };
-        let mut ranges = std::iter::once(tight.clone()).chain(r.sample.size.iter().enumerate().map(wide));
-        if let Some(range) = ranges.find(|range| stands_out(r, range)) {
-            return Some(of_range(r, range, &beyond(least), least));
+        let mut extents = std::iter::once(tight.clone()).chain(r.sample.size.iter().enumerate().map(wide));
+        if let Some(extent) = extents.find(|extent| stands_out(r, &extent.range)) {
+            return Some(of_extent(r, extent, &beyond(least), least));
         }
         over /= FALL;
     }

@@ -4,7 +4,8 @@ use super::FITS;
 use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
-use super::spikes::spikes;
+use super::extent::Extent;
+use super::spikes::{MOST, spikes};
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
 use crate::foreign::Step;
@@ -24,12 +25,10 @@ pub enum Defect {
         texel: Vec<usize>,
         /// Mean error of those.
         mean: f64,
-        /// Root mean square of the errors outside of their range.
+        /// Root mean square of the errors of all others.
         rest: f64,
-        /// First and last index of those along every axis.
-        range: Vec<[usize; 2]>,
-        /// Size of the table.
-        size: Vec<usize>,
+        /// Where they lie.
+        extent: Extent,
     },
     /// A first or last line that was never filled, and is not judged.
     Dead {
@@ -161,11 +160,12 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     let step = grain.step;
     let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
     if found.is_empty() {
-        let spikes = || spikes(r, grain).map(|off| these(r, &off, grain.leaves(r, off[0])));
+        let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
         found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)).or_else(spikes));
     }
-    let part = found.iter().find_map(|d| if let Defect::Part { range, .. } = d { Some(range) } else { None });
-    let outside = |i: &usize| part.is_none_or(|range| !r.lies_in(*i, range));
+    let part =
+        found.iter().find_map(|d| if let Defect::Part { extent, .. } = d { Some(extent) } else { None });
+    let outside = |i: &usize| part.is_none_or(|extent| !r.lies_in(*i, extent));
     let rest: Vec<usize> = r.judged.iter().copied().filter(outside).collect();
     let apart = part.is_some();
     let (noise, rms, rounding) = (noise(r, &rest), r.rms(&rest), rounding(r, &rest, step));
@@ -222,12 +222,11 @@ fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
     if small || squares(&off) < PART_OF_SQUARES * squares(&r.judged) {
         return None;
     }
-    let range = range(r, &off);
-    let whole = range.iter().zip(&r.sample.size).all(|(r, n)| *r == [0, n - 1]);
-    let inside = |i: &usize| !whole && r.lies_in(*i, &range);
+    let extent = Extent::of(r.sample, &off);
+    let inside = |i: &usize| !extent.is_whole() && r.lies_in(*i, &extent);
     let fading = r.judged.iter().filter(|i| !beyond(i, 1.0) && beyond(i, 1.0 / 3.0) && !inside(i)).count();
     // Errors of both signs that fade at an edge are those of samples.
-    let about = About::of(r, &tight(r, &off));
+    let about = About::of(r, &tight(r, &off).range);
     let ends = about.is_of_one_sign() || about.ends_at_edges();
     (ends && fading as f64 <= FADING * off.len() as f64).then(|| these(r, &off, over))
 }
@@ -253,21 +252,23 @@ fn edge(r: &Residuals, grain: Grain) -> Option<Defect> {
 
 /// The part of these texels, which are off by more than `over`, but for those far from the others.
 fn these(r: &Residuals, off: &[usize], over: f64) -> Defect {
-    let range = tight(r, off);
-    of_range(r, range, off, over)
+    of_extent(r, tight(r, off), off, over)
 }
 
-/// The part of those of these texels that lie in a range.
-pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], over: f64) -> Defect {
-    let inside: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &range)).copied().collect();
+/// The part of those of these texels that lie in an extent.
+pub(super) fn of_extent(r: &Residuals, extent: Extent, off: &[usize], over: f64) -> Defect {
+    let inside: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &extent)).copied().collect();
     // A range leaves out strays: lines of either axis may cross where none of the texels is.
     let off = if inside.is_empty() { off } else { &inside };
-    let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &range)).copied().collect();
+    let is_scattered = off.len() <= MOST && 2 * off.len() < extent.volume();
+    let alone = || Extent::alone(extent.size.clone(), off.iter().map(|i| r.texel(*i)));
+    let extent = if is_scattered { alone() } else { extent };
+    let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &extent)).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
     let worst = off.iter().fold(off[0], |w, i| if r.errors[*i].abs() > r.errors[w].abs() { *i } else { w });
     let (most, texel) = (r.errors[worst].abs(), r.texel(worst));
-    let (texels, size, rest) = ([off.len(), r.judged.len()], r.sample.size.clone(), r.rms(&outside));
-    Defect::Part { texels, over, most, texel, mean, rest, range, size }
+    let (texels, rest) = ([off.len(), r.judged.len()], r.rms(&outside));
+    Defect::Part { texels, over, most, texel, mean, rest, extent }
 }
 
 /// Lines at an end of a part are left out of it while their squares are less than this share of those
@@ -275,8 +276,9 @@ pub(super) fn of_range(r: &Residuals, range: Vec<[usize; 2]>, off: &[usize], ove
 const STRAY: f64 = 0.04;
 
 /// First and last index along every axis of the lines that texels stand out on.
-pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
-    let along = |(axis, range): (usize, [usize; 2])| {
+pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Extent {
+    let all = Extent::of(r.sample, texels);
+    let along = |(axis, range): (usize, &[usize; 2])| {
         let mut squares = vec![0.0; r.sample.size[axis]];
         for i in texels {
             squares[r.texel(*i)[axis]] += r.errors[*i] * r.errors[*i];
@@ -286,18 +288,7 @@ pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
         let lines = range[0]..=range[1];
         [lines.clone().find(line).unwrap_or(range[0]), lines.rev().find(line).unwrap_or(range[1])]
     };
-    range(r, texels).into_iter().enumerate().map(along).collect()
-}
-
-/// First and last index of texels along every axis.
-fn range(r: &Residuals, texels: &[usize]) -> Vec<[usize; 2]> {
-    let mut range = vec![[usize::MAX, 0]; r.sample.size.len()];
-    for i in texels {
-        for (range, k) in range.iter_mut().zip(r.texel(*i)) {
-            *range = [range[0].min(k), range[1].max(k)];
-        }
-    }
-    range
+    Extent { range: all.range.iter().enumerate().map(along).collect(), ..all }
 }
 
 fn clamped(r: &Residuals) -> Option<Defect> {

@@ -8,6 +8,8 @@ use super::plain::Plain;
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
+use std::f64::consts::PI;
+
 use lobefit_math::{ops, srgb};
 use lobefit_truth::quantity::Quantity;
 
@@ -28,12 +30,14 @@ pub struct Encoding {
     decode: fn(f64, f64) -> f64,
     /// The step of a decoded value, of values with this step.
     step: fn(Step) -> Step,
+    /// Whether values are colours, 0 to 1, which a linear picture does not hold.
+    of_colours: bool,
     /// Whether it takes the alpha beside three colours of 8 bits, which is no channel then.
     takes_alpha: bool,
 }
 
 /// Every encoding that is tried.
-pub static ENCODINGS: [Encoding; 4] = [
+pub static ENCODINGS: [Encoding; 8] = [
     Encoding {
         word: "srgb",
         name: "sRGB",
@@ -45,6 +49,7 @@ pub static ENCODINGS: [Encoding; 4] = [
             Step::Unorm16 => Step::Srgb(65535),
             _ => Step::None,
         },
+        of_colours: true,
         takes_alpha: false,
     },
     Encoding {
@@ -53,6 +58,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         remedy: "decode it before it is filtered: the mean of two exponents is no exponent of the mean",
         decode: |x, alpha| x * 255.0 / 256.0 * ops::pow(2.0, 255.0 * alpha - 128.0),
         step: |_| Step::Rgbe,
+        of_colours: true,
         takes_alpha: true,
     },
     Encoding {
@@ -61,6 +67,7 @@ pub static ENCODINGS: [Encoding; 4] = [
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| ops::pow(x, 2.2) / alpha,
         step: |_| Step::Rgbd(22),
+        of_colours: true,
         takes_alpha: true,
     },
     Encoding {
@@ -69,9 +76,24 @@ pub static ENCODINGS: [Encoding; 4] = [
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| x / alpha,
         step: |_| Step::Rgbd(10),
+        of_colours: true,
         takes_alpha: true,
     },
+    times("over-pi", "over pi", "multiply its values by pi: they are over pi", |x, _| x * PI),
+    times("times-pi", "times pi", "divide its values by pi: they are pi times as large", |x, _| x / PI),
+    times("halves", "times 1/2", "multiply its values by 2: they are halves", |x, _| x * 2.0),
+    times("twice", "times 2", "divide its values by 2: they are twice as large", |x, _| x / 2.0),
 ];
+
+/// A constant factor, of a normalisation that is left out or counted twice.
+const fn times(
+    word: &'static str,
+    name: &'static str,
+    remedy: &'static str,
+    decode: fn(f64, f64) -> f64,
+) -> Encoding {
+    Encoding { word, name, remedy, decode, step: |_| Step::None, of_colours: false, takes_alpha: false }
+}
 
 impl PartialEq for Encoding {
     fn eq(&self, other: &Encoding) -> bool {
@@ -83,7 +105,8 @@ impl Encoding {
     /// A table without the encoding; none of one that cannot have it.
     fn undone(&self, table: &AuditedTable) -> Option<AuditedTable> {
         let alpha = table.channels.iter().find(|c| c.name == "A");
-        let colours = table.channels.iter().filter(|c| c.name != "A");
+        // Beside three colours alpha is none of them.
+        let colours = table.channels.iter().filter(|c| !self.of_colours || c.name != "A");
         let alphas = match (alpha, self.takes_alpha) {
             (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm8 => &alpha.values,
             (_, true) => return None,
@@ -95,12 +118,17 @@ impl Encoding {
         };
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| c.values.iter()).all(|v| v.is_finite());
-        let held = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
+        let colours = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
         let step = (self.step)(stored(table.step, &table.channels[0].values));
         let decoded = AuditedTable { channels, step, ..table.clone() };
         // A Radiance picture is linear.
-        let held = held && table.step != Step::Rgbe;
+        let held = !self.of_colours || colours && table.step != Step::Rgbe;
         (finite && held && !decoded.channels.is_empty() && table.source == Source::Table).then_some(decoded)
+    }
+
+    /// Its name, of an encoding for display behind some words.
+    pub(super) fn said(&self, encoded: &str) -> String {
+        if self.of_colours { format!("{encoded}{}", self.name) } else { self.name.into() }
     }
 
     /// The table that the user says is encoded so.
@@ -120,7 +148,7 @@ impl Encoding {
         let convention = told.as_ref().map_or(read.best(), |plain| &plain.convention).clone();
         let (mut untold, mut options) =
             told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
-        untold.push(format!("values encoded as {}", self.name));
+        untold.push(format!("values {}", self.said("encoded as ")));
         options += &format!("--encoding {}", self.word);
         let held = stored.channels.iter().filter_map(|c| c.column.zip(c.errors.as_ref()));
         let worst = held.reduce(|a, b| if b.1.max > a.1.max { b } else { a });

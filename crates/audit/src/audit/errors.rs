@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::column::Column;
+use super::extent::Extent;
 use super::judge::Judgement;
 use super::sample::Sample;
-use super::table::place;
 use lobefit::data::Place;
 
 /// Error figures with the worst texel.
@@ -144,13 +144,12 @@ impl<'a> Residuals<'a> {
 
     /// Index along every axis of the table.
     pub(super) fn texel(&self, i: usize) -> Vec<usize> {
-        let places = place(i, &self.sample.dims());
-        places.iter().zip(&self.sample.at).map(|(k, at)| at[*k]).collect()
+        self.sample.texel(i)
     }
 
-    /// Whether a texel lies in a range along every axis.
-    pub(super) fn lies_in(&self, i: usize, range: &[[usize; 2]]) -> bool {
-        self.texel(i).iter().zip(range).all(|(k, range)| (range[0]..=range[1]).contains(k))
+    /// Whether a texel is of an extent.
+    pub(super) fn lies_in(&self, i: usize, extent: &Extent) -> bool {
+        extent.holds(&self.texel(i))
     }
 
     /// Root mean square of the errors of some texels; 0 of none.

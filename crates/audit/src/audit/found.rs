@@ -5,7 +5,7 @@ use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::encoded::Encoding;
 use super::errors::{Drawn, TexelErrors};
-use super::lobe::Lobe;
+use super::lobe::{Form, Lobe};
 use super::lookup::LookupErrors;
 use super::plain::Plain;
 use super::published::Published;
@@ -117,6 +117,8 @@ pub struct Audit {
     pub margin: f64,
     /// Whether part of the convention was given by the user.
     pub fixed: bool,
+    /// The shadowing form that the user stated.
+    pub form: Option<&'static Form>,
     /// Without which options it follows a convention, where it follows none that they leave open: one, as
     /// `--smith`, or all.
     pub excluded: Option<&'static str>,

@@ -21,6 +21,7 @@ mod encoded;
 mod energy;
 mod error;
 mod errors;
+mod extent;
 mod found;
 mod function;
 mod judge;
@@ -50,6 +51,7 @@ pub use defects::Defect;
 pub use encoded::{ENCODINGS, Encoding};
 pub use error::AuditError;
 pub use errors::{Drawn, TexelErrors};
+pub use extent::Extent;
 pub use found::{Audit, ChannelAudit, Fit, Furnace, Other, Tried};
 pub use function::{sampled, sampled_inverse};
 pub use lobe::{FORMS, Form, Lobe};
@@ -177,7 +179,7 @@ pub fn audit(
             done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
-    scan::through(&truth, &table, &live, &mut done)?;
+    scan::through(&truth, &case, &mut done)?;
     done.published = published::named(&table, &done);
     if let Some(known) = done.published.as_ref().filter(|_| done.fit == Fit::None && fixed.form.is_none()) {
         let of = |form| {
@@ -388,6 +390,7 @@ fn finish(
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
         margin: two_lobes.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
         fixed: !fixed.is_free(),
+        form: fixed.form,
         excluded: None,
         excused: fixed.meanings.is_some() || fixed.column.is_some(),
         channels,

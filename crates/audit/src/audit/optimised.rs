@@ -6,6 +6,7 @@ use super::column::Column;
 use super::convention::Convention;
 use super::defects::Defect;
 use super::errors::Residuals;
+use super::extent::Extent;
 use super::found::{ChannelAudit, Fit};
 use super::lookup::{Look, Points};
 use super::table::AuditedTable;
@@ -14,15 +15,15 @@ use super::table::AuditedTable;
 pub(super) fn mend(r: &Residuals, defects: &[Defect], values: &mut Arc<Vec<f64>>) {
     // Of a lattice of a large table nothing is known of the texels between.
     let whole = r.values.len() == values.len();
-    for range in defects.iter().filter_map(part).filter(|_| whole) {
+    for extent in defects.iter().filter_map(part).filter(|_| whole) {
         let values = Arc::make_mut(values);
-        let inside = r.judged.iter().filter(|i| r.lies_in(**i, range));
+        let inside = r.judged.iter().filter(|i| r.lies_in(**i, extent));
         inside.for_each(|i| values[*i] = r.truth(*i));
     }
 }
 
-fn part(defect: &Defect) -> Option<&[[usize; 2]]> {
-    if let Defect::Part { range, .. } = defect { Some(range) } else { None }
+fn part(defect: &Defect) -> Option<&Extent> {
+    if let Defect::Part { extent, .. } = defect { Some(extent) } else { None }
 }
 
 /// How many times larger the root mean square of lookups may be for a smaller largest error.

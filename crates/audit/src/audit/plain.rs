@@ -153,6 +153,13 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
     axis.reversed = gloss && axis.scale.input() == Input::Alpha;
 }
 
+/// Whether an argument of a function is what a reader takes it for.
+pub(super) fn is_usual(name: &str, axis: &AxisReading) -> bool {
+    let mut usual = *axis;
+    scaled(name, Source::Function, &mut usual);
+    usual == *axis
+}
+
 /// The lobe that a quantity's name stands for, where the form of another has its own integrand.
 fn usual_lobe(truth: &Truth, own: usize) -> usize {
     let lobes = truth.lobes();

@@ -10,6 +10,7 @@ use super::defects::{Grain, stored};
 use super::errors::Residuals;
 use super::judge::{judge, rejudge, with_floors};
 use super::lookup::{Look, Points};
+use super::plain::is_usual;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
@@ -26,11 +27,12 @@ const OVERWHELMING: f64 = 20.0;
 /// may not grow either.
 const LESSENED: f64 = 0.7;
 
-/// How much better end points must rank than centres to be taken for them.
+/// How much better end points must rank than centres to be taken for them, and a reading of arguments than the
+/// usual one.
 const LIKELY: f64 = 1.2;
 
 /// The conventions with the plain form of the first before it, where that is preferred: all axes at
-/// centres, or all at end points.
+/// centres, or all at end points; of a function those of the usual arguments.
 pub(super) fn plain_first(
     truth: &Truth,
     table: &AuditedTable,
@@ -38,6 +40,14 @@ pub(super) fn plain_first(
     fixed: &Fixed,
     mut found: Vec<Candidate>,
 ) -> Result<Vec<Candidate>, AuditError> {
+    if table.source == Source::Function && fixed.axes.is_none() {
+        let usual = |c: &Candidate| table.axes.iter().zip(&c.axes).all(|(name, axis)| is_usual(name, axis));
+        let nearly = |c: &Candidate| c.fitted.rank <= LIKELY * found[0].fitted.rank;
+        let usual = |c: &Candidate| usual(c) && c.fitted.columns == found[0].fitted.columns;
+        if let Some(k) = found.iter().position(|c| usual(c) && nearly(c)) {
+            found[..=k].rotate_right(1);
+        }
+    }
     let best = &found[0];
     if fixed.registrations.is_some() || table.source != Source::Table {
         return Ok(found);

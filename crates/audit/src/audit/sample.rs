@@ -57,6 +57,11 @@ impl Sample {
         Sample { size: audited.size.clone(), texels: alive(audited), values, at }
     }
 
+    /// Index along every axis of the table.
+    pub(super) fn texel(&self, i: usize) -> Vec<usize> {
+        place(i, &self.dims()).iter().zip(&self.at).map(|(k, at)| at[*k]).collect()
+    }
+
     /// Places along every axis.
     pub(super) fn dims(&self) -> Vec<usize> {
         self.at.iter().map(Vec::len).collect()

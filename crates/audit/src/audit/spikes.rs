@@ -1,12 +1,13 @@
 //! Texels that are off by far more than the texels next to them, in a table of samples, whose errors
 //! elsewhere are too large for damage to be known by its share of them.
 
-use super::defects::Grain;
+use super::defects::{Defect, Grain, of_extent};
 use super::errors::Residuals;
+use super::extent::Extent;
 use super::table::{flat, place};
 
 /// At most so many: more are a part of the table.
-const MOST: usize = 32;
+pub(super) const MOST: usize = 32;
 
 /// One of so many texels, at most.
 const SHARE: usize = 100;
@@ -14,7 +15,7 @@ const SHARE: usize = 100;
 /// How many times the largest error of the others each is off by. Of one set of points for all texels
 /// (Hammersley's) the two largest errors are within a tenth of each other; where light grazes errors grow,
 /// and fade to all sides. Of points drawn anew for each texel one may stand out so: too few samples.
-const GAP: f64 = 2.0;
+pub(super) const GAP: f64 = 2.0;
 
 /// The same of a texel at an end of an axis, where the hardest integrals are.
 const GAP_AT_END: f64 = 8.0;
@@ -22,8 +23,23 @@ const GAP_AT_END: f64 = 8.0;
 /// How many times the largest error of the texels next to it.
 const STEEP: f64 = 4.0;
 
-/// The texels that stand out so, the worst first.
-pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Vec<usize>> {
+/// Texels that stand out so.
+pub(super) struct Spikes {
+    /// Their places in the sample, the worst first.
+    pub off: Vec<usize>,
+    /// The largest error of the others.
+    pub rest: f64,
+}
+
+impl Spikes {
+    /// The part of the table that they are.
+    pub(super) fn part(&self, r: &Residuals) -> Defect {
+        of_extent(r, Extent::of(r.sample, &self.off), &self.off, self.rest)
+    }
+}
+
+/// The texels that stand out so; none where none does.
+pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Spikes> {
     let most = MOST.min(r.judged.len() / SHARE);
     let error = |i: usize| r.errors[i].abs();
     let mut largest = r.judged.clone();
@@ -43,7 +59,8 @@ pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Vec<usize>> {
         let gap = |i: &usize| if at_end(r, *i) { GAP_AT_END } else { GAP };
         off.iter().all(|i| error(*i) >= gap(i) * error(rest[0]) && is_spike(off, *i))
     };
-    (1..=most).rev().find(are_spikes).map(|k| largest[..k].to_vec())
+    let k = (1..=most).rev().find(are_spikes)?;
+    Some(Spikes { off: largest[..k].to_vec(), rest: error(largest[k]) })
 }
 
 fn at_end(r: &Residuals, i: usize) -> bool {

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
+use super::extent::Extent;
 use super::judge::{Judgement, judge};
 use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
@@ -34,10 +35,8 @@ pub struct TwoLobes {
     /// Texels that are of the larger part's lobe only, of the smaller part's only, and in all; the
     /// rest is the same in both.
     pub texels: [usize; 3],
-    /// First and last index of the smaller part along every axis.
-    pub range: Vec<[usize; 2]>,
-    /// Size of the table.
-    pub size: Vec<usize>,
+    /// Where the smaller part lies.
+    pub extent: Extent,
     /// Largest error at the smaller part's texels under its own lobe.
     pub max: f64,
     /// Rank of both together.
@@ -87,8 +86,7 @@ pub(super) fn found<'a>(
     let two_lobes = TwoLobes {
         lobe: truth.lobes()[both[smaller]],
         texels: counts,
-        range: range(all, &sides[smaller]),
-        size: all.size.clone(),
+        extent: Extent::of(all, &sides[smaller]),
         max,
         rank: misfit.rank(),
     };
@@ -100,19 +98,6 @@ pub(super) fn found<'a>(
 fn may_change(truth: &Truth, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|lobe| truth.lobes()[lobe]);
     (a.side, a.both) == (b.side, b.both) && a.form.integrand.is_none() && b.form.integrand.is_none()
-}
-
-/// First and last index along every axis.
-fn range(sample: &Sample, texels: &[usize]) -> Vec<[usize; 2]> {
-    let dims = sample.dims();
-    let mut range = vec![[usize::MAX, 0]; dims.len()];
-    for i in texels {
-        let places = super::table::place(*i, &dims);
-        for ((range, k), at) in range.iter_mut().zip(places).zip(&sample.at) {
-            *range = [range[0].min(at[k]), range[1].max(at[k])];
-        }
-    }
-    range
 }
 
 /// Errors under two lobes.

@@ -64,6 +64,7 @@ pub fn cost(
         compiler: record.compiler(),
         used_as: served.map(|served| served.used_as.word().into()),
         error_of: served.map(|served: &Served| served.error.into()),
+        lobe: Some(audit.best().lobe.words()).filter(|words| !words.is_empty()),
         domain,
         families,
     })

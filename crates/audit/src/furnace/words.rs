@@ -1,5 +1,7 @@
 //! What a furnace found, in a line and at most five points.
 
+use std::f64::consts::PI;
+
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::words;
 use serde::Serialize;
@@ -64,7 +66,7 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let word = grade.word();
     let mut wrong = Vec::new();
     if unsure && !gains {
-        wrong.push("leaves out the light's cosine, or holds it (--cosine says)");
+        wrong.push("leaves out the light's cosine, or holds it (--cosine included or absent says)");
     } else {
         // In a failure what is sure is said.
         let said = |sure: bool, may: bool| if grade == Grade::Fail { sure } else { may };
@@ -126,12 +128,12 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         format!("{}{name} at {}", energy(cell.energy[*channel]), place(&cell.at))
     };
     let (most, least) = (found.most.0.energy[found.most.1].value, found.least.0.energy[found.least.1]);
-    let advice = match (gains, most / std::f64::consts::PI) {
-        (true, share) if (0.9..=1.05).contains(&share) => {
-            " It is nearly pi: is the division by pi left to the caller?"
-        }
-        (true, _) => " More comes back than came in: a light in such a room grows brighter at every bounce.",
-        (false, _) => "",
+    let nearly = |factor: f64| (0.9..=1.05).contains(&(most / factor));
+    let advice = match gains {
+        true if nearly(PI) => " It is nearly pi: is the division by pi left to the caller?",
+        true if nearly(4.0) => " It is nearly 4: is the 4 of D G F/(4 (n.l) (n.v)) missing?",
+        true => " More comes back than came in: a light in such a room grows brighter at every bounce.",
+        false => "",
     };
     // What the error may make up for is no loss.
     let lost = if least.value + least.error < 0.99 {
@@ -161,7 +163,7 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         ("stated", true) => "the function is said to hold the cosine of the light.",
         ("stated", false) => "the function is said to hold no cosine of the light.",
         _ => {
-            "neither f nor f/cos is symmetric: the function is taken for one without the cosine of the light (--cosine says)."
+            "neither f nor f/cos is symmetric: the function is taken for one without the cosine of the light (--cosine included or absent says)."
         }
     };
     let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();

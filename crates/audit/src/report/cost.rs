@@ -20,6 +20,9 @@ pub struct AuditCost {
     /// What errors are of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_of: Option<String>,
+    /// The shadowing that errors are held against; none of a quantity that has one alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lobe: Option<String>,
     /// Where errors are compared, by input: the domain of our certificates.
     pub domain: BTreeMap<String, [f64; 2]>,
     /// By family of GPUs.
@@ -84,7 +87,8 @@ impl AuditCost {
         };
         let range = |(input, [low, high]): (&String, &[f64; 2])| format!("{input} {low} to {high}");
         let domain: Vec<String> = self.domain.iter().map(range).collect();
-        format!("{compiled} Max error: {error}, over {}.", domain.join(" and "))
+        let lobe = self.lobe.as_ref().map_or_else(String::new, |lobe| format!(" of {lobe}"));
+        format!("{compiled} Max error: {error}{lobe}, over {}.", domain.join(" and "))
     }
 
     /// A row for each function of each family.

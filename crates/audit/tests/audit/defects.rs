@@ -50,7 +50,7 @@ fn a_clamped_and_a_stale_part_are_found() {
     ));
     assert_eq!(stale.fit, Fit::Part);
     let part = stale.channels[0].defects.iter().find_map(|d| match d {
-        Defect::Part { texels, mean, range, .. } => Some((*texels, *mean, range.clone())),
+        Defect::Part { texels, mean, extent, .. } => Some((*texels, *mean, extent.range.clone())),
         _ => None,
     });
     let (texels, mean, range) = part.expect("the audit names the part");
@@ -92,7 +92,7 @@ fn a_part_of_the_other_shadowing_form_is_told() {
         assert!(most >= fewer && fewer > 60 && all == 1024, "{parts:?}");
         assert!(parts.max < 3e-4 && found.margin > 4.0, "{parts:?} {}", found.margin);
         let rows = if found.best().lobe.form.smith == Some(own) { [first, 31] } else { [0, first - 1] };
-        assert!(parts.range[1][0] >= rows[0] && parts.range[1][1] == rows[1], "{parts:?}");
+        assert!(parts.extent.range[1][0] >= rows[0] && parts.extent.range[1][1] == rows[1], "{parts:?}");
         for told in ["height-correlated Smith", "separable Smith", "made in two parts", "(all at "] {
             assert!(said(&found).contains(told), "{told}: {}", said(&found));
         }

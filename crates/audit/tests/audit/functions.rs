@@ -4,7 +4,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditError, Column, Fit, Fixed, Scale, Source, audit, sampled, sampled_inverse,
+    Audit, AuditError, Column, Fit, Fixed, Form, Scale, Source, audit, sampled, sampled_inverse,
 };
 use lobefit_audit::foreign::{ForeignError, ShaderFunction, Surroundings};
 use lobefit_truth::quantity::{self, Quantity};
@@ -26,6 +26,7 @@ fn enterprise(y: f32, mu: f32) -> f32 {
   return 1.0 - 1.4594 * y * mu * (-.20277 + y * (2.772 + y * (-2.6175 + .73343 * y)))
     * (3.09507 + mu * (-9.11369 + mu * (15.8884 + mu * (-13.70343 + 4.51786 * mu))));
 }
+fn crude(roughness: f32, mu: f32) -> f32 { return 1.0 - 0.6 * pow(roughness, 2.2) * pow(mu, 0.4); }
 fn nothing(x: f32, y: f32) -> f32 { return sin(20.0 * x) * cos(13.0 * y); }
 fn infinite(x: f32, y: f32) -> f32 { return log(-x) + y; }
 fn three(x: f32, y: f32, k: f32) -> f32 { return x * y * k; }
@@ -268,4 +269,24 @@ fn what_is_no_fit_is_told() {
     assert!(sampled(&read("three"), of("ggx-reflection"), &[("k".into(), 1.0)], &[]).is_ok());
     let absent = sampled(&read("three"), of("ggx-reflection"), &[("q".into(), 1.0)], &[]).unwrap_err();
     assert!(absent.to_string().contains("x, y, k"), "{absent}");
+}
+
+/// A crude formula that roughness and its square root fit nearly as well: the usual argument is taken, and no
+/// verdict without a word on which is meant.
+#[test]
+fn two_readings_of_a_crude_function_are_left_open() {
+    let found = run("crude");
+    assert_eq!((found.fit, found.best().axes[0].scale), (Fit::Whole, Scale::Roughness));
+    let text = said(&found);
+    let why =
+        "since two readings of its arguments fit nearly as well, and neither closely: --axes or --smith says";
+    assert!(text.starts_with("UNKNOWN ggx-reflection E: ") && text.contains(why), "{text}");
+    let function = read_functions(FITS.as_bytes(), "fits.wgsl", Some("crude")).unwrap().remove(0);
+    let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
+    let axes = Some(vec![(Scale::Roughness, false), (Scale::Mu, false)]);
+    let form = Form::find("correlated");
+    let fixed = Fixed { axes, form, ..Fixed::default() };
+    let meant = audit(&shipped, of("ggx-reflection"), &fixed, &|_| ()).unwrap();
+    assert!(said(&meant).starts_with("PASS "), "{}", said(&meant));
+    assert!(found.verdict(Some(0.2)).to_string().starts_with("PASS "), "a limit decides");
 }

@@ -96,7 +96,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     assert_eq!(found.best().lobe.side, Some(Side::Inside));
     assert_eq!(found.fit, Fit::Part);
     let part = found.channels[0].defects.iter().find_map(|d| match d {
-        Defect::Part { texels, mean, range, .. } => Some((*texels, *mean, range.clone())),
+        Defect::Part { texels, mean, extent, .. } => Some((*texels, *mean, extent.range.clone())),
         _ => None,
     });
     let (texels, mean, range) = part.expect("the part is named");

@@ -101,6 +101,10 @@ fn a_block_is_named_with_its_place_and_its_error() {
     let rows = |_: usize, y: usize, t: [f64; 2]| if y < 32 { t } else { t.map(|v| 0.97 * v) };
     let texel = |x: usize, y: usize, [a, b]: [f64; 2]| [a + if (x, y) == (12, 30) { 0.1 } else { 0.0 }, b];
     let two = |x: usize, y: usize, t| if x == 32 && (32..34).contains(&y) { [0.3; 2] } else { t };
+    let three = |x: usize, y: usize, t| match (x, y) {
+        (32, 16) | (16, 32) | (32, 32) => [0.4, 0.5],
+        _ => t,
+    };
     for (table, place, most) in [
         (exact(&block), "of A at x = 10 to 29, y = 20 to 29,", [0.0299, 0.0301]),
         (of_karis(&block), "of A at x = 10 to 29, y = 20 to 29,", [0.029, 0.036]),
@@ -109,6 +113,7 @@ fn a_block_is_named_with_its_place_and_its_error() {
         // In a table of samples, whose errors at grazing view are larger in all than those of one texel.
         (of_karis(&texel), "of A at x = 12, y = 30,", [0.09, 0.11]),
         (of_karis(&two), "of A at x = 32, y = 32", [0.41, 0.44]),
+        (of_karis(&three), "of A at [32, 16], [16, 32] and [32, 32],", [0.49, 0.52]),
     ] {
         let found = reflection_of(&table);
         holds(&line(&found, None), &["FAIL ggx-reflection A and B: shipped is off by at most ", place]);
@@ -121,6 +126,9 @@ fn a_block_is_named_with_its_place_and_its_error() {
         let said = found.verdict(None).to_string();
         assert!(!said.contains("sampling noise") && !said.contains("mostly a bias"), "{said}");
     }
+    // Both channels have the same texels, which are to be made again once.
+    let said = reflection_of(&of_karis(&three)).verdict(None).remedy.join("; ");
+    assert_eq!(said.matches("make the texels at").count(), 1, "{said}");
 }
 
 #[test]

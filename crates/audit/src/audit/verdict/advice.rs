@@ -80,7 +80,7 @@ fn unassumed(audit: &Audit, plain: &Plain, limit: Option<f64>) -> Option<String>
 
 /// What to do about a table of two lobes.
 fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
-    let which = match extent(&audit.axes, &parts.range, &parts.size) {
+    let which = match extent(&audit.axes, &parts.extent) {
         ranges if ranges.is_empty() => "those texels".to_string(),
         ranges => format!("the texels at {ranges}"),
     };
@@ -91,8 +91,8 @@ fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
 /// How a defect is mended; none of those that are in the nature of the format.
 pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Option<String> {
     let step = match defect {
-        Defect::Part { range, size, .. } => {
-            let which = match extent(axes, range, size) {
+        Defect::Part { extent: part, .. } => {
+            let which = match extent(axes, part) {
                 ranges if ranges.is_empty() => "those texels".to_string(),
                 ranges => format!("the texels at {ranges}"),
             };

@@ -1,13 +1,13 @@
 //! A defect in a sentence.
 
-use super::words::{long, number};
-use crate::audit::Defect;
+use super::words::{listed, long, number};
+use crate::audit::{Defect, Extent};
 
 /// The sentence; `axes` names the table's axes.
 pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
     match defect {
-        Defect::Part { texels: [off, all], over, mean, rest, range, size, .. } => {
-            let ranges = extent(axes, range, size);
+        Defect::Part { texels: [off, all], over, mean, rest, extent: part, .. } => {
+            let ranges = extent(axes, part);
             let place = if ranges.is_empty() { String::new() } else { format!(", all at {ranges}") };
             let (over, mean_text, way, rest) = (number(*over), number(mean.abs()), way(*mean), number(*rest));
             match off {
@@ -35,7 +35,7 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
         ),
         Defect::OtherLobe(parts) => {
             let [_, smaller, all] = parts.texels;
-            let (lobe, ranges) = (parts.lobe.words(), extent(axes, &parts.range, &parts.size));
+            let (lobe, ranges) = (parts.lobe.words(), extent(axes, &parts.extent));
             let place = if ranges.is_empty() { String::new() } else { format!(", all at {ranges},") };
             format!(
                 "{smaller} of {all} texels{place} are of {lobe}, off by at most {} of it.",
@@ -88,9 +88,18 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
 /// What lies at one index along each axis.
 pub(super) const LINES: [&str; 3] = ["column", "row", "slice"];
 
+/// Single texels that are listed.
+const LISTED: usize = 4;
+
 /// Where texels lie: `y = 16 to 31`, `slice z = 3`; nothing said of an axis along which they lie
-/// everywhere.
-pub(super) fn extent(axes: &[String], range: &[[usize; 2]], size: &[usize]) -> String {
+/// everywhere. Of several that stand alone, `[3, 5] and [9, 1]`, the first [`LISTED`].
+pub(super) fn extent(axes: &[String], extent: &Extent) -> String {
+    let Extent { range, alone, size } = extent;
+    if alone.len() > 1 {
+        let mut texels: Vec<String> = alone.iter().take(LISTED).map(|texel| format!("{texel:?}")).collect();
+        texels.extend((alone.len() > LISTED).then(|| format!("{} more", alone.len() - LISTED)));
+        return listed(&texels.iter().map(String::as_str).collect::<Vec<_>>());
+    }
     let along = |((name, r), n): ((&String, &[usize; 2]), &usize)| {
         let whole = r[0] == 0 && r[1] + 1 == *n;
         (!whole).then(|| match r[0] == r[1] {

@@ -1,6 +1,6 @@
 //! The table of this program to put in the place of one that is to be made again.
 
-use crate::audit::{Audit, Column, Fit, Form};
+use crate::audit::{Audit, Column, Fit, Form, Input};
 use lobefit_truth::quantity::find;
 
 /// Texels a side beyond which a table gains nothing in halves.
@@ -8,26 +8,29 @@ const LARGEST: usize = 128;
 
 /// The scene that bakes it, for a table of two axes of a lobe that scenes have.
 pub(super) fn drop_in(audit: &Audit) -> Option<String> {
-    let [x, y] = audit.size[..] else { return None };
-    let [x, y] = [x, y].map(|side| side.clamp(2, LARGEST));
-    let form = audit.best().lobe.form;
+    let sides = audit.best().axes.iter().zip(&audit.size).map(|(axis, n)| (axis.scale.input(), *n));
+    let side = |input| sides.clone().find(|(own, _)| *own == input).map(|(_, n)| n.clamp(2, LARGEST));
+    let (x, y) = side(Input::Mu).zip(side(Input::Alpha))?;
     // What fits nothing is of no lobe, unless one is said.
-    let is_known = audit.fit != Fit::None || audit.tried.iter().all(|t| t.convention.lobe.form == form);
-    let form = if is_known { form } else { Form::of(find(audit.quantity)?)[0] };
+    let nearest = (audit.fit != Fit::None).then_some(audit.best().lobe.form);
+    let form = audit.form.or(nearest).map_or_else(|| Some(Form::of(find(audit.quantity)?)[0]), Some)?;
+    let held: Vec<Column> = audit.channels.iter().filter_map(|c| c.column).collect();
     let table = format!(r#""layout": "plain", "size": [{x}, {y}]"#);
     let (fields, material) = match (audit.quantity, form.smith) {
         ("ggx-reflection", Some(smith)) => {
             let smith = format!(r#""smith": "{}", "#, smith.name());
-            let split = audit.channels.iter().any(|c| matches!(c.column, Some(Column::A | Column::B)));
-            let (kind, serves) = match split {
-                true => (r#""kind": "dielectric", "f0": 0.04"#, r#""serves": "split-sum", "#),
-                false => (r#""kind": "metal", "f0": 1"#, ""),
+            let (kind, serves) = match held[..] {
+                [Column::E] => (r#""kind": "metal", "f0": 1"#, ""),
+                [Column::A, Column::B] | [Column::B, Column::A] => {
+                    (r#""kind": "dielectric", "f0": 0.04"#, r#""serves": "split-sum", "#)
+                }
+                _ => return None,
             };
             let wants =
                 format!(r#"{kind}, "roughness": [0, 1], "wants": {{ "tables": [{{ {serves}{table} }}] }}"#);
             (smith, wants)
         }
-        ("sheen-charlie", _) if form.word == "neubelt" => {
+        ("sheen-charlie", _) if form.word == "neubelt" && held == [Column::E] => {
             let sheen =
                 format!(r#"{{ "roughness": [0.1, 1], "tables": [{{ {table}, "n_dot_v": [0.05, 1] }}] }}"#);
             (String::new(), format!(r#""kind": "dielectric", "f0": 0.04, "roughness": 1, "sheen": {sheen}"#))

@@ -183,7 +183,7 @@ pub(in crate::audit) fn worst(audit: &Audit, all: bool) -> Option<(String, &Texe
 pub(super) fn damage(audit: &Audit) -> Option<Told> {
     if let Some(parts) = &audit.two_lobes {
         let (column, worst) = worst(audit, true)?;
-        let (range, lobe) = (extent(&audit.axes, &parts.range, &parts.size), parts.lobe.words());
+        let (range, lobe) = (extent(&audit.axes, &parts.extent), parts.lobe.words());
         let at = if range.is_empty() { String::new() } else { format!(" at {range}") };
         let (texels, max) = (parts.texels[1], number(worst.max));
         let found = format!(
@@ -206,8 +206,8 @@ pub(super) fn damage(audit: &Audit) -> Option<Told> {
 fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
     let of = of(audit, column);
     let (kind, value, texel, found) = match defect {
-        Defect::Part { texels, most, texel, rest, range, size, .. } => {
-            let at = match extent(&audit.axes, range, size) {
+        Defect::Part { texels, most, texel, rest, extent: part, .. } => {
+            let at = match extent(&audit.axes, part) {
                 at if at.is_empty() => format!("{} texels", texels[0]),
                 at => at,
             };

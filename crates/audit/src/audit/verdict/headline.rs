@@ -3,7 +3,7 @@
 use super::figure::{Told, figure};
 use super::first_line;
 use super::words::{listed, number};
-use crate::audit::Audit;
+use crate::audit::{Audit, AxisReading, Fit, Scale, Source};
 
 /// The end of a headline.
 pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
@@ -18,12 +18,20 @@ pub(super) fn headline(audit: &Audit, limit: Option<f64>) -> String {
 /// The same of what is called so.
 pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
-    let what = format!("{} {}: ", audit.quantity, listed(&held));
+    let what = format!("{} {}{}: ", audit.quantity, listed(&held), over_alpha(audit));
     let (found, more) = match figure(audit, limit) {
         Some(Told { found, more, .. }) => (found, more),
         None => (" is not judged".into(), Vec::new()),
     };
     first_line([&what, called, &found], &more, &said_limit(limit))
+}
+
+/// Where alpha runs along an axis of a table: most shaders pass a roughness.
+fn over_alpha(audit: &Audit) -> String {
+    let is_alpha = |axis: &&AxisReading| axis.scale == Scale::Alpha && audit.source == Source::Table;
+    let mut axes = audit.axes.iter().zip(&audit.best().axes);
+    let found = axes.find(|(_, axis)| is_alpha(axis)).filter(|_| audit.fit != Fit::None);
+    found.map_or_else(String::new, |(name, _)| format!(" (alpha along {name})"))
 }
 
 /// Words without what stands behind them in brackets.

@@ -10,7 +10,7 @@ use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
-use crate::audit::{Audit, CLEAR, ChannelAudit, Fit, Other, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 pub(super) const SAME: f64 = 1e-6;
@@ -61,11 +61,26 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
         // It is known, and is not what the options say.
         _ if audit.excluded.is_some() => Grade::Fail,
         _ if unfit => Grade::Unknown,
+        None if is_ambiguous(audit) => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
         Some(limit) if audit.keeps(limit) => Grade::Unknown,
         None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
         _ => Grade::Fail,
     }
+}
+
+/// Whether a function follows two readings nearly as well, and neither as closely as a table has to.
+pub(super) fn is_ambiguous(audit: &Audit) -> bool {
+    let is_far = |c: &ChannelAudit| {
+        let [low, high] = c
+            .truth
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
+        c.errors.as_ref().is_some_and(|errors| errors.rms > FITS * (high - low))
+    };
+    let is_read = audit.fit != Fit::None && audit.misread(None).is_none();
+    let is_open = (1.0 / LIKELY..LIKELY).contains(&audit.margin);
+    audit.source == Source::Function && is_read && is_open && audit.channels.iter().any(is_far)
 }
 
 /// What it is best read as.
@@ -108,7 +123,7 @@ fn at_ends(audit: &Audit) -> String {
 /// The two parts of a table.
 fn halves(audit: &Audit, parts: &TwoLobes) -> String {
     let [larger, smaller, all] = parts.texels;
-    let place = match defect::extent(&audit.axes, &parts.range, &parts.size) {
+    let place = match defect::extent(&audit.axes, &parts.extent) {
         ranges if ranges.is_empty() => String::new(),
         ranges => format!(" (all at {ranges})"),
     };
@@ -162,7 +177,7 @@ fn doubt(audit: &Audit) -> String {
             m if m >= LIKELY => {
                 format!("likely: the next {next} ({other}) fits {times} times worse.")
             }
-            m if m < 1.0 / LIKELY => format!(
+            m if m < 1.0 / LIKELY && audit.source == Source::Table => format!(
                 "the plain {next} is taken, since to change it would not lessen the error of lookups for certain; at its texels another ({other}) fits {} \
                  times better.",
                 number(1.0 / m)

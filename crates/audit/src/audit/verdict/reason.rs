@@ -1,6 +1,7 @@
 //! Why a verdict is no PASS, where its first line does not say so.
 
 use super::figure::damage;
+use super::points::is_ambiguous;
 use super::words::{excluded, number};
 use crate::audit::{Audit, Fit, Source};
 
@@ -9,6 +10,9 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
     let function = done.source == Source::Function;
     if done.misread(limit).is_some() {
         return None;
+    }
+    if limit.is_none() && is_ambiguous(done) {
+        return Some("two readings of its arguments fit nearly as well, and neither closely: --axes or --smith says which is meant".into());
     }
     if let (Fit::Whole, None) = (done.fit, limit) {
         // The first line of a table has its damage, that of a function its error.

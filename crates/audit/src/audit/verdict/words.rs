@@ -22,7 +22,7 @@ pub(super) fn reading(audit: &Audit) -> String {
     let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
     let decoded =
-        audit.encoding.map_or_else(String::new, |e| format!(", its values decoded from {}", e.name));
+        audit.encoding.map_or_else(String::new, |e| format!(", its values {}", e.said("decoded from ")));
     format!("{}{lobe}, with {}{decoded}", holds.join(", "), axes(audit, audit.best()))
 }
 

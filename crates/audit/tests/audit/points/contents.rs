@@ -155,6 +155,23 @@ fn point_05_srgb_in_a_picture_of_several_channels_is_found() {
     assert!(refused(&picture, "ggx-reflection", &encoding("srgb")).contains("--encoding"));
 }
 
+/// A constant factor, as of a division by pi that was left to the shader, is named.
+#[test]
+fn a_constant_factor_is_found() {
+    use std::f64::consts::PI;
+    for (factor, word, step) in [
+        (1.0 / PI, "over-pi", "multiply its values by pi"),
+        (PI, "times-pi", "divide its values by pi"),
+        (0.5, "halves", "multiply its values by 2"),
+        (2.0, "twice", "divide its values by 2"),
+    ] {
+        let scaled = table(&[("R", &|x, y| factor * a(x, y)), ("G", &|x, y| factor * b(x, y))]);
+        let found = reflection_of(&scaled);
+        says(&found.verdict(None), "FAIL", &[step, &format!("`--encoding {word}`"), "R = A (", "G = B ("]);
+        says(&run(&scaled, "ggx-reflection", &encoding(word)).verdict(None), "PASS", &[]);
+    }
+}
+
 /// Averages, which had no convention: of sheen over roughness, by midpoints over the root of the cosine.
 #[test]
 fn point_05_an_average_of_sheen_is_one() {

@@ -3,12 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use lobefit_audit::audit::{Audit, Fixed, Registration, Scale};
+use lobefit::data::Smith;
+use lobefit_audit::audit::{Audit, AuditedTable, Fit, Fixed, Registration, Scale};
 use lobefit_math::ops;
 
 use super::{a, at, b, e, table};
 use crate::common::{lobefit, stderr};
-use crate::support::{Filled, both, plane, reflection_of, run, says};
+use crate::support::{Filled, both, plane, reflection_of, run, said, says};
 
 /// What `lobefit audit` of a file as E of GGX gives: exit code, verdict, messages.
 fn audited(folder: &Path, file: &str, more: &[&str]) -> (Option<i32>, String, String) {
@@ -98,6 +99,43 @@ fn point_15_a_verdict_is_a_line_and_five_points() {
         fields["grade"] == "PASS" && fields["errors"].is_array() && fields["convention"].is_string(),
         "{fields}"
     );
+}
+
+/// E of texels that lie between those of a lattice of a fortieth of the size.
+fn between(size: [usize; 2]) -> AuditedTable {
+    let nodes = size.map(|n| n / 40);
+    let at = |i: usize, n: usize| (i as f64 / (n - 1) as f64).clamp(0.02, 1.0);
+    let texel = |i: usize| {
+        let (mu, roughness) = (at(i % nodes[0], nodes[0]), at(i / nodes[0], nodes[1]));
+        both(Smith::Correlated, roughness * roughness, mu).0
+    };
+    let lattice: Vec<f64> = (0..nodes[0] * nodes[1]).map(texel).collect();
+    let value = |x: usize, y: usize| {
+        let place = |i: usize, k: usize| {
+            let x = (i as f64 + 0.5) / size[k] as f64 * (nodes[k] - 1) as f64;
+            let below = (x as usize).min(nodes[k] - 2);
+            (below, x - below as f64)
+        };
+        let ((i, u), (j, v)) = (place(x, 0), place(y, 1));
+        let row = |j: usize| lattice[j * nodes[0] + i] * (1.0 - u) + lattice[j * nodes[0] + i + 1] * u;
+        row(j) * (1.0 - v) + row(j + 1) * v
+    };
+    plane(size, &[("R", &value)])
+}
+
+/// Single texels of such a table are found, though no lattice has them.
+#[test]
+fn single_texels_of_a_table_that_is_too_large_to_be_held_are_named() {
+    let size = [1024, 544];
+    let mut table = between(size);
+    let sound = reflection_of(&table);
+    assert_eq!(sound.fit, Fit::Whole, "{}", said(&sound));
+    assert!(!said(&sound).contains("again"), "{}", said(&sound));
+    let values = Arc::make_mut(&mut table.channels[0].values);
+    values[333 * size[0] + 702] -= 0.3;
+    values[41 * size[0] + 333] = 0.0;
+    let found = reflection_of(&table);
+    says(&found.verdict(None), "FAIL", &[" at [333, 41] and [702, 333], elsewhere", "2 of 557056 texels"]);
 }
 
 /// A table of more than is held at once took minutes. It is ranked on a lattice, and all of it is looked

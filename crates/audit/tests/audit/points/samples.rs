@@ -100,7 +100,7 @@ fn damaged_rows_among_samples_are_named() {
     e[10 * N..12 * N].iter_mut().for_each(|e| *e += 0.1);
     let found = reflection_of(&shipped(&[N; 2], vec![("0", e)]));
     let part = found.channels[0].defects.iter().find_map(|d| match d {
-        Defect::Part { range, .. } => Some(range.clone()),
+        Defect::Part { extent, .. } => Some(extent.range.clone()),
         _ => None,
     });
     assert_eq!(part, Some(vec![[0, N - 1], [10, 11]]), "{:?}", found.channels[0].defects);
