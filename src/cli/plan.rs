@@ -72,10 +72,14 @@ fn text(plan: &Plan, notes: &[Note]) -> String {
         out += &effect_text(effect);
     }
     out += "left out\n";
-    for of_one_reason in plan.left_out.chunk_by(|a, b| a.reason == b.reason) {
-        let effects = of_one_reason.iter().map(|left| left.effect).collect::<Vec<_>>().join(", ");
+    let of_one_reason = plan.left_out.chunk_by(|a, b| a.reason == b.reason).map(|all| {
+        (all.iter().map(|left| left.effect).collect::<Vec<_>>().join(", "), visible(&all[0].reason))
+    });
+    let left_out: Vec<_> = of_one_reason.collect();
+    let width = left_out.iter().map(|(effects, _)| effects.len()).max().unwrap_or(0);
+    for (effects, reason) in left_out {
         // Writing to a string cannot fail.
-        let _ = writeln!(out, "  {effects:<16} {}", visible(&of_one_reason[0].reason));
+        let _ = writeln!(out, "  {effects:<width$}  {reason}");
     }
     for (about, title) in [(About::Missing, "not in this version"), (About::Reading, "notes")] {
         let all: Vec<&Note> = notes.iter().filter(|note| note.about == about).collect();

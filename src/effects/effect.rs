@@ -35,6 +35,11 @@ pub trait Effect: Sync {
     /// Why a scene without demands leaves it out.
     fn left_out(&self, scene: &Scene) -> String;
 
+    /// Why materials of a scene that ask for it get nothing; none where none asks.
+    fn unserved(&self, _: &Scene) -> Option<String> {
+        None
+    }
+
     /// What a plan says of the jobs: one summary for each table and each family of fits.
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary>;
 

@@ -36,7 +36,7 @@ pub struct Manifest {
     pub entries: Entries,
     /// Include files.
     pub includes: Vec<Include>,
-    /// Effects left out.
+    /// Effects left out, of the whole scene or of some of its materials.
     pub left_out: Vec<LeftOut>,
     /// What a foreign file says that the scene does not hold, and how its values are passed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -349,7 +349,7 @@ pub struct FitLeftOut {
     pub reason: String,
 }
 
-/// An effect left out.
+/// An effect left out, of the whole scene or of the materials that the reason names.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
     /// Its name.

@@ -16,7 +16,8 @@ pub struct Plan {
     pub scene: String,
     /// Effects that the scene calls for, in the order of the catalogue.
     pub effects: Vec<Called>,
-    /// Every other effect of the catalogue, with the reason.
+    /// Every other effect of the catalogue, with the reason; and of those that are called for, why materials that
+    /// ask for it get nothing.
     pub left_out: Vec<LeftOut>,
     /// The effects that the scene could have called for.
     #[serde(skip)]
@@ -38,10 +39,14 @@ pub fn plan_with(scene: &Scene, catalogue: &[&'static dyn Effect]) -> Plan {
         catalogue: catalogue.to_vec(),
     };
     for effect in catalogue {
-        match Called::new(*effect, scene, effect.demands(scene)) {
-            Some(called) => plan.effects.push(called),
-            None => plan.left_out.push(LeftOut { effect: effect.name(), reason: effect.left_out(scene) }),
-        }
+        let demands = effect.demands(scene);
+        let served = |field: String| demands.iter().any(|demand| demand.field.starts_with(&field));
+        let reason = match demands.is_empty() {
+            true => Some(effect.left_out(scene)),
+            false => effect.unserved(&scene.without(served)),
+        };
+        plan.left_out.extend(reason.map(|reason| LeftOut { effect: effect.name(), reason }));
+        plan.effects.extend(Called::new(*effect, scene, demands));
     }
     plan
 }

@@ -178,6 +178,16 @@ fn advised(error: SceneError) -> SceneError {
 }
 
 impl Scene {
+    /// The same without the materials and probes of these fields, as `materials[0]`.
+    pub fn without(&self, those: impl Fn(String) -> bool) -> Scene {
+        let left =
+            |of: &str, count: usize| (0..count).filter(|i| !those(format!("{of}[{i}]"))).collect::<Vec<_>>();
+        let materials =
+            left("materials", self.materials.len()).into_iter().map(|i| self.materials[i].clone());
+        let probes = left("probes", self.probes.len()).into_iter().map(|i| self.probes[i].clone());
+        Scene { materials: materials.collect(), probes: probes.collect(), ..self.clone() }
+    }
+
     /// Reads a scene that names no file of a kernel; `file` is its name in messages.
     ///
     /// # Errors

@@ -100,6 +100,35 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     assert_eq!((coupling.goals.max_ops, coupling.promises[0].max_error), (Some(19), 0.007));
 }
 
+/// What a material asks for and does not get is said where another gets it, too.
+#[test]
+fn materials_that_get_nothing_of_an_effect_of_others_are_named() {
+    let material = |name: &str, more: &str| {
+        format!(
+            r#"{{"name":"{name}","kind":"dielectric","f0":0.04,"roughness":[0.2,0.8],{more},"wants":{{"fit":{{}}}}}}"#
+        )
+    };
+    let all = [
+        material("a", r#""base":{"albedo":0.5}"#),
+        material("b", r#""base":{"albedo":0.5,"roughness":0.5}"#),
+        material("c", r#""sheen":{"roughness":0}"#),
+        material("d", r#""sheen":{"roughness":0.5}"#),
+    ];
+    let plan_of = |materials: &[String]| {
+        plan(&scene(&format!(r#"{{"schema_version":1,"materials":[{}]}}"#, materials.join(","))))
+    };
+    let both = plan_of(&all);
+    for (effect, why) in [
+        ("diffuse-coupling", "`b` has a rough base, for which this version has no factor"),
+        ("sheen", "the sheen of `c` stays below alpha 0.0001, which is smooth"),
+    ] {
+        assert!(both.effects.iter().any(|called| called.effect == effect));
+        assert_eq!(reason(&both, effect), why);
+    }
+    let served = plan_of(&[all[0].clone(), all[3].clone()]);
+    assert!(served.left_out.iter().all(|left| !["diffuse-coupling", "sheen"].contains(&left.effect)));
+}
+
 #[test]
 fn every_effect_is_either_planned_or_left_out() {
     for text in [r#"{"schema_version":1,"materials":[]}"#, include_str!("../../src/scene/default.json")] {

@@ -41,6 +41,12 @@ pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
 /// The effect.
 pub struct DiffuseCoupling;
 
+/// Whether a dielectric's diffuse base is rough, and not black.
+fn has_rough_base(material: &Material) -> bool {
+    let is_rough = |base: &Base| base.is_rough() && !base.is_black();
+    material.kind == Kind::Dielectric && material.base.as_ref().is_some_and(is_rough)
+}
+
 /// Seconds of the truths of the fits and of their pictures on one core, and of one of the fits.
 const TRUTH_S: f64 = 0.9;
 const FIT_S: f64 = 0.1;
@@ -67,12 +73,8 @@ impl Effect for DiffuseCoupling {
         let black = about(&black, |m| {
             format!("{} {} a black base, which sends back nothing", named(m), verb(m, "have"))
         });
-        let (rough, lit): (Vec<&Material>, Vec<&Material>) =
-            lit.into_iter().partition(|m| m.base.as_ref().is_some_and(Base::is_rough));
-        let rough = about(&rough, |m| {
-            let of = if m.len() == 1 { "a rough base" } else { "rough bases" };
-            format!("{} {} {of}, for which this version has no factor", named(m), verb(m, "have"))
-        });
+        let (_, lit): (Vec<&Material>, Vec<&Material>) = lit.into_iter().partition(|m| has_rough_base(m));
+        let rough = self.unserved(scene);
         let (exact, lit): (Vec<&Material>, Vec<&Material>) = lit.into_iter().partition(|m| m.is_exact());
         let exact = about(&exact, |m| {
             let (named, want) = (named(m), verb(m, "want"));
@@ -82,6 +84,14 @@ impl Effect for DiffuseCoupling {
             about(&lit, |m| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(m)));
         let why = reasons([black, rough, exact, lit]).unwrap_or_default();
         format!("no dielectric with a diffuse base calls for it: {why}")
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        let rough: Vec<&Material> = scene.materials.iter().filter(|m| has_rough_base(m)).collect();
+        about(&rough, |m| {
+            let of = if m.len() == 1 { "a rough base" } else { "rough bases" };
+            format!("{} {} {of}, for which this version has no factor", named(m), verb(m, "have"))
+        })
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {

@@ -5,7 +5,7 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
-use super::who::{about, named, reasons, verb};
+use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
@@ -93,18 +93,20 @@ impl Effect for Dielectric {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let dielectric = |m: &&Material| m.kind == Kind::Dielectric;
-        let (smooth, others): (Vec<&Material>, Vec<&Material>) =
-            scene.materials.iter().filter(dielectric).partition(|m| m.wants.exact_fresnel.is_some());
-        if smooth.is_empty() && others.is_empty() {
+        if scene.materials.iter().all(|m| m.kind != Kind::Dielectric) {
             return "no material is a dielectric".into();
         }
-        let near = |m: &[&Material]| {
+        self.unserved(scene).unwrap_or_else(|| {
+            "no dielectric wants `exact_fresnel`; with Schlick's term it is of `reflection`".into()
+        })
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        let wants = |m: &&Material| m.kind == Kind::Dielectric && m.wants.exact_fresnel.is_some();
+        let smooth: Vec<&Material> = scene.materials.iter().filter(wants).collect();
+        about(&smooth, |m| {
             let (named, stay) = (named(m), verb(m, "stay"));
             format!("{named} {stay} below alpha {ALPHA_MIN}, where the lobe is near Fresnel's own term")
-        };
-        reasons([about(&smooth, near)]).unwrap_or_else(|| {
-            "no dielectric wants `exact_fresnel`; with Schlick's term it is of `reflection`".into()
         })
     }
 

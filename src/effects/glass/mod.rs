@@ -13,7 +13,7 @@ use super::effect::Note;
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
 };
-use super::who::{NO_GLASS, no_distribution, stay_smooth};
+use super::who::{NO_GLASS, about, no_distribution, stay_smooth};
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Memo;
 use crate::data::{Layout, Ndf, Serves, Smith, Table};
@@ -144,17 +144,22 @@ impl Sliced for Glass {
     fn left_out(&self, scene: &Scene) -> String {
         let all = || scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
         let glass = || all().filter(|m| m.distribution == self.ndf);
-        let wanting: Vec<&Material> = glass().filter(|m| !m.wants.tables.is_empty()).collect();
-        match (glass().next(), wanting.is_empty()) {
+        match (glass().next(), self.unserved(scene)) {
             (None, _) if self.ndf == Ndf::Beckmann => no_distribution(self.ndf, "material"),
             (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
             (None, _) if scene.materials.iter().any(|m| m.lobe().is_glass()) => {
                 "every glass has anisotropy".into()
             }
             (None, _) => NO_GLASS.into(),
-            (_, true) => "no glass wants tables".into(),
-            _ => format!("no glass is rough: {}", stay_smooth(&wanting)),
+            (_, None) => "no glass wants tables".into(),
+            (_, Some(why)) => format!("no glass is rough: {why}"),
         }
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        let glass = scene.materials.iter().filter(|m| (m.lobe(), m.distribution) == (Lobe::Glass, self.ndf));
+        let wanting: Vec<&Material> = glass.filter(|m| !m.wants.tables.is_empty()).collect();
+        about(&wanting, stay_smooth)
     }
 
     fn function_prefixes(&self) -> &'static [&'static str] {

@@ -7,7 +7,7 @@ mod page;
 use super::context::Context;
 use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Note;
-use super::who::{anisotropy, reasons};
+use super::who::{self, about, anisotropy, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::CallOps;
 use crate::data::Layout;
@@ -127,10 +127,19 @@ impl Effect for Ltc {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let asks = |m: &Material| m.tables().any(|(.., table)| table.layout == Layout::AreaLights);
-        let smooth = scene.materials.iter().any(asks);
-        reasons([smooth.then(|| "what wants area lights is smooth, or a sheen of alpha below 0.01".into())])
-            .unwrap_or_else(|| "no material wants tables in the `area-lights` layout".into())
+        self.unserved(scene).unwrap_or_else(|| "no material wants tables in the `area-lights` layout".into())
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        let asks = |m: &&Material| m.tables().any(|(.., table)| table.layout == Layout::AreaLights);
+        let asking: Vec<&Material> = scene.materials.iter().filter(asks).collect();
+        about(&asking, |m| {
+            format!(
+                "{} {} smooth for area lights, or a sheen of alpha below 0.01",
+                who::named(m),
+                verb(m, "are")
+            )
+        })
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {

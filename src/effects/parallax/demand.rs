@@ -70,15 +70,15 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
     }
 }
 
-/// Why no probe calls for it.
-pub(super) fn left_out(scene: &Scene) -> String {
-    let Some(first) = scene.probes.first() else { return "the scene has no probe".into() };
+/// That the probes of a scene in which none calls for it are smooth; none where there are none.
+pub(super) fn smooth(scene: &Scene) -> Option<String> {
+    let first = scene.probes.first()?;
     let more = scene.probes.len() - 1;
     let (of, stay) = match more {
         0 => (format!("`{}`", first.name), "stays"),
         _ => (format!("`{}` and {more} more", first.name), "stay"),
     };
-    format!("no probe is looked up with a rough lobe: {of} {stay} below alpha 0.0001, which is smooth")
+    Some(format!("{of} {stay} below alpha 0.0001, which is smooth"))
 }
 
 /// What the probes of a job want; `None` of a job without probes.

@@ -51,7 +51,14 @@ impl Effect for Parallax {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        demand::left_out(scene)
+        self.unserved(scene).map_or_else(
+            || "the scene has no probe".into(),
+            |why| format!("no probe is looked up with a rough lobe: {why}"),
+        )
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        demand::smooth(scene)
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {

@@ -7,7 +7,7 @@ use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::table::ValueTable;
 use super::value::{Functions, ValueFits};
-use super::who::{about, reasons, stay_smooth};
+use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, Fit};
@@ -116,10 +116,14 @@ impl Effect for Sheen {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
+        let why = self.unserved(scene).map(|why| format!("no sheen is rough: {why}"));
+        why.unwrap_or_else(|| "no material has a sheen layer".into())
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
         let sheens: Vec<&Material> = scene.materials.iter().filter(|m| m.sheen.is_some()).collect();
         let of = if sheens.len() == 1 { "the sheen of" } else { "the sheens of" };
-        reasons([about(&sheens, |m| format!("no sheen is rough: {of} {}", stay_smooth(m)))])
-            .unwrap_or_else(|| "no material has a sheen layer".into())
+        about(&sheens, |m| format!("{of} {}", stay_smooth(m)))
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {

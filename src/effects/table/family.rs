@@ -143,6 +143,11 @@ pub trait Sliced: Family {
     /// Why a scene leaves it out.
     fn left_out(&self, scene: &Scene) -> String;
 
+    /// Why materials of a scene that ask for it get nothing; none where none asks.
+    fn unserved(&self, _: &Scene) -> Option<String> {
+        None
+    }
+
     /// How names of its functions begin.
     fn function_prefixes(&self) -> &'static [&'static str];
 

@@ -24,6 +24,10 @@ impl<F: Sliced> Effect for F {
         Sliced::left_out(self, scene)
     }
 
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        Sliced::unserved(self, scene)
+    }
+
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
         summaries(self, scene, jobs)
     }

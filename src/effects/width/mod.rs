@@ -6,7 +6,7 @@ use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
 use super::value::{self, IOR_WIDTH_MIN, ValueFits};
-use super::who::{about, anisotropy, reasons, rough, stay_smooth};
+use super::who::{about, anisotropy, rough, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
@@ -187,17 +187,18 @@ impl Effect for Width {
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        let (glass, others): (Vec<&Material>, Vec<&Material>) =
-            scene.materials.iter().partition(|m| m.lobe().is_glass());
+        self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
+            false => "no material transmits light or wants `widened`".into(),
+            true => "no glass wants `refracted_width`".into(),
+        })
+    }
+
+    fn unserved(&self, scene: &Scene) -> Option<String> {
         let wants = |m: &&Material| m.wants.refracted_width.is_some() || m.wants.widened.is_some();
-        let wanting: Vec<&Material> = glass.iter().chain(&others).copied().filter(wants).collect();
-        if !wanting.is_empty() && scene.alpha != AlphaMap::RoughnessSquared {
-            return "it is of lobes with alpha = roughness^2, which the scene has not".into();
-        }
-        let smooth = reasons([about(&wanting, stay_smooth)]);
-        smooth.unwrap_or_else(|| match glass.is_empty() {
-            true => "no material transmits light or wants `widened`".into(),
-            false => "no glass wants `refracted_width`".into(),
+        let wanting: Vec<&Material> = scene.materials.iter().filter(wants).collect();
+        about(&wanting, |m| match scene.alpha {
+            AlphaMap::RoughnessSquared => stay_smooth(m),
+            _ => "it is of lobes with alpha = roughness^2, which the scene has not".into(),
         })
     }
 
