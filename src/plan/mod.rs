@@ -1,9 +1,11 @@
 //! A scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is
 //! planned that no material needs; jobs that several materials share are planned once.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
-use crate::effects::demand::Job;
+use crate::effects::demand::{Demand, Job};
 use crate::effects::{Called, Effect, LeftOut, catalogue};
 use crate::scene::Scene;
 
@@ -40,15 +42,20 @@ pub fn plan_with(scene: &Scene, catalogue: &[&'static dyn Effect]) -> Plan {
     };
     for effect in catalogue {
         let demands = effect.demands(scene);
-        let served = |field: String| demands.iter().any(|demand| demand.field.starts_with(&field));
         let reason = match demands.is_empty() {
             true => Some(effect.left_out(scene)),
-            false => effect.unserved(&scene.without(served)),
+            false => effect.unserved(&scene.without(&served(&demands))),
         };
         plan.left_out.extend(reason.map(|reason| LeftOut { effect: effect.name(), reason }));
         plan.effects.extend(Called::new(*effect, scene, demands));
     }
     plan
+}
+
+/// The materials and probes of demands, as `materials[0]`.
+fn served(demands: &[Demand]) -> BTreeSet<&str> {
+    let end = |field: &str| field.find(']').map_or(field.len(), |end| end + 1);
+    demands.iter().map(|demand| &demand.field[..end(&demand.field)]).collect()
 }
 
 impl Plan {

@@ -178,14 +178,22 @@ fn advised(error: SceneError) -> SceneError {
 }
 
 impl Scene {
-    /// The same without the materials and probes of these fields, as `materials[0]`.
-    pub fn without(&self, those: impl Fn(String) -> bool) -> Scene {
-        let left =
-            |of: &str, count: usize| (0..count).filter(|i| !those(format!("{of}[{i}]"))).collect::<Vec<_>>();
-        let materials =
-            left("materials", self.materials.len()).into_iter().map(|i| self.materials[i].clone());
-        let probes = left("probes", self.probes.len()).into_iter().map(|i| self.probes[i].clone());
-        Scene { materials: materials.collect(), probes: probes.collect(), ..self.clone() }
+    /// The same without the materials and probes of these fields, as `materials[0]`, and without notes.
+    pub fn without(&self, those: &BTreeSet<&str>) -> Scene {
+        let stays = |of: &str, i: usize| !those.contains(format!("{of}[{i}]").as_str());
+        let materials = self.materials.iter().enumerate().filter(|(i, _)| stays("materials", *i));
+        let probes = self.probes.iter().enumerate().filter(|(i, _)| stays("probes", *i));
+        Scene {
+            name: self.name.clone(),
+            formats: self.formats.clone(),
+            output: self.output.clone(),
+            culling: self.culling.clone(),
+            made_of: self.made_of.clone(),
+            notes: Vec::new(),
+            materials: materials.map(|(_, material)| material.clone()).collect(),
+            probes: probes.map(|(_, probe)| probe.clone()).collect(),
+            ..*self
+        }
     }
 
     /// Reads a scene that names no file of a kernel; `file` is its name in messages.

@@ -22,6 +22,7 @@ fn odd(size: &[usize], step: Step) -> AuditedTable {
         source: Source::Table,
         channels: ["R", "G", "B", "A"].into_iter().enumerate().map(channel).collect(),
         step,
+        scale: 1.0,
         dead: Vec::new(),
     }
 }

@@ -3,8 +3,9 @@
 use std::cell::Cell;
 use std::fmt;
 
-use serde::Deserializer;
 use serde::de::{DeserializeOwned, DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
+use serde_json::value::RawValue;
 
 use super::error::{Position, SceneError};
 use super::text;
@@ -31,39 +32,58 @@ fn position(error: &serde_json::Error) -> Position {
 /// Where the value of a field, `culling.grid[0]`, stands in a text that was read: its end, of a list or
 /// an object its beginning; none of a field that is absent.
 pub fn place(text: &[u8], path: &str) -> Option<Position> {
+    found(text, path).map(|value| value.at)
+}
+
+/// A value of a text.
+struct Found {
+    at: Position,
+    is_object: bool,
+}
+
+fn found(text: &[u8], path: &str) -> Option<Found> {
     let steps: Vec<&str> = path.split(['.', '[', ']']).filter(|step| !step.is_empty()).collect();
     let mut json = serde_json::Deserializer::from_slice(text);
-    let found = Cell::new(false);
-    let error = Follow { steps: &steps, found: &found }.deserialize(&mut json).err()?;
-    // The parser complains about more than the value: of what is left behind an absent field, say.
-    found.get().then(|| position(&error))
+    let found = Cell::new(None);
+    // The parser complains about what is left behind the value.
+    let _ = Follow { steps: &steps, found: &found }.deserialize(&mut json);
+    let value: &str = found.get()?;
+    let start = value.as_ptr() as usize - text.as_ptr() as usize;
+    let is_object = value.starts_with('{');
+    let last = if is_object || value.starts_with('[') { start } else { start + value.len() - 1 };
+    let line = text[..last].iter().filter(|byte| **byte == b'\n').count() + 1;
+    let before = text[..last].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+    Some(Found { at: Position { line, column: last - before + 1 }, is_object })
 }
 
-/// Follows steps through JSON, and ends with an error at the value that they lead to, `found` then set.
+/// Follows steps through JSON to the value that they lead to.
 #[derive(Clone, Copy)]
-struct Follow<'s> {
+struct Follow<'s, 'de> {
     steps: &'s [&'s str],
-    found: &'s Cell<bool>,
+    found: &'s Cell<Option<&'de str>>,
 }
 
-impl<'s> Follow<'s> {
+impl<'s, 'de> Follow<'s, 'de> {
     /// The first step and those behind it; an error where there is none.
-    fn step<E: Error>(self) -> Result<(&'s str, Follow<'s>), E> {
+    fn step<E: Error>(self) -> Result<(&'s str, Follow<'s, 'de>), E> {
         let (first, steps) = self.steps.split_first().ok_or_else(|| E::custom("here"))?;
         Ok((first, Follow { steps, ..self }))
     }
 }
 
-impl<'de> DeserializeSeed<'de> for Follow<'_> {
+impl<'de> DeserializeSeed<'de> for Follow<'_, 'de> {
     type Value = ();
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
-        self.found.set(self.steps.is_empty());
+        if self.steps.is_empty() {
+            self.found.set(Some(<&RawValue>::deserialize(deserializer)?.get()));
+            return Ok(());
+        }
         deserializer.deserialize_any(self)
     }
 }
 
-impl<'de> Visitor<'de> for Follow<'_> {
+impl<'de> Visitor<'de> for Follow<'_, 'de> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -91,19 +111,6 @@ impl<'de> Visitor<'de> for Follow<'_> {
         }
         list.next_element_seed(rest).map(|_| ())
     }
-}
-
-/// The brace that an object begins with, whose place is known but for the white space behind the brace; none of
-/// what is no object.
-fn brace(text: &str, at: Position) -> Option<Position> {
-    let lines: Vec<&str> = text.split('\n').take(at.line).collect();
-    let (last, before) = lines.split_last()?;
-    let start: usize = before.iter().map(|line| line.len() + 1).sum();
-    let read = text.get(..start + at.column.min(last.len()))?;
-    let read = read.trim_end_matches(|c: char| c.is_ascii_whitespace() || c == '}' || c == '"');
-    let read = read.trim_end().strip_suffix('{')?;
-    let line = read.bytes().filter(|byte| *byte == b'\n').count() + 1;
-    Some(Position { line, column: read.len() - read.rfind('\n').map_or(0, |end| end + 1) + 1 })
 }
 
 /// serde_json's error as ours: its place moved to the front.
@@ -136,10 +143,8 @@ fn field_error(error: &serde_json::Error, path: &str, (file, text): (&str, &str)
     // Of a field that is judged with its neighbours, and of an object, the reader stood behind them all.
     let is_whole =
         error.is_data() && !["unknown field", "duplicate field"].iter().any(|m| message.starts_with(m));
-    let own = place(text.as_bytes(), &path);
-    let own =
-        own.and_then(|at| if inner.is_empty() { brace(text, at).filter(|_| is_whole) } else { Some(at) });
-    let at = own.unwrap_or_else(|| position(error));
+    let own = found(text.as_bytes(), &path).filter(|value| !inner.is_empty() || is_whole && value.is_object);
+    let at = own.map_or_else(|| position(error), |value| value.at);
     let meant = meant(message).map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
     SceneError::Field { file: file.into(), at, path, message: format!("{message}{meant}") }
 }

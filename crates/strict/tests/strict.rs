@@ -60,6 +60,10 @@ fn places_are_of_what_is_there() {
     assert_eq!(at(text, "a.b[0]"), Some((1, 15)));
     assert_eq!(at(text, "a.b[1]"), Some((1, 19)));
     assert_eq!(at(text, "c"), Some((2, 7)));
+    // Whatever follows a bracket, and whatever a text holds.
+    let text = "{ \"a\" :\r\n [  {  \n \"b\": \"{\" }, { } ] , \"c\": [ [ ] ] }";
+    let places = ["a", "a[0]", "a[0].b", "a[1]", "c", "c[0]"].map(|path| at(text, path));
+    assert_eq!(places, [(2, 2), (2, 5), (3, 9), (3, 14), (3, 27), (3, 29)].map(Some));
 }
 
 /// What is absent has no place, whatever follows it; nor has what no step can name.

@@ -16,6 +16,7 @@ use super::{NOTHING, Options};
 use crate::approximate::FitStageError;
 use crate::bake::{BakeError, Baked, Selection};
 use crate::data::Vendor;
+use crate::effects::demand::Demand;
 use crate::effects::{Called, most_accurate};
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header::short;
@@ -73,13 +74,10 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         max_bytes: options.max_bytes,
         language: options.language.or(of_scene.copied()).unwrap_or(Language::Wgsl),
     };
-    // The same with a limit on the error: what of a scene takes one.
-    let by_error = Limits { max_error: limits.max_error.or(Some(1.0)), ..limits };
-    let by_error = plan::plan(&input.scene.clone().limited(&by_error));
+    let by_error = by_error(&input.scene, limits);
     let input = input.limited(&limits);
     let plan = plan::plan(&input.scene);
-    let [jobs, by_error] = [&plan, &by_error]
-        .map(|plan| plan.effects.iter().flat_map(|called| jobs(plan, called)).collect::<Vec<Plan>>());
+    let jobs: Vec<Plan> = plan.effects.iter().flat_map(|called| jobs(&plan, called)).collect();
     let (progress, cache) =
         (Bar::new(options.quiet || options.json, (&input.scene, &plan), 0), Cache::of_user());
     let selection = || Selection { cache: cache.as_ref(), whole: true, ..Selection::default() };
@@ -99,8 +97,8 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         ship: Vec::new(),
         unkept: Vec::new(),
     };
-    for (plan, baked) in by_error.iter().zip(&baked) {
-        shipped.add(plan, baked, &limits)?;
+    for (plan, baked) in jobs.iter().zip(&baked) {
+        shipped.add((plan, &by_error), baked, &limits)?;
     }
     shipped.tables_beside_functions();
     if options.json {
@@ -119,6 +117,19 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
     Ok(if shipped.unkept.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
 
+/// The goals that take a limit on the error.
+fn by_error(scene: &Scene, limits: Limits) -> BTreeSet<String> {
+    let limited = scene.clone().limited(&Limits { max_error: limits.max_error.or(Some(1.0)), ..limits });
+    let jobs = plan::plan(&limited).effects.into_iter().flat_map(|called| called.work);
+    let demands = jobs.flat_map(|job| job.demands).filter(|demand| demand.goals.max_error.is_some());
+    demands.map(|demand| goal(&demand)).collect()
+}
+
+/// What has goals: a field, and a job where several are of one field.
+fn goal(demand: &Demand) -> String {
+    format!("{} of {}", demand.job, demand.field)
+}
+
 /// A plan of each job of an effect alone: what one job does not keep is no other's loss.
 fn jobs<'a>(plan: &'a Plan, called: &'a Called) -> impl Iterator<Item = Plan> + 'a {
     called.work.iter().map(|job| Plan {
@@ -130,8 +141,14 @@ fn jobs<'a>(plan: &'a Plan, called: &'a Called) -> impl Iterator<Item = Plan> + 
 
 impl Shipped {
     /// Adds what a job made: of the calls of a material for one purpose the recommended, or where
-    /// that is beyond the limits the most accurate within them. The plan is that of a limit on the error.
-    fn add(&mut self, plan: &Plan, baked: &Baked, limits: &Limits) -> Result<(), BakeError> {
+    /// that is beyond the limits the most accurate within them. With the plan the goals that
+    /// take a limit on the error.
+    fn add(
+        &mut self,
+        plan: (&Plan, &BTreeSet<String>),
+        baked: &Baked,
+        limits: &Limits,
+    ) -> Result<(), BakeError> {
         self.unkept.extend(baked.broken.iter().cloned());
         let file = format!("fits/lobefit.{}", limits.language.extension());
         let code = baked.files.get(&file).map(|text| String::from_utf8_lossy(text)).unwrap_or_default();
@@ -237,23 +254,29 @@ fn shared(calls: &[Call]) -> Option<String> {
     let dearer = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
     let rooms: BTreeSet<(&str, String)> =
         calls.iter().filter_map(|own| Some((own.function.as_str(), dearer(own)?))).collect();
-    let named: Vec<String> = rooms.iter().map(|(own, by)| format!("of {own} and {by} the second")).collect();
-    (!named.is_empty()).then(|| {
-        format!(
-            "a budget is for the dearer of two functions of one formula: {}; a scene without it may have a more accurate one",
-            named.join(", ")
-        )
-    })
+    let named: Vec<String> = rooms
+        .iter()
+        .map(|(own, by)| {
+            format!("the budget holds for {by}, which costs more than {own} of the same formula")
+        })
+        .collect();
+    (!named.is_empty())
+        .then(|| format!("{}: a scene without the dearer may have a more accurate one", named.join("; ")))
 }
 
 /// The fields of a scene by which `bake` picks what a call is made of: of a table its size and error,
 /// of a formula its error, which no cheaper one keeps. A probe's limit is on another error.
-fn field(plan: &Plan, entries: &Entries, (call, all): (&Call, &[Call]), limits: &Limits) -> Option<String> {
+fn field(
+    (plan, by_error): (&Plan, &BTreeSet<String>),
+    entries: &Entries,
+    (call, all): (&Call, &[Call]),
+    limits: &Limits,
+) -> Option<String> {
     let demands = &plan.effects.first()?.work.first()?.demands;
     let demand = demands.iter().find(|demand| demand.name == call.of)?;
     let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
     // Of what a field asks for beside its own functions, no limit there is on the error.
-    if call.file.is_none() && demand.goals.max_error.is_none() {
+    if call.file.is_none() && !by_error.contains(&goal(demand)) {
         return None;
     }
     if call.file.is_none() {

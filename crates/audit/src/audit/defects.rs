@@ -5,7 +5,7 @@ use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
 use super::extent::Extent;
-use super::spikes::{MOST, spikes};
+use super::spikes::{are_apart, spikes};
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
 use crate::foreign::Step;
@@ -133,16 +133,23 @@ const BIASED_STEPS: f64 = 2.2;
 #[derive(Clone, Copy)]
 pub(super) struct Grain {
     pub step: Step,
+    /// What values were multiplied by since they were stored.
+    pub scale: f64,
     pub samples: Option<u32>,
 }
 
 impl Grain {
+    /// What rounding to the format may have done to a value.
+    fn rounding(self, x: f64) -> f64 {
+        self.scale * self.step.rounding(x / self.scale)
+    }
+
     /// The largest error that these leave at a texel. Samples of visible normals weigh 0 to 1, so that
     /// their standard deviation is at most 1/2 (Popoviciu's inequality): four standard errors of the mean
     /// of n are 2/sqrt(n), of what the column is made of.
     pub(super) fn leaves(self, r: &Residuals, i: usize) -> f64 {
         let sampled = |n: u32| 2.0 / f64::from(n).sqrt() * r.column.slope(r.judgement.base[i]);
-        BIASED_STEPS * self.step.rounding(r.values[i]) + self.samples.map_or(0.0, sampled)
+        BIASED_STEPS * self.rounding(r.values[i]) + self.samples.map_or(0.0, sampled)
     }
 }
 
@@ -168,8 +175,8 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     let outside = |i: &usize| part.is_none_or(|extent| !r.lies_in(*i, extent));
     let rest: Vec<usize> = r.judged.iter().copied().filter(outside).collect();
     let apart = part.is_some();
-    let (noise, rms, rounding) = (noise(r, &rest), r.rms(&rest), rounding(r, &rest, step));
-    if !apart && rms <= ROUNDED * rounding && rest.iter().all(|i| within_a_step(r, step, *i)) {
+    let (noise, rms, rounding) = (noise(r, &rest), r.rms(&rest), rounding(r, &rest, grain));
+    if !apart && rms <= ROUNDED * rounding && rest.iter().all(|i| within_a_step(r, grain, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
     } else if noise > 0.5 * rms && rms > 1e-7 {
         let step = (noise <= NOISE_OF_ROUNDING * rounding).then_some(step);
@@ -202,15 +209,15 @@ pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
 
 /// Root mean square of the error that rounding to a format makes at some texels: a third of the square of
 /// half a step.
-fn rounding(r: &Residuals, texels: &[usize], step: Step) -> f64 {
-    let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
+fn rounding(r: &Residuals, texels: &[usize], grain: Grain) -> f64 {
+    let square = |i: &usize| grain.rounding(r.values[*i]) * grain.rounding(r.values[*i]) / 3.0;
     (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt()
 }
 
 /// Whether rounding to nearest explains the error of a texel, but for a tenth of a step and for what
 /// the truth is off by.
-fn within_a_step(r: &Residuals, step: Step, i: usize) -> bool {
-    r.errors[i].abs() <= 1.2 * step.rounding(r.values[i]) + 1e-7
+fn within_a_step(r: &Residuals, grain: Grain, i: usize) -> bool {
+    r.errors[i].abs() <= 1.2 * grain.rounding(r.values[i]) + 1e-7
 }
 
 fn part(r: &Residuals, grain: Grain) -> Option<Defect> {
@@ -260,14 +267,15 @@ pub(super) fn of_extent(r: &Residuals, extent: Extent, off: &[usize], over: f64)
     let inside: Vec<usize> = off.iter().filter(|i| r.lies_in(**i, &extent)).copied().collect();
     // A range leaves out strays: lines of either axis may cross where none of the texels is.
     let off = if inside.is_empty() { off } else { &inside };
-    let is_scattered = off.len() <= MOST && 2 * off.len() < extent.volume();
-    let alone = || Extent::alone(extent.size.clone(), off.iter().map(|i| r.texel(*i)));
-    let extent = if is_scattered { alone() } else { extent };
-    let outside: Vec<usize> = r.judged.iter().filter(|i| !r.lies_in(**i, &extent)).copied().collect();
+    let singles = || Extent::singles(extent.size.clone(), off.iter().map(|i| r.texel(*i)));
+    let extent = if are_apart(r, off) { singles() } else { extent };
+    let mut is_off = vec![false; r.values.len()];
+    off.iter().for_each(|i| is_off[*i] = true);
+    let others: Vec<usize> = r.judged.iter().filter(|i| !is_off[**i]).copied().collect();
     let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
     let worst = off.iter().fold(off[0], |w, i| if r.errors[*i].abs() > r.errors[w].abs() { *i } else { w });
     let (most, texel) = (r.errors[worst].abs(), r.texel(worst));
-    let (texels, rest) = ([off.len(), r.judged.len()], r.rms(&outside));
+    let (texels, rest) = ([off.len(), r.judged.len()], r.rms(&others));
     Defect::Part { texels, over, most, texel, mean, rest, extent }
 }
 
@@ -355,7 +363,7 @@ fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<
         let (Some(stored), Some(truth)) = (loss(r.values[*i]), loss(r.truth(*i))) else { continue };
         // Below a few steps the format cannot hold a loss, nor do few samples come by it.
         let rare = grain.samples.map_or(0.0, |n| 16.0 / f64::from(n));
-        if truth > (8.0 * grain.step.rounding(r.values[*i])).max(rare).max(3e-4) {
+        if truth > (8.0 * grain.rounding(r.values[*i])).max(rare).max(3e-4) {
             shares.push((stored / truth, alpha, [stored, truth], texel));
         }
     }

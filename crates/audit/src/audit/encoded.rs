@@ -1,6 +1,8 @@
 //! Values that were encoded, for display or to hold more than the format can: a table that fits only
 //! once that is undone.
 
+use std::f64::consts::PI;
+
 use super::apart;
 use super::best::{Case, best, promising};
 use super::defects::stored;
@@ -8,8 +10,6 @@ use super::plain::Plain;
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
-use std::f64::consts::PI;
-
 use lobefit_math::{ops, srgb};
 use lobefit_truth::quantity::Quantity;
 
@@ -26,18 +26,18 @@ pub struct Encoding {
     pub name: &'static str,
     /// What to do about it.
     pub remedy: &'static str,
-    /// The value of a colour, 0 to 1, at a texel whose alpha is given.
+    /// The value of what is stored, at a texel whose alpha is given,
     decode: fn(f64, f64) -> f64,
+    /// times this.
+    factor: f64,
     /// The step of a decoded value, of values with this step.
     step: fn(Step) -> Step,
-    /// Whether values are colours, 0 to 1, which a linear picture does not hold.
-    of_colours: bool,
     /// Whether it takes the alpha beside three colours of 8 bits, which is no channel then.
     takes_alpha: bool,
 }
 
-/// Every encoding that is tried.
-pub static ENCODINGS: [Encoding; 8] = [
+/// Every encoding for display, or to hold more than the format can; a constant factor is one too.
+pub static ENCODINGS: [Encoding; 4] = [
     Encoding {
         word: "srgb",
         name: "sRGB",
@@ -49,7 +49,7 @@ pub static ENCODINGS: [Encoding; 8] = [
             Step::Unorm16 => Step::Srgb(65535),
             _ => Step::None,
         },
-        of_colours: true,
+        factor: 1.0,
         takes_alpha: false,
     },
     Encoding {
@@ -58,7 +58,7 @@ pub static ENCODINGS: [Encoding; 8] = [
         remedy: "decode it before it is filtered: the mean of two exponents is no exponent of the mean",
         decode: |x, alpha| x * 255.0 / 256.0 * ops::pow(2.0, 255.0 * alpha - 128.0),
         step: |_| Step::Rgbe,
-        of_colours: true,
+        factor: 1.0,
         takes_alpha: true,
     },
     Encoding {
@@ -67,7 +67,7 @@ pub static ENCODINGS: [Encoding; 8] = [
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| ops::pow(x, 2.2) / alpha,
         step: |_| Step::Rgbd(22),
-        of_colours: true,
+        factor: 1.0,
         takes_alpha: true,
     },
     Encoding {
@@ -76,24 +76,20 @@ pub static ENCODINGS: [Encoding; 8] = [
         remedy: "decode it before it is filtered: the mean of two divisors is no divisor of the mean",
         decode: |x, alpha| x / alpha,
         step: |_| Step::Rgbd(10),
-        of_colours: true,
+        factor: 1.0,
         takes_alpha: true,
     },
-    times("over-pi", "over pi", "multiply its values by pi: they are over pi", |x, _| x * PI),
-    times("times-pi", "times pi", "divide its values by pi: they are pi times as large", |x, _| x / PI),
-    times("halves", "times 1/2", "multiply its values by 2: they are halves", |x, _| x * 2.0),
-    times("twice", "times 2", "divide its values by 2: they are twice as large", |x, _| x / 2.0),
 ];
 
-/// A constant factor, of a normalisation that is left out or counted twice.
-const fn times(
-    word: &'static str,
-    name: &'static str,
-    remedy: &'static str,
-    decode: fn(f64, f64) -> f64,
-) -> Encoding {
-    Encoding { word, name, remedy, decode, step: |_| Step::None, of_colours: false, takes_alpha: false }
-}
+/// Factors that have a name, and it: of a normalisation that is left out or counted twice.
+const FACTORS: [(f64, &str); 6] =
+    [(PI, "pi"), (1.0 / PI, "1/pi"), (2.0, "2"), (0.5, "1/2"), (4.0, "4"), (0.25, "1/4")];
+
+/// A factor is one of these within this share of it, and 1 as well.
+const NEAR: f64 = 0.02;
+
+/// How the word of a constant factor begins.
+const TIMES: &str = "times=";
 
 impl PartialEq for Encoding {
     fn eq(&self, other: &Encoding) -> bool {
@@ -102,33 +98,67 @@ impl PartialEq for Encoding {
 }
 
 impl Encoding {
+    /// The encoding of a word of `--encoding`: one of a list, or `times=F`.
+    pub fn find(word: &str) -> Option<&'static Encoding> {
+        let named = |name: &str| FACTORS.iter().find(|(_, own)| *own == name).map(|(factor, _)| *factor);
+        let number = |text: &str| named(text).or_else(|| text.parse().ok());
+        let factor = word.strip_prefix(TIMES).and_then(number).filter(|f| f.is_finite() && *f > 0.0);
+        ENCODINGS.iter().find(|own| own.word == word).or_else(|| factor.map(Encoding::times))
+    }
+
+    /// That of values which are all so many times what they should be.
+    fn times(factor: f64) -> &'static Encoding {
+        let near = |own: &&(f64, &str)| (factor / own.0 - 1.0).abs() < NEAR;
+        let (factor, name) = match FACTORS.iter().find(near) {
+            Some((factor, name)) => (*factor, name.to_string()),
+            None => (factor, format!("{factor}")),
+        };
+        // A run has few.
+        let leak = |text: String| -> &'static str { Box::leak(text.into_boxed_str()) };
+        Box::leak(Box::new(Encoding {
+            word: leak(format!("{TIMES}{name}")),
+            name: leak(format!("times {name}")),
+            remedy: leak(format!("divide its values by {name}: they are {name} times what they should be")),
+            decode: |x, _| x,
+            factor: 1.0 / factor,
+            step: |stored| stored,
+            takes_alpha: false,
+        }))
+    }
+
+    /// Whether values are colours, 0 to 1, which a linear picture does not hold.
+    fn is_of_colours(&self) -> bool {
+        self.factor == 1.0
+    }
+
     /// A table without the encoding; none of one that cannot have it.
     fn undone(&self, table: &AuditedTable) -> Option<AuditedTable> {
         let alpha = table.channels.iter().find(|c| c.name == "A");
         // Beside three colours alpha is none of them.
-        let colours = table.channels.iter().filter(|c| !self.of_colours || c.name != "A");
+        let colours = table.channels.iter().filter(|c| !self.is_of_colours() || c.name != "A");
         let alphas = match (alpha, self.takes_alpha) {
             (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm8 => &alpha.values,
             (_, true) => return None,
             (_, false) => &table.channels[0].values,
         };
         let decoded = |c: &Channel| {
-            let values = c.values.iter().zip(&**alphas).map(|(x, alpha)| (self.decode)(*x, *alpha));
+            let values =
+                c.values.iter().zip(&**alphas).map(|(x, alpha)| self.factor * (self.decode)(*x, *alpha));
             Channel { name: c.name.clone(), values: values.collect::<Vec<_>>().into() }
         };
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| c.values.iter()).all(|v| v.is_finite());
-        let colours = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
+        let unit = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
         let step = (self.step)(stored(table.step, &table.channels[0].values));
-        let decoded = AuditedTable { channels, step, ..table.clone() };
+        let decoded = AuditedTable { channels, step, scale: self.factor, ..table.clone() };
         // A Radiance picture is linear.
-        let held = !self.of_colours || colours && table.step != Step::Rgbe;
+        let held = !self.is_of_colours() || unit && table.step != Step::Rgbe;
         (finite && held && !decoded.channels.is_empty() && table.source == Source::Table).then_some(decoded)
     }
 
     /// Its name, of an encoding for display behind some words.
     pub(super) fn said(&self, encoded: &str) -> String {
-        if self.of_colours { format!("{encoded}{}", self.name) } else { self.name.into() }
+        if self.is_of_colours() { format!("{encoded}{}", self.name) } else { self.name.into() }
     }
 
     /// The table that the user says is encoded so.
@@ -170,7 +200,7 @@ pub(super) fn found(
     if done.fit != Fit::None || case.table.size.len() > AXES || fixed.encoding.is_some() {
         return Ok(None);
     }
-    for encoding in &ENCODINGS {
+    for encoding in ENCODINGS.iter().chain(factors(case, quantity)) {
         let Some(linear) = encoding.undone(case.table) else { continue };
         let Ok(live) = linear.live(said) else { continue };
         if said.is_some_and(|said| said != live.len()) {
@@ -188,6 +218,18 @@ pub(super) fn found(
         }
     }
     Ok(None)
+}
+
+/// Constant factors that a table may have: of a lobe whose albedo is 1 where it is smooth the largest value.
+fn factors(case: &Case, quantity: &dyn Quantity) -> Vec<&'static Encoding> {
+    if !quantity.outputs().contains(&"B") {
+        return FACTORS[..4].iter().map(|(factor, _)| Encoding::times(*factor)).collect();
+    }
+    let values = case.live.iter().flat_map(|k| case.table.channels[*k].values.iter());
+    let most = values.fold(0.0_f64, |most, v| most.max(*v));
+    // Three digits: a texel is not quite smooth.
+    let most = format!("{most:.2e}").parse().unwrap_or(most);
+    if most > 0.0 && (most - 1.0_f64).abs() > NEAR { vec![Encoding::times(most)] } else { Vec::new() }
 }
 
 /// Whether a table follows a convention, as far as some of its texels tell.

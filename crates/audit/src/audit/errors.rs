@@ -154,7 +154,7 @@ impl<'a> Residuals<'a> {
 
     /// Root mean square of the errors of some texels; 0 of none.
     pub(super) fn rms(&self, texels: &[usize]) -> f64 {
-        let squares: f64 = texels.iter().map(|i| self.errors[*i] * self.errors[*i]).sum();
+        let squares = texels.iter().fold(0.0, |sum, i| sum + self.errors[*i] * self.errors[*i]);
         (squares / texels.len().max(1) as f64).sqrt()
     }
 

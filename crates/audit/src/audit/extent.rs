@@ -16,28 +16,15 @@ pub struct Extent {
 impl Extent {
     /// The least box about texels, by their places in a sample.
     pub(super) fn of(sample: &Sample, texels: &[usize]) -> Extent {
-        Extent {
-            alone: Vec::new(),
-            ..Extent::alone(sample.size.clone(), texels.iter().map(|i| sample.texel(*i)))
-        }
+        let range = range(&sample.size, texels.iter().map(|i| sample.texel(*i)));
+        Extent { range, alone: Vec::new(), size: sample.size.clone() }
     }
 
     /// Single texels.
-    pub(super) fn alone(size: Vec<usize>, texels: impl Iterator<Item = Vec<usize>>) -> Extent {
-        let mut range = vec![[usize::MAX, 0]; size.len()];
+    pub(super) fn singles(size: Vec<usize>, texels: impl Iterator<Item = Vec<usize>>) -> Extent {
         let mut alone: Vec<Vec<usize>> = texels.collect();
         alone.sort_by(|a, b| a.iter().rev().cmp(b.iter().rev()));
-        for texel in &alone {
-            for (range, k) in range.iter_mut().zip(texel) {
-                *range = [range[0].min(*k), range[1].max(*k)];
-            }
-        }
-        Extent { range, alone, size }
-    }
-
-    /// How many texels the box holds.
-    pub(super) fn volume(&self) -> usize {
-        self.range.iter().map(|[from, to]| to - from + 1).product()
+        Extent { range: range(&size, alone.iter().cloned()), alone, size }
     }
 
     /// Whether it is the whole table.
@@ -50,4 +37,15 @@ impl Extent {
         let inside = || texel.iter().zip(&self.range).all(|(k, range)| (range[0]..=range[1]).contains(k));
         if self.alone.is_empty() { inside() } else { self.alone.iter().any(|own| own == texel) }
     }
+}
+
+/// First and last index of texels along every axis.
+fn range(size: &[usize], texels: impl Iterator<Item = Vec<usize>>) -> Vec<[usize; 2]> {
+    let mut range = vec![[usize::MAX, 0]; size.len()];
+    for texel in texels {
+        for (range, k) in range.iter_mut().zip(texel) {
+            *range = [range[0].min(k), range[1].max(k)];
+        }
+    }
+    range
 }

@@ -117,6 +117,7 @@ fn of_feeds(
         source: Source::Function,
         channels,
         step: Step::None,
+        scale: 1.0,
         dead: Vec::new(),
     })
 }

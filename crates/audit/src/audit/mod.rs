@@ -332,7 +332,8 @@ fn finish(
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
-        let grain = Grain { step: stored(table.step, &channel.values), samples: fixed.samples };
+        let step = stored(table.step, &channel.values);
+        let grain = Grain { step, scale: table.scale, samples: fixed.samples };
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
         let defects = match (table.source, &two_lobes) {
             (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],

@@ -150,6 +150,10 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
         let usual = matches!(axis.scale, Scale::Roughness | Scale::Alpha) && !gloss;
         axis.scale = if usual { axis.scale } else { Scale::Roughness };
     }
+    // A split sum is looked up with the cosine itself.
+    if axis.scale.input() == Input::Mu && source == Source::Table {
+        axis.scale = Scale::Mu;
+    }
     axis.reversed = gloss && axis.scale.input() == Input::Alpha;
 }
 
@@ -157,7 +161,7 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
 pub(super) fn is_usual(name: &str, axis: &AxisReading) -> bool {
     let mut usual = *axis;
     scaled(name, Source::Function, &mut usual);
-    usual == *axis
+    usual == *axis && (axis.scale.input() != Input::Mu || axis.scale == Scale::Mu)
 }
 
 /// The lobe that a quantity's name stands for, where the form of another has its own integrand.

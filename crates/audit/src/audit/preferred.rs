@@ -11,7 +11,7 @@ use super::errors::Residuals;
 use super::judge::{judge, rejudge, with_floors};
 use super::lookup::{Look, Points};
 use super::plain::is_usual;
-use super::sample::{Candidate, Sample};
+use super::sample::{Candidate, Fitted, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::{LAST, Registration};
@@ -41,10 +41,12 @@ pub(super) fn plain_first(
     mut found: Vec<Candidate>,
 ) -> Result<Vec<Candidate>, AuditError> {
     if table.source == Source::Function && fixed.axes.is_none() {
+        let is_nearly = |c: &Candidate| {
+            let Fitted { rank, columns, .. } = &found[0].fitted;
+            c.fitted.rank <= LIKELY * rank && c.fitted.columns == *columns
+        };
         let usual = |c: &Candidate| table.axes.iter().zip(&c.axes).all(|(name, axis)| is_usual(name, axis));
-        let nearly = |c: &Candidate| c.fitted.rank <= LIKELY * found[0].fitted.rank;
-        let usual = |c: &Candidate| usual(c) && c.fitted.columns == found[0].fitted.columns;
-        if let Some(k) = found.iter().position(|c| usual(c) && nearly(c)) {
+        if let Some(k) = found.iter().position(|c| usual(c) && is_nearly(c)) {
             found[..=k].rotate_right(1);
         }
     }
@@ -118,7 +120,7 @@ fn is_quantised(
     let explained = |(place, k): (usize, &usize)| {
         let Some(column) = candidate.fitted.columns[place] else { return true };
         let step = stored(table.step, &table.channels[*k].values);
-        let grain = Grain { step, samples: None };
+        let grain = Grain { step, scale: table.scale, samples: None };
         let residuals = Residuals::new(sample, &judgement, column, &sample.values[place]);
         let within = |i: &usize| {
             let left = grain.leaves(&residuals, *i);

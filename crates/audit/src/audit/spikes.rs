@@ -6,8 +6,9 @@ use super::errors::Residuals;
 use super::extent::Extent;
 use super::table::{flat, place};
 
-/// At most so many: more are a part of the table.
-pub(super) const MOST: usize = 32;
+/// At most so many, or one of `LARGE`: more are a part of the table.
+const MOST: usize = 32;
+const LARGE: usize = 4096;
 
 /// One of so many texels, at most.
 const SHARE: usize = 100;
@@ -40,7 +41,7 @@ impl Spikes {
 
 /// The texels that stand out so; none where none does.
 pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Spikes> {
-    let most = MOST.min(r.judged.len() / SHARE);
+    let most = most(r).min(r.judged.len() / SHARE);
     let error = |i: usize| r.errors[i].abs();
     let mut largest = r.judged.clone();
     if most == 0 || largest.len() <= most {
@@ -63,9 +64,19 @@ pub(super) fn spikes(r: &Residuals, grain: Grain) -> Option<Spikes> {
     Some(Spikes { off: largest[..k].to_vec(), rest: error(largest[k]) })
 }
 
+fn most(r: &Residuals) -> usize {
+    MOST.max(r.judged.len() / LARGE)
+}
+
+/// Whether texels are few, and none of them is next to another.
+pub(super) fn are_apart(r: &Residuals, off: &[usize]) -> bool {
+    let touches = |i: &usize| beside(r, *i).iter().any(|j| off.contains(j));
+    off.len() > 1 && off.len() <= most(r) && !off.iter().any(touches)
+}
+
+/// Whether a texel is at an end of an axis of the table.
 fn at_end(r: &Residuals, i: usize) -> bool {
-    let size = r.sample.dims();
-    place(i, &size).iter().zip(&size).any(|(k, n)| *k == 0 || k + 1 == *n)
+    r.texel(i).iter().zip(&r.sample.size).any(|(k, n)| *k == 0 || k + 1 == *n)
 }
 
 /// The judged texels next to one, those across a corner among them.

@@ -29,8 +29,10 @@ pub struct AuditedTable {
     pub source: Source,
     /// The channels.
     pub channels: Vec<Channel>,
-    /// What the format rounds values to.
+    /// What the format rounds values to,
     pub step: Step,
+    /// which were multiplied by this since.
+    pub scale: f64,
     /// Along every axis the ends that were never filled, which an audit finds.
     pub dead: Vec<Vec<usize>>,
 }
@@ -45,6 +47,7 @@ impl From<&ForeignTable> for AuditedTable {
             source: Source::Table,
             channels: table.channels.clone(),
             step: table.step,
+            scale: 1.0,
             dead: Vec::new(),
         }
     }

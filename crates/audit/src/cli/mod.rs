@@ -97,7 +97,7 @@ struct Options {
     #[arg(long, value_name = "INPUT=X,..", value_delimiter = ',', value_parser = floor)]
     pub clamp: Vec<(Input, f64)>,
     /// What its values are decoded from before they are read
-    #[arg(long, value_name = "E", value_parser = encoding())]
+    #[arg(long, value_name = "E", value_parser = encoding)]
     pub encoding: Option<&'static Encoding>,
     /// Samples that each texel is the mean of: what so many leave is no defect
     #[arg(long, value_name = "N")]

@@ -134,8 +134,11 @@ pub(super) fn form() -> Words<&'static Form> {
     Words::one_of("shadowing form", FORMS.iter().map(|form| (form.word, form)))
 }
 
-pub(super) fn encoding() -> Words<&'static Encoding> {
-    Words::one_of("encoding", ENCODINGS.iter().map(|encoding| (encoding.word, encoding)))
+pub(super) fn encoding(text: &str) -> Result<&'static Encoding, String> {
+    Encoding::find(text).ok_or_else(|| {
+        let words: Vec<&str> = ENCODINGS.iter().map(|encoding| encoding.word).collect();
+        format!("no such encoding; they are {}, and times=F, as times=1/pi", words.join(", "))
+    })
 }
 
 pub(super) fn side() -> Words<Side> {

@@ -66,7 +66,7 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let word = grade.word();
     let mut wrong = Vec::new();
     if unsure && !gains {
-        wrong.push("leaves out the light's cosine, or holds it (--cosine included or absent says)");
+        wrong.push("leaves out the light's cosine, or holds it (`--cosine included` or `--cosine absent` says which)");
     } else {
         // In a failure what is sure is said.
         let said = |sure: bool, may: bool| if grade == Grade::Fail { sure } else { may };
@@ -163,7 +163,7 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         ("stated", true) => "the function is said to hold the cosine of the light.",
         ("stated", false) => "the function is said to hold no cosine of the light.",
         _ => {
-            "neither f nor f/cos is symmetric: the function is taken for one without the cosine of the light (--cosine included or absent says)."
+            "neither f nor f/cos is symmetric: the function is taken for one without the cosine of the light (`--cosine included` or `--cosine absent` says which)."
         }
     };
     let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();

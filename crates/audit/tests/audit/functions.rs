@@ -278,8 +278,7 @@ fn two_readings_of_a_crude_function_are_left_open() {
     let found = run("crude");
     assert_eq!((found.fit, found.best().axes[0].scale), (Fit::Whole, Scale::Roughness));
     let text = said(&found);
-    let why =
-        "since two readings of its arguments fit nearly as well, and neither closely: --axes or --smith says";
+    let why = "since another reading fits nearly as well, and its own not closely: --axes and --smith say";
     assert!(text.starts_with("UNKNOWN ggx-reflection E: ") && text.contains(why), "{text}");
     let function = read_functions(FITS.as_bytes(), "fits.wgsl", Some("crude")).unwrap().remove(0);
     let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();

@@ -114,7 +114,7 @@ fn a_lobe_that_prefers_a_direction_is_found() {
     let one_way = Allowance { one_way: true, ..within(Some(0.3)) };
     let verdict = judgement("f", &found, one_way);
     assert!(
-        verdict.grade == Grade::Unknown && verdict.line.contains("--cosine included or absent says"),
+        verdict.grade == Grade::Unknown && verdict.line.contains("`--cosine included` or `--cosine absent`"),
         "{}",
         verdict.line
     );

@@ -21,6 +21,7 @@ pub fn shipped(size: &[usize], channels: Vec<(&str, Vec<f64>)>) -> AuditedTable 
         source: Source::Table,
         channels: channels.into_iter().map(channel).collect(),
         step: Step::None,
+        scale: 1.0,
         dead: Vec::new(),
     }
 }

@@ -12,7 +12,7 @@ use lobefit_truth::integrate::reflection::average;
 
 use crate::baked_support::bake_scene;
 use crate::points::lobes::karis;
-use crate::support::{both, jitter, reflection_of, run, says, shipped};
+use crate::support::{both, jitter, plane, reflection_of, run, says, shipped};
 
 /// Texels along each axis.
 const N: usize = 64;
@@ -172,7 +172,14 @@ fn what_has_a_remedy_does_not_pass_until_it_is_meant() {
     let turn = |k: usize| (0..N * N).map(|i| turned.channels[k].values[i % N * N + i / N]).collect();
     let turned = shipped(&[N; 2], vec![("R", turn(0)), ("G", turn(1))]);
     let encoded = exact(&|_, _, t| t.map(|v| eight(srgb(v))));
-    for (table, option) in [(turned, "--axes roughness,mu"), (encoded, "--encoding srgb")] {
+    let split = |x: usize, y: usize| {
+        let (e, b) = both(Smith::Correlated, at(y) * at(y), ops::cos(0.5 * std::f64::consts::PI * at(x)));
+        [e - b, b]
+    };
+    let theta = plane([N; 2], &[("R", &|x, y| split(x, y)[0]), ("G", &|x, y| split(x, y)[1])]);
+    for (table, option) in
+        [(turned, "--axes roughness,mu"), (encoded, "--encoding srgb"), (theta, "--axes theta,roughness")]
+    {
         let found = reflection_of(&table);
         let plain = found.plain.as_ref().expect("no reader assumes it");
         assert_eq!(plain.options, option);

@@ -132,3 +132,17 @@ fn functions_of_namespaces_are_called_with_default_arguments() {
     ";
     assert_eq!(values(source, "term", &[0.125, 0.25]), [4.0 + 2.0 + 8.0]);
 }
+
+/// Structures as arguments and as variables, with semantics, with and without a semicolon behind the brace.
+#[test]
+fn structures_are_read() {
+    let source = "struct Surf { float roughness : TEXCOORD0; float nov; };
+    struct Pair { float a; float b; }
+    float of(Surf s) { Pair p; p.a = 2.0 * s.roughness; p.b = s.nov; return p.a + p.b; }
+    Pair both(float x) { Pair p; p.a = x; p.b = 2.0 * x; return p; }
+    ";
+    let found = one(source, "of");
+    assert_eq!(found.inputs, ["s.roughness", "s.nov"]);
+    assert_eq!(found.at(&[0.5, 0.25]).unwrap(), [1.25]);
+    assert_eq!(one(source, "both").at(&[0.5]).unwrap(), [0.5, 1.0]);
+}

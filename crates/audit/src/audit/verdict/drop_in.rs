@@ -8,12 +8,17 @@ const LARGEST: usize = 128;
 
 /// The scene that bakes it, for a table of two axes of a lobe that scenes have.
 pub(super) fn drop_in(audit: &Audit) -> Option<String> {
-    let sides = audit.best().axes.iter().zip(&audit.size).map(|(axis, n)| (axis.scale.input(), *n));
-    let side = |input| sides.clone().find(|(own, _)| *own == input).map(|(_, n)| n.clamp(2, LARGEST));
-    let (x, y) = side(Input::Mu).zip(side(Input::Alpha))?;
-    // What fits nothing is of no lobe, unless one is said.
-    let nearest = (audit.fit != Fit::None).then_some(audit.best().lobe.form);
-    let form = audit.form.or(nearest).map_or_else(|| Some(Form::of(find(audit.quantity)?)[0]), Some)?;
+    let [mut x, mut y] = audit.size[..] else { return None };
+    // What fits nothing is of no lobe, unless one is said, and has the usual axes.
+    let is_known = audit.fit != Fit::None;
+    if is_known && audit.best().axes[0].scale.input() != Input::Mu {
+        (x, y) = (y, x);
+    }
+    let [x, y] = [x, y].map(|side| side.clamp(2, LARGEST));
+    let form = match audit.form.or(is_known.then_some(audit.best().lobe.form)) {
+        Some(form) => form,
+        None => Form::of(find(audit.quantity)?)[0],
+    };
     let held: Vec<Column> = audit.channels.iter().filter_map(|c| c.column).collect();
     let table = format!(r#""layout": "plain", "size": [{x}, {y}]"#);
     let (fields, material) = match (audit.quantity, form.smith) {

@@ -141,8 +141,8 @@ fn plainly(plain: &Plain, column: String) -> Told {
 
 /// What no reader assumes, in a few words.
 fn untold(plain: &Plain) -> String {
-    let words: Vec<&str> = plain.untold.iter().map(|words| briefly(words)).collect();
-    match words[..] {
+    let words: Vec<String> = plain.untold.iter().map(|words| briefly(words)).collect();
+    match &words[..] {
         [first, _, _, ..] => format!("{first} and {} more", words.len() - 1),
         _ => words.join(", "),
     }

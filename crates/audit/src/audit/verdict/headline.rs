@@ -28,15 +28,28 @@ pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> St
 
 /// Where alpha runs along an axis of a table: most shaders pass a roughness.
 fn over_alpha(audit: &Audit) -> String {
-    let is_alpha = |axis: &&AxisReading| axis.scale == Scale::Alpha && audit.source == Source::Table;
+    let is_alpha =
+        |axis: &&AxisReading| axis.scale == Scale::Alpha && !axis.reversed && audit.source == Source::Table;
     let mut axes = audit.axes.iter().zip(&audit.best().axes);
     let found = axes.find(|(_, axis)| is_alpha(axis)).filter(|_| audit.fit != Fit::None);
     found.map_or_else(String::new, |(name, _)| format!(" (alpha along {name})"))
 }
 
-/// Words without what stands behind them in brackets.
-pub(super) fn briefly(words: &str) -> &str {
-    words.split_once(" (").map_or(words, |(words, _)| words)
+/// Words without an explanation in brackets behind them: `theta along x`, `k = (r + 1)^2/8`.
+pub(super) fn briefly(words: &str) -> String {
+    let explanation = words.match_indices(" (").find_map(|(start, _)| {
+        let mut depth = 0_usize;
+        let end = words[start + 1..].char_indices().find_map(|(k, c)| {
+            match c {
+                '(' => depth += 1,
+                ')' => depth -= 1,
+                _ => {}
+            }
+            (depth == 0).then_some(start + 2 + k)
+        })?;
+        matches!(words[end..].chars().next(), None | Some(' ' | ',')).then_some([start, end])
+    });
+    explanation.map_or_else(|| words.into(), |[start, end]| format!("{}{}", &words[..start], &words[end..]))
 }
 
 /// How far off it is under the quantity's own shadowing, where it is of another.

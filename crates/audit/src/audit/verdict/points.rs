@@ -61,7 +61,7 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
         // It is known, and is not what the options say.
         _ if audit.excluded.is_some() => Grade::Fail,
         _ if unfit => Grade::Unknown,
-        None if is_ambiguous(audit) => Grade::Unknown,
+        None if is_ambiguous(audit) || has_unknown(audit) => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
         Some(limit) if audit.keeps(limit) => Grade::Unknown,
         None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
@@ -69,7 +69,12 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     }
 }
 
-/// Whether a function follows two readings nearly as well, and neither as closely as a table has to.
+/// Whether a channel follows nothing that is known, and the user did not say which are meant.
+pub(super) fn has_unknown(audit: &Audit) -> bool {
+    !audit.excused && audit.channels.iter().any(|c| c.other == Some(Other::Unknown))
+}
+
+/// Whether a function follows another reading nearly as well, and its own not as closely as a table has to.
 pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let is_far = |c: &ChannelAudit| {
         let [low, high] = c

@@ -1,7 +1,7 @@
 //! Why a verdict is no PASS, where its first line does not say so.
 
 use super::figure::damage;
-use super::points::is_ambiguous;
+use super::points::{has_unknown, is_ambiguous};
 use super::words::{excluded, number};
 use crate::audit::{Audit, Fit, Source};
 
@@ -12,7 +12,10 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         return None;
     }
     if limit.is_none() && is_ambiguous(done) {
-        return Some("two readings of its arguments fit nearly as well, and neither closely: --axes or --smith says which is meant".into());
+        return Some("another reading fits nearly as well, and its own not closely: --axes and --smith say what is meant".into());
+    }
+    if limit.is_none() && has_unknown(done) {
+        return done.unjudged();
     }
     if let (Fit::Whole, None) = (done.fit, limit) {
         // The first line of a table has its damage, that of a function its error.

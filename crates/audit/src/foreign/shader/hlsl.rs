@@ -80,6 +80,10 @@ pub(super) fn translate(text: &Text, item: &Item, spans: &[Span], entry: bool, o
         Translator { text, spans, item, entry, types: BTreeMap::new(), result: None, out, body: false };
     to.header();
     to.range(0, spans.len());
+    // A structure may end at its brace.
+    if !item.function && spans.last().is_some_and(|last| last.token == Token::Close(b'}')) {
+        to.put(";", spans.len() - 1);
+    }
     if item.body && !entry {
         to.defaults();
     }
@@ -246,7 +250,7 @@ impl<'a> Translator<'a> {
             Token::Open(b'[') if self.begins(k) && self.spans.len() > k + 1 => self.closing(k, end) + 1,
             Token::Open(b'(') => self.bracket(k, end),
             // A semantic.
-            Token::Mark(b':') if outer => k + 2,
+            Token::Mark(b':') if outer || self.is_semantic(k) => k + 2,
             // The default value of an argument.
             Token::Mark(b'=') if outer => self.expression(k + 1, end),
             Token::Number(_) => {
@@ -265,6 +269,12 @@ impl<'a> Translator<'a> {
                 k + 1
             }
         }
+    }
+
+    /// Whether a colon stands before the semantic of a member, or what a structure inherits.
+    fn is_semantic(&self, k: usize) -> bool {
+        let ends = matches!(self.token(k + 2), Some(Token::Mark(b';') | Token::Open(b'{')));
+        !self.item.function && self.word(0) == "struct" && ends
     }
 
     /// A cast, or any other bracket.

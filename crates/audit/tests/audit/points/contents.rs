@@ -4,7 +4,7 @@ use std::process::Output;
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditedTable, Column, Defect, ENCODINGS, Fit, Fixed, Form, Other, Registration, Scale,
+    Audit, AuditedTable, Column, Defect, Encoding, Fit, Fixed, Form, Other, Registration, Scale,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
@@ -91,7 +91,7 @@ fn eight(x: f64) -> f64 {
 }
 
 fn encoding(word: &str) -> Fixed {
-    Fixed { encoding: ENCODINGS.iter().find(|encoding| encoding.word == word), ..Fixed::default() }
+    Fixed { encoding: Encoding::find(word), ..Fixed::default() }
 }
 
 /// RGBE as four channels of eight bits.
@@ -160,16 +160,23 @@ fn point_05_srgb_in_a_picture_of_several_channels_is_found() {
 fn a_constant_factor_is_found() {
     use std::f64::consts::PI;
     for (factor, word, step) in [
-        (1.0 / PI, "over-pi", "multiply its values by pi"),
-        (PI, "times-pi", "divide its values by pi"),
-        (0.5, "halves", "multiply its values by 2"),
-        (2.0, "twice", "divide its values by 2"),
+        (1.0 / PI, "times=1/pi", "divide its values by 1/pi"),
+        (PI, "times=pi", "divide its values by pi"),
+        (0.5, "times=1/2", "divide its values by 1/2"),
+        (0.25, "times=1/4", "divide its values by 1/4"),
+        (2.0, "times=2", "divide its values by 2"),
+        (0.9, "times=0.9", "divide its values by 0.9"),
     ] {
         let scaled = table(&[("R", &|x, y| factor * a(x, y)), ("G", &|x, y| factor * b(x, y))]);
         let found = reflection_of(&scaled);
         says(&found.verdict(None), "FAIL", &[step, &format!("`--encoding {word}`"), "R = A (", "G = B ("]);
         says(&run(&scaled, "ggx-reflection", &encoding(word)).verdict(None), "PASS", &[]);
     }
+    // Steps are of what is stored.
+    let stored = table(&[("R", &|x, y| eight(a(x, y) / PI)), ("G", &|x, y| eight(b(x, y) / PI))]);
+    let stored = AuditedTable { step: Step::Unorm8, ..stored };
+    let rounded = "That is what rounding to 8-bit unorm leaves";
+    says(&run(&stored, "ggx-reflection", &encoding("times=1/pi")).verdict(None), "PASS", &[rounded]);
 }
 
 /// Averages, which had no convention: of sheen over roughness, by midpoints over the root of the cosine.
@@ -223,4 +230,19 @@ fn point_05_a_slice_is_chosen_in_text_and_in_raw_numbers() {
     }
     refused(with("t.h", &["--layer", "4"]), "they are 0 to 3");
     refused(with("t.h", &["--layer", "albedo"]), "number of a slice");
+}
+
+/// One channel of nothing that is known beside one of B: no PASS until it is left out.
+#[test]
+fn a_channel_of_nothing_is_no_pass() {
+    let odd = table(&[("R", &|x, y| 0.5 + 0.3 * ops::sin(5.0 * x as f64 + 3.0 * y as f64)), ("G", &b)]);
+    let verdict = reflection_of(&odd).verdict(None);
+    says(
+        &verdict,
+        "UNKNOWN",
+        &["channel R follows nothing that is known: give --meaning -,B to leave it out"],
+    );
+    let meanings = meaning(&[None, Some(Column::B)]);
+    let left_out = run(&odd, "ggx-reflection", &Fixed { meanings, ..Fixed::default() });
+    says(&left_out.verdict(None), "PASS", &["ggx-reflection B"]);
 }
