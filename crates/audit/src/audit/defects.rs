@@ -309,7 +309,10 @@ fn clamped(r: &Residuals) -> Option<Defect> {
             r.values[**i] == end && past > least
         };
         let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
-        if stuck.len() >= 2 {
+        // Lines that a clamp of an input makes one hold one value of one truth.
+        let truths = || stuck.iter().map(|i| r.truth(*i));
+        let apart = truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min);
+        if stuck.len() >= 2 && apart > 0.0 {
             let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
             let worst = stuck.iter().max_by(far).copied().unwrap_or(stuck[0]);
             let (texels, truth) = (stuck.len(), r.truth(worst));

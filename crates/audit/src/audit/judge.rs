@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::AuditError;
 use super::axis::{AxisReading, Input};
+use super::column::Column;
 use super::convention::{Fixed, Misfit};
 use super::sample::{self, Candidate, Fitted, Sample, View, fit_columns, judged, shared, steps};
 use super::screen::best;
@@ -13,6 +14,15 @@ use super::truth::{Truth, Truths, Values};
 /// Least values that tables clamp alpha and mu to; the last two are the first centre of 16 texels, which
 /// a table keeps that was made larger, and the least alpha of a sheen that Khronos ships.
 const FLOORS: [f64; 9] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2];
+
+/// Lines are the same that differ by no more than this share of what the table spans.
+const SAME: f64 = 1e-6;
+
+/// What a clamp makes one differs by no more than this share of what the truth does: of samples by noise.
+const ALIKE: f64 = 0.2;
+
+/// One line is clamped that lies below this share of the floor.
+const FAR_BELOW: f64 = 0.7;
 
 /// Base values at every texel of a sample under a reading, in the table's order, and which are
 /// judged.
@@ -88,6 +98,7 @@ pub(super) fn with_floors(
     candidate: &Candidate,
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
+    let lines = Lines::of(truth, sample, candidate)?;
     let of = |inputs: &[Input]| -> Vec<usize> {
         let open = |input: Input| inputs.contains(&input) && fixed.floor(input).is_none();
         (0..at.axes.len()).filter(|k| open(at.axes[*k].scale.input())).collect()
@@ -100,13 +111,15 @@ pub(super) fn with_floors(
     for group in groups.filter(|g| !g.is_empty()) {
         // An index of refraction is clamped as far above 1 as the others above 0.
         let least = if group.iter().any(|axis| iors.contains(axis)) { 1.0 } else { 0.0 };
-        for floor in FLOORS.map(|f| least + f) {
+        let seen = if let [axis] = group[..] { lines.held(axis, &candidate.axes[axis]) } else { Vec::new() };
+        for floor in FLOORS.map(|f| least + f).into_iter().chain(seen) {
             let raised: Vec<usize> = low
                 .iter()
                 .filter(|(axis, least)| group.contains(axis) && *least < floor)
                 .map(|l| l.0)
                 .collect();
-            if raised.is_empty() {
+            let differ = |axis: &usize| lines.differ(*axis, &candidate.axes[*axis], [least, floor]);
+            if raised.is_empty() || raised.iter().any(differ) {
                 continue;
             }
             let mut clamped = at.clone();
@@ -118,6 +131,74 @@ pub(super) fn with_floors(
         }
     }
     Ok(at)
+}
+
+/// Lines of a sample along an axis, which a clamp makes one, and of its truth without a clamp.
+struct Lines<'a> {
+    sample: &'a Sample,
+    truth: Vec<Vec<f64>>,
+}
+
+impl<'a> Lines<'a> {
+    fn of(truth: &Truth, sample: &'a Sample, candidate: &Candidate) -> Result<Lines<'a>, AuditError> {
+        let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::ranked)?;
+        let value = |column: Column| judgement.base.iter().map(|base| column.value(*base)).collect();
+        let of = |(column, own): (&Option<Column>, &Vec<f64>)| column.map_or_else(|| own.clone(), value);
+        let columns = candidate.fitted.columns.iter().zip(&sample.values);
+        Ok(Lines { sample, truth: columns.map(of).collect() })
+    }
+
+    /// Places along an axis at which an input is below a floor, the least first.
+    fn below(&self, axis: usize, reading: &AxisReading, floor: f64) -> Vec<usize> {
+        let nodes = self.sample.nodes(axis, reading);
+        let mut places: Vec<usize> = (0..nodes.len()).filter(|k| nodes[*k] < floor).collect();
+        places.sort_by(|a, b| nodes[*a].total_cmp(&nodes[*b]));
+        places
+    }
+
+    /// Root mean square of the differences of lines of the table or of its truth from the first of them, beside what
+    /// the values span; the largest of the channels. What stands at the largest value may be clamped itself.
+    fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize]) -> f64 {
+        let dims = self.sample.dims();
+        let step: usize = dims[..axis].iter().product();
+        let along = |i: usize| i / step % dims[axis];
+        let channel = |(values, own): (&Vec<f64>, &Vec<f64>)| {
+            let [low, high] = own
+                .iter()
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)]);
+            let first = |i: usize| i + lines[0] * step - along(i) * step;
+            let counts = |i: &usize| lines.contains(&along(*i)) && own[*i] != high && own[first(*i)] != high;
+            let squares = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]).map(|d| d * d);
+            let squares: Vec<f64> = squares.collect();
+            (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / (high - low)
+        };
+        of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
+    }
+
+    /// Whether what a floor makes one differs nearly as much as without it. Of one line alone that cannot be seen:
+    /// it has to lie far below the floor, both taken from the `least` that an input can be.
+    fn differ(&self, axis: usize, reading: &AxisReading, [least, floor]: [f64; 2]) -> bool {
+        let lines = self.below(axis, reading, floor);
+        match lines[..] {
+            [] => false,
+            [one] => self.sample.nodes(axis, reading)[one] - least > FAR_BELOW * (floor - least),
+            _ => {
+                let own = self.difference(&self.sample.values, axis, &lines);
+                own > SAME.max(ALIKE * self.difference(&self.truth, axis, &lines))
+            }
+        }
+    }
+
+    /// What an input was clamped to by the look of it: where the first lines are the same, the last of them, or
+    /// between that and the next.
+    fn held(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
+        let nodes = self.sample.nodes(axis, reading);
+        let lines = self.below(axis, reading, f64::INFINITY);
+        let is_same = |n: &usize| self.difference(&self.sample.values, axis, &lines[..*n]) < SAME;
+        let Some(same) = (2..lines.len()).take_while(is_same).last() else { return Vec::new() };
+        let [last, next] = [nodes[lines[same - 1]], nodes[lines[same]]];
+        (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()
+    }
 }
 
 /// Whether a clamp explains something: more of the texels as well as those before, or none fewer

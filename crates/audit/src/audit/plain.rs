@@ -108,7 +108,6 @@ pub(super) fn plain(
     let at = |wanted: Column| convention.columns.iter().position(|c| *c == Some(wanted));
     if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings)
         && b < a
-        && table.source == Source::Table
     {
         read.columns.swap(a, b);
         untold.push("B before A".into());

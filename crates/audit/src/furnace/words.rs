@@ -133,6 +133,8 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         true if nearly(PI) => " It is nearly pi: is the division by pi left to the caller?",
         true if nearly(4.0) => " It is nearly 4: is the 4 of D G F/(4 (n.l) (n.v)) missing?",
         true => " More comes back than came in: a light in such a room grows brighter at every bounce.",
+        false if nearly(1.0 / PI) => " It is nearly 1/pi: is a division by pi done twice?",
+        false if nearly(0.25) => " It is nearly 1/4: is the 4 of D G F/(4 (n.l) (n.v)) there twice?",
         false => "",
     };
     // What the error may make up for is no loss.

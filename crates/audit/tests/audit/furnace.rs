@@ -91,6 +91,23 @@ fn what_gains_energy_is_found_at_its_worst_place() {
     assert!(verdict.points.len() <= 5, "{:?}", verdict.points);
 }
 
+/// A factor that is counted twice or not at all is named: of a white Lambert surface.
+#[test]
+fn constant_factors_are_named() {
+    let pi = std::f64::consts::PI;
+    for (value, named) in [
+        (1.0, "It is nearly pi: "),
+        (4.0 / pi, "It is nearly 4: "),
+        (1.0 / (pi * pi), "It is nearly 1/pi: "),
+        (0.25 / pi, "It is nearly 1/4: "),
+        (0.5 / pi, "Energy: 0.500"),
+    ] {
+        let glsl = format!("float f(vec3 l, vec3 v, vec3 n) {{ return {value:.9}; }}");
+        let points = judgement("f", &measured(&glsl, "f.glsl", "f", &[]), within(None)).points.concat();
+        assert!(points.contains(named), "{points}");
+    }
+}
+
 #[test]
 fn a_lobe_that_prefers_a_direction_is_found() {
     let hlsl = "float f(float3 N, float3 V, float3 L, half roughness)

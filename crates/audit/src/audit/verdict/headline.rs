@@ -4,6 +4,7 @@ use super::figure::{Told, figure};
 use super::first_line;
 use super::words::{listed, number};
 use crate::audit::{Audit, AxisReading, Fit, Scale, Source};
+use lobefit::data::Smith;
 
 /// The end of a headline.
 pub(in crate::audit) fn said_limit(limit: Option<f64>) -> String {
@@ -18,7 +19,7 @@ pub(super) fn headline(audit: &Audit, limit: Option<f64>) -> String {
 /// The same of what is called so.
 pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> String {
     let held = audit.channels.iter().filter_map(|c| Some(c.column?.name())).collect::<Vec<_>>();
-    let what = format!("{} {}{}: ", audit.quantity, listed(&held), over_alpha(audit));
+    let what = format!("{} {}{}: ", audit.quantity, listed(&held), aside(audit));
     let (found, more) = match figure(audit, limit) {
         Some(Told { found, more, .. }) => (found, more),
         None => (" is not judged".into(), Vec::new()),
@@ -26,13 +27,19 @@ pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> St
     first_line([&what, called, &found], &more, &said_limit(limit))
 }
 
-/// Where alpha runs along an axis of a table: most shaders pass a roughness.
-fn over_alpha(audit: &Audit) -> String {
-    let is_alpha =
-        |axis: &&AxisReading| axis.scale == Scale::Alpha && !axis.reversed && audit.source == Source::Table;
-    let mut axes = audit.axes.iter().zip(&audit.best().axes);
-    let found = axes.find(|(_, axis)| is_alpha(axis)).filter(|_| audit.fit != Fit::None);
-    found.map_or_else(String::new, |(name, _)| format!(" (alpha along {name})"))
+/// Where alpha runs along an axis of a table, or an argument that is called a roughness is alpha: most shaders
+/// pass a roughness. And where the shadowing is another than the one that is meant where nothing is said.
+fn aside(audit: &Audit) -> String {
+    let is_alpha = |axis: &AxisReading| axis.scale == Scale::Alpha && !axis.reversed;
+    let axes = audit.axes.iter().zip(&audit.best().axes).filter(|(_, axis)| is_alpha(axis));
+    let said = axes.filter_map(|(name, _)| match audit.source {
+        Source::Table => Some(format!("alpha along {name}")),
+        Source::Function => name.to_lowercase().contains("rough").then(|| format!("{name} is alpha")),
+    });
+    let form = audit.best().lobe.form;
+    let is_other = form.smith == Some(Smith::Separable) && audit.form.is_none() && audit.two_lobes.is_none();
+    let said: Vec<String> = said.chain(is_other.then(|| form.words.into())).collect();
+    if said.is_empty() || audit.fit == Fit::None { String::new() } else { format!(" ({})", said.join(", ")) }
 }
 
 /// Words without an explanation in brackets behind them: `theta along x`, `k = (r + 1)^2/8`.

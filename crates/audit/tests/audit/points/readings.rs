@@ -171,3 +171,29 @@ fn point_13_rounding_is_claimed_where_it_explains_every_texel() {
     let (named, worst) = steps(&table(&[("R", &worse)]));
     assert!(!named && worst > 0.5e-3, "{worst}");
 }
+
+/// A roughness that is held from below at 0.2, which no list of clamps has; and a table that was enlarged from
+/// eight texels a side, which has no clamp at all.
+#[test]
+fn clamps_are_seen_and_not_invented() {
+    let held = |y: usize| at(y).max(0.2) * at(y).max(0.2);
+    let of = |y: usize, x: usize| both(Smith::Correlated, held(y), at(x));
+    let clamped = table(&[("R", &|x, y| of(y, x).0 - of(y, x).1), ("G", &|x, y| of(y, x).1)]);
+    let found = reflection_of(&clamped);
+    let [mu, roughness] = [0, 1].map(|k| found.best().axes[k].floor);
+    assert!(mu == 0.0 && (0.03..0.06).contains(&roughness), "{mu} {roughness}");
+    assert!(found.fit == Fit::Whole && found.worst() < 0.02, "{}", found.worst());
+
+    let small = |i: usize| (i as f64 + 0.5) / 8.0;
+    let lattice: Vec<f64> =
+        (0..64).map(|i| both(Smith::Correlated, small(i / 8) * small(i / 8), small(i % 8)).0).collect();
+    let enlarged = |x: usize, y: usize| {
+        let place = |i: usize| 7.0 * i as f64 / 31.0;
+        let (i, j) = ((place(x) as usize).min(6), (place(y) as usize).min(6));
+        let (s, t) = (place(x) - i as f64, place(y) - j as f64);
+        let row = |j: usize| lattice[8 * j + i] * (1.0 - s) + lattice[8 * j + i + 1] * s;
+        row(j) * (1.0 - t) + row(j + 1) * t
+    };
+    let found = reflection_of(&plane([32; 2], &[("R", &enlarged)]));
+    assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
+}
