@@ -18,8 +18,8 @@ pub struct Plan {
     pub scene: String,
     /// Effects that the scene calls for, in the order of the catalogue.
     pub effects: Vec<Called>,
-    /// Every other effect of the catalogue, with the reason; and of those that are called for, why materials that
-    /// ask for it get nothing.
+    /// Every other effect of the catalogue, with the reason; and of those that are called for, why
+    /// materials that ask for it get nothing.
     pub left_out: Vec<LeftOut>,
     /// The effects that the scene could have called for.
     #[serde(skip)]

@@ -156,8 +156,9 @@ impl<'a> Lines<'a> {
         places
     }
 
-    /// Root mean square of the differences of lines of the table or of its truth from the first of them, beside what
-    /// the values span; the largest of the channels. What stands at the largest value may be clamped itself.
+    /// Root mean square of the differences of lines of the table or of its truth from the first of them,
+    /// beside what the values span; the largest of the channels. What stands at the largest value may be
+    /// clamped itself.
     fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize]) -> f64 {
         let dims = self.sample.dims();
         let step: usize = dims[..axis].iter().product();
@@ -175,8 +176,8 @@ impl<'a> Lines<'a> {
         of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
     }
 
-    /// Whether what a floor makes one differs nearly as much as without it. Of one line alone that cannot be seen:
-    /// it has to lie far below the floor, both taken from the `least` that an input can be.
+    /// Whether what a floor makes one differs nearly as much as without it. Of one line alone that cannot
+    /// be seen: it has to lie far below the floor, both taken from the `least` that an input can be.
     fn differ(&self, axis: usize, reading: &AxisReading, [least, floor]: [f64; 2]) -> bool {
         let lines = self.below(axis, reading, floor);
         match lines[..] {
@@ -189,8 +190,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// What an input was clamped to by the look of it: where the first lines are the same, the last of them, or
-    /// between that and the next.
+    /// What an input was clamped to by the look of it: where the first lines are the same, the last of
+    /// them, or between that and the next.
     fn held(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         let nodes = self.sample.nodes(axis, reading);
         let lines = self.below(axis, reading, f64::INFINITY);

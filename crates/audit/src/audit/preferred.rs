@@ -27,8 +27,8 @@ const OVERWHELMING: f64 = 20.0;
 /// may not grow either.
 const LESSENED: f64 = 0.7;
 
-/// How much better end points must rank than centres to be taken for them, and a reading of arguments than the
-/// usual one.
+/// How much better end points must rank than centres to be taken for them, and a reading of arguments than
+/// the usual one.
 const LIKELY: f64 = 1.2;
 
 /// The conventions with the plain form of the first before it, where that is preferred: all axes at

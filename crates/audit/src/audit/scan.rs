@@ -58,8 +58,8 @@ impl Found {
         })
     }
 
-    /// Puts the figures of all texels in the place of those of a lattice, but for the median, and single texels
-    /// that stand out in the place of those that the lattice has.
+    /// Puts the figures of all texels in the place of those of a lattice, but for the median, and single
+    /// texels that stand out in the place of those that the lattice has.
     fn put(self, channel: &mut ChannelAudit, size: &[usize]) {
         let part = self.part(size);
         let (Some(own), Some(found)) = (&channel.errors, self.errors) else { return };

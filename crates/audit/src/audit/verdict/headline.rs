@@ -27,8 +27,9 @@ pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> St
     first_line([&what, called, &found], &more, &said_limit(limit))
 }
 
-/// Where alpha runs along an axis of a table, or an argument that is called a roughness is alpha: most shaders
-/// pass a roughness. And where the shadowing is another than the one that is meant where nothing is said.
+/// Where alpha runs along an axis of a table, or an argument that is called a roughness is alpha: most
+/// shaders pass a roughness. And where the shadowing is another than the one that is meant where nothing is
+/// said.
 fn aside(audit: &Audit) -> String {
     let is_alpha = |axis: &AxisReading| axis.scale == Scale::Alpha && !axis.reversed;
     let axes = audit.axes.iter().zip(&audit.best().axes).filter(|(_, axis)| is_alpha(axis));

@@ -172,8 +172,8 @@ fn point_13_rounding_is_claimed_where_it_explains_every_texel() {
     assert!(!named && worst > 0.5e-3, "{worst}");
 }
 
-/// A roughness that is held from below at 0.2, which no list of clamps has; and a table that was enlarged from
-/// eight texels a side, which has no clamp at all.
+/// A roughness that is held from below at 0.2, which no list of clamps has; and a table that was enlarged
+/// from eight texels a side, which has no clamp at all.
 #[test]
 fn clamps_are_seen_and_not_invented() {
     let held = |y: usize| at(y).max(0.2) * at(y).max(0.2);
