@@ -5,6 +5,7 @@ use super::block::{About, block};
 use super::column::Column;
 use super::errors::Residuals;
 use super::extent::Extent;
+use super::line::line;
 use super::spikes::{are_apart, spikes};
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
@@ -168,7 +169,13 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
     if found.is_empty() {
         let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
-        found.extend(part(r, grain).or_else(|| edge(r, grain)).or_else(|| block(r)).or_else(spikes));
+        found.extend(
+            part(r, grain)
+                .or_else(|| edge(r, grain))
+                .or_else(|| block(r))
+                .or_else(spikes)
+                .or_else(|| line(r, grain)),
+        );
     }
     let part =
         found.iter().find_map(|d| if let Defect::Part { extent, .. } = d { Some(extent) } else { None });

@@ -25,6 +25,7 @@ mod extent;
 mod found;
 mod function;
 mod judge;
+mod line;
 mod lobe;
 mod lookup;
 mod optimised;

@@ -131,6 +131,17 @@ fn a_block_is_named_with_its_place_and_its_error() {
     assert_eq!(said.matches("make the texels at").count(), 1, "{said}");
 }
 
+/// A line that holds what its neighbour holds, whose errors fade and change their sign along it.
+#[test]
+fn a_line_of_its_neighbour_is_named() {
+    let texels = exact(&|_, _, t| t);
+    let texel = |x: usize, y: usize| [0, 1].map(|k| texels.channels[k].values[N * y + x]);
+    for (row, from) in [(40, 38), (N - 1, N - 2)] {
+        let found = reflection_of(&exact(&|x, y, t| if y == row { texel(x, from) } else { t }));
+        holds(&line(&found, None), &["FAIL ", &format!("y = {row}, elsewhere by RMS ")]);
+    }
+}
+
 #[test]
 fn a_corner_that_was_never_filled_is_named_in_a_table_of_samples() {
     let corner = |x: usize, y: usize, t| if (x, y) == (0, 0) { [0.0; 2] } else { t };

@@ -1,0 +1,34 @@
+//! A row, column or slice that departs from all others of its axis: one that was not made again, or holds what
+//! its neighbour holds.
+
+use super::defects::{Defect, Grain, SEEN, of_extent};
+use super::errors::Residuals;
+use super::extent::Extent;
+use super::table::place;
+
+/// A line stands out where its root mean square is this many times that of any other, and at an end of an
+/// axis, where errors grow by themselves, that.
+const APART: f64 = 6.0;
+const APART_AT_END: f64 = 24.0;
+
+/// Fewest lines of an axis of which one may stand out.
+const LINES: usize = 5;
+
+/// The line that stands out so.
+pub(super) fn line(r: &Residuals, grain: Grain) -> Option<Defect> {
+    let dims = r.sample.dims();
+    let least = SEEN * r.spread();
+    (0..dims.len()).filter(|axis| dims.len() > 1 && dims[*axis] >= LINES).find_map(|axis| {
+        let mut lines = vec![Vec::new(); dims[axis]];
+        r.judged.iter().for_each(|i| lines[place(*i, &dims)[axis]].push(*i));
+        let rms: Vec<f64> = lines.iter().map(|line| r.rms(line)).collect();
+        let worst = (0..rms.len()).max_by(|a, b| rms[*a].total_cmp(&rms[*b]))?;
+        let others = (0..rms.len()).filter(|k| *k != worst).map(|k| rms[k]).fold(0.0, f64::max);
+        let at_end = worst == 0 || worst + 1 == rms.len();
+        let apart = if at_end { APART_AT_END } else { APART };
+        let off = &lines[worst];
+        let is_seen = off.iter().any(|i| r.errors[*i].abs() > least.max(grain.leaves(r, *i)));
+        let stands_out = rms[worst] > apart * others && is_seen;
+        stands_out.then(|| of_extent(r, Extent::of(r.sample, off), off, others))
+    })
+}
