@@ -1,14 +1,15 @@
-//! A row, column or slice that departs from all others of its axis: one that was not made again, or holds what
-//! its neighbour holds.
+//! A row, column or slice that departs from all others of its axis: one that was not made again, or holds
+//! what its neighbour holds.
 
 use super::defects::{Defect, Grain, SEEN, of_extent};
 use super::errors::Residuals;
 use super::extent::Extent;
 use super::table::place;
 
-/// A line stands out where its root mean square is this many times that of any other, and at an end of an
-/// axis, where errors grow by themselves, that.
+/// A line stands out where its root mean square is this many times that of any other.
 const APART: f64 = 6.0;
+
+/// The same at an end of an axis, where errors grow by themselves.
 const APART_AT_END: f64 = 24.0;
 
 /// Fewest lines of an axis of which one may stand out.

@@ -75,14 +75,16 @@ impl Found {
             matches!(d, Defect::Part { .. } | Defect::Clamped { .. } | Defect::MissingLoss { .. })
         };
         let is_explained = channel.defects.iter().any(|d| explains(d) && !is_single(d));
-        if let Some(part) = part.filter(|_| !is_explained) {
+        let part = part.filter(|_| !is_explained);
+        let stands_out = part.is_some();
+        if let Some(part) = part {
             let is_of_all = |d: &Defect| matches!(d, Defect::Steps { .. } | Defect::Bias { .. });
             channel.defects.retain(|d| !is_single(d) && !is_of_all(d));
             channel.defects.push(part);
         }
         for defect in &mut channel.defects {
             match defect {
-                Defect::Noise { apart, .. } => *apart |= !is_explained && !self.alone.is_empty(),
+                Defect::Noise { apart, .. } => *apart |= stands_out,
                 Defect::Sampled { texels, .. } => *texels = [self.over, judged],
                 _ => {}
             }
