@@ -27,7 +27,7 @@ fn odd(size: &[usize], step: Step) -> AuditedTable {
     }
 }
 
-/// A file that follows nothing is the dearest, for everything is tried on it: four encodings,
+/// A file that follows nothing is the dearest, for everything is tried on it: five encodings,
 /// other quantities, each channel. One truth serves all of these, and what loses is judged at few texels.
 #[test]
 fn a_file_of_nothing_stays_within_a_budget() {
@@ -38,10 +38,10 @@ fn a_file_of_nothing_stays_within_a_budget() {
         let after = work();
         [after[0] - before[0], after[1] - before[1]]
     };
-    let picture = spent(&odd(&[48, 48], Step::Unorm8), "ggx-reflection", &Fixed::default());
+    let picture = spent(&odd(&[48, 48], Step::Unorm(8)), "ggx-reflection", &Fixed::default());
     let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false), (Scale::IorUnit, false)]);
     let solid = spent(&odd(&[24, 24, 24], Step::None), "ggx-glass", &Fixed { axes, ..Fixed::default() });
     println!("{picture:?} {solid:?}");
-    assert!(picture[0] < 12_000 && picture[1] < 180_000_000, "{picture:?}");
+    assert!(picture[0] < 12_000 && picture[1] < 210_000_000, "{picture:?}");
     assert!(solid[0] < 140_000 && solid[1] < 20_000_000, "{solid:?}");
 }

@@ -45,6 +45,8 @@ pub enum Scale {
     Alpha,
     /// alpha = x^2.
     Roughness,
+    /// alpha = x^3.
+    RoughnessThird,
     /// alpha = x^4.
     RoughnessFourth,
     /// alpha = sqrt(x).
@@ -117,9 +119,10 @@ impl PartialEq for Span {
 impl Eq for Span {}
 
 /// Every scale; of those of an input the usual ones first.
-pub const SCALES: [Scale; 25] = [
+pub const SCALES: [Scale; 26] = [
     Scale::Roughness,
     Scale::Alpha,
+    Scale::RoughnessThird,
     Scale::RoughnessFourth,
     Scale::AlphaSquared,
     Scale::Mu,
@@ -153,6 +156,7 @@ impl Scale {
         match self {
             Scale::Alpha => (Alpha, "alpha", |x| x),
             Scale::Roughness => (Alpha, "roughness", |x| x * x),
+            Scale::RoughnessThird => (Alpha, "alpha^(1/3)", |x| x * x * x),
             Scale::RoughnessFourth => (Alpha, "alpha^(1/4)", |x| x * x * x * x),
             Scale::AlphaSquared => (Alpha, "alpha^2", f64::sqrt),
             Scale::Mu => (Mu, "mu", |x| x),

@@ -63,7 +63,10 @@ impl<'a> Search<'a> {
         check_axes(table, &truth)?;
         fixed.check(&truth, table.size.len(), live.len())?;
         let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
-        let roles = table.axes.iter().map(role).collect();
+        let mut roles: Vec<_> = table.axes.iter().map(role).collect();
+        if fixed.swapped {
+            roles.reverse();
+        }
         let sampled =
             Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
         let fixed = if table.source == Source::Function { sampled } else { fixed.clone() };

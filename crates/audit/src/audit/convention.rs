@@ -5,11 +5,15 @@ use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
 use super::encoded::Encoding;
 use super::lobe::{Form, Lobe};
+use super::table::Source;
 use super::truth::Truth;
 use lobefit_truth::integrate::glass::Side;
 
 /// The word of `--meaning` for a channel that is left out.
 pub const LEFT_OUT: &str = "-";
+
+/// What tells the inputs of a function, as no option does.
+pub(super) const NAMES: &str = "the names of its arguments";
 
 /// One way to read a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +51,8 @@ pub struct Fixed {
     pub points: usize,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
+    /// Of a function of two arguments: each is given what the name of the other tells.
+    pub swapped: bool,
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
     /// [`sampled_inverse`](super::sampled_inverse) does.
     pub inverse: bool,
@@ -57,12 +63,14 @@ pub struct Fixed {
 impl Fixed {
     /// Whether nothing but the column, and where and how strictly it is judged, is given.
     pub fn is_free(&self) -> bool {
-        Fixed { column: None, inverse: false, samples: None, points: 0, domain: Vec::new(), ..self.clone() }
-            == Fixed::default()
+        let free = Fixed { swapped: false, inverse: false, samples: None, points: 0, ..self.clone() };
+        Fixed { column: None, domain: Vec::new(), ..free } == Fixed::default()
     }
 
-    /// The same without one of what is given, and at last without all of it; by the option.
-    pub fn without(&self) -> Vec<(&'static str, Fixed)> {
+    /// The same without one of what is given, and at last without all of it; by the option. Of a function
+    /// the names of its arguments are given.
+    pub fn without(&self, source: Source) -> Vec<(&'static str, Fixed)> {
+        let of_function = source == Source::Function && self.axes.is_none();
         let own = || self.clone();
         let free =
             Fixed { inverse: self.inverse, samples: self.samples, points: self.points, ..Fixed::default() };
@@ -74,6 +82,7 @@ impl Fixed {
             ("--meaning", Fixed { meanings: None, ..own() }),
             ("--encoding", Fixed { encoding: None, ..own() }),
             ("--clamp", Fixed { floors: Vec::new(), ..own() }),
+            (NAMES, Fixed { swapped: of_function, ..own() }),
             ("those options", Fixed { column: self.column, domain: self.domain.clone(), ..free }),
         ];
         all.into_iter().filter(|(_, fixed)| fixed != self).collect()

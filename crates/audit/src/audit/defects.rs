@@ -3,6 +3,7 @@
 use super::FITS;
 use super::block::{About, block};
 use super::column::Column;
+use super::enlarged::Enlarged;
 use super::errors::Residuals;
 use super::extent::Extent;
 use super::line::line;
@@ -56,6 +57,8 @@ pub enum Defect {
     },
     /// A part of the table is of the other shadowing form.
     OtherLobe(TwoLobes),
+    /// It is a smaller table made larger.
+    Enlarged(Enlarged),
     /// All values are too high or too low.
     Bias {
         /// Mean error.
@@ -389,11 +392,20 @@ fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<
     Some(Defect::MissingLoss { stored: quarter, alpha, worst: worst.2, texel: worst.3 })
 }
 
+/// Bits of a channel of the formats that pictures of 8 bits are made of: 4444, 565.
+const FEW_BITS: [u32; 3] = [4, 5, 6];
+
 /// What the values of a channel are rounded to: the file's word, or for a file that can hold more
 /// than was put into it the coarsest format that all values fit.
 pub(super) fn stored(step: Step, values: &[f64]) -> Step {
+    let few = |bits: &u32| {
+        let most = f64::from((1_u32 << bits) - 1);
+        // Within half a step of 8 bits.
+        values.iter().all(|v| (v * most - (v * most).round()).abs() <= most * 0.51 / 255.0)
+    };
     if step != Step::None || values.len() < 16 {
-        return step;
+        let coarse = FEW_BITS.iter().find(|bits| step == Step::Unorm(8) && values.len() >= 16 && few(bits));
+        return coarse.map_or(step, |bits| Step::Unorm(*bits));
     }
     let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     // A single holds a multiple of 1/n to 6e-8 of itself.
@@ -402,19 +414,19 @@ pub(super) fn stored(step: Step, values: &[f64]) -> Step {
     let halves = || values.iter().all(|v| half::f16::from_f64(*v).to_f64() == *v);
     let decimals = |d: u32| (0..d).fold(1.0, |n, _| n * 10.0);
     let formats = [
-        Step::Unorm8,
+        Step::Unorm(8),
         Step::Decimals(3),
-        Step::Unorm10,
+        Step::Unorm(10),
         Step::Half,
         Step::Decimals(4),
-        Step::Unorm16,
+        Step::Unorm(16),
         Step::Decimals(5),
         Step::Decimals(6),
     ];
     let fits = |format: &Step| match format {
-        Step::Unorm8 => multiples(255.0),
-        Step::Unorm10 => multiples(1023.0),
-        Step::Unorm16 => multiples(65535.0),
+        Step::Unorm(8) => multiples(255.0),
+        Step::Unorm(10) => multiples(1023.0),
+        Step::Unorm(16) => multiples(65535.0),
         Step::Decimals(d) => multiples(decimals(*d)),
         _ => halves(),
     };

@@ -37,18 +37,25 @@ pub struct Encoding {
 }
 
 /// Every encoding for display, or to hold more than the format can; a constant factor is one too.
-pub static ENCODINGS: [Encoding; 4] = [
+pub static ENCODINGS: [Encoding; 5] = [
     Encoding {
         word: "srgb",
         name: "sRGB",
         remedy: "its values were encoded for display: store them as they are, or sample it as an sRGB texture",
         decode: |x, _| srgb::decoded(x),
         step: |stored| match stored {
-            Step::Unorm8 => Step::Srgb(255),
-            Step::Unorm10 => Step::Srgb(1023),
-            Step::Unorm16 => Step::Srgb(65535),
+            Step::Unorm(bits) => Step::Srgb((1 << bits) - 1),
             _ => Step::None,
         },
+        factor: 1.0,
+        takes_alpha: false,
+    },
+    Encoding {
+        word: "gamma-2.2",
+        name: "gamma 2.2",
+        remedy: "its values were encoded for display: store them as they are",
+        decode: |x, _| ops::pow(x, 2.2),
+        step: |stored| if stored == Step::Unorm(8) { Step::Rgbd(22) } else { Step::None },
         factor: 1.0,
         takes_alpha: false,
     },
@@ -87,6 +94,9 @@ const FACTORS: [(f64, &str); 6] =
 
 /// A factor is one of these within this share of it, and 1 as well.
 const NEAR: f64 = 0.02;
+
+/// Share of the misfit of one encoding that another of a table that follows both may leave to be taken.
+const NEARER: f64 = 0.9;
 
 /// How the word of a constant factor begins.
 const TIMES: &str = "times=";
@@ -137,7 +147,7 @@ impl Encoding {
         // Beside three colours alpha is none of them.
         let colours = table.channels.iter().filter(|c| !self.is_of_colours() || c.name != "A");
         let alphas = match (alpha, self.takes_alpha) {
-            (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm8 => &alpha.values,
+            (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm(8) => &alpha.values,
             (_, true) => return None,
             (_, false) => &table.channels[0].values,
         };
@@ -151,9 +161,10 @@ impl Encoding {
         let unit = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
         let step = (self.step)(stored(table.step, &table.channels[0].values));
         let decoded = AuditedTable { channels, step, scale: self.factor, ..table.clone() };
-        // A Radiance picture is linear.
-        let held = !self.is_of_colours() || unit && table.step != Step::Rgbe;
-        (finite && held && !decoded.channels.is_empty() && table.source == Source::Table).then_some(decoded)
+        // A Radiance picture is linear, and so is a function.
+        let is_picture = unit && table.step != Step::Rgbe && table.source == Source::Table;
+        let held = !self.is_of_colours() || is_picture;
+        (finite && held && !decoded.channels.is_empty()).then_some(decoded)
     }
 
     /// Its name, of an encoding for display behind some words.
@@ -200,6 +211,7 @@ pub(super) fn found(
     if done.fit != Fit::None || case.table.size.len() > AXES || fixed.encoding.is_some() {
         return Ok(None);
     }
+    let mut nearest: Option<(f64, &Encoding)> = None;
     for encoding in ENCODINGS.iter().chain(factors(case, quantity)) {
         let Some(linear) = encoding.undone(case.table) else { continue };
         let Ok(live) = linear.live(said) else { continue };
@@ -211,13 +223,18 @@ pub(super) fn found(
         // A channel of another quantity does not condemn the others.
         let some = said.is_none() && likely.len() > 1;
         let all = likely.len() == live.len() || some;
-        if all && follows(&Case { live: &likely, ..case }, quantity)?
-            || some && apart::following(&Case { live: &likely, ..case }, quantity)?.len() > 1
-        {
-            return Ok(Some(encoding));
+        let case = Case { live: &likely, ..case };
+        let whole = if all { off(&case, quantity)? } else { f64::INFINITY };
+        let off = match whole <= FITS {
+            false if some && apart::following(&case, quantity)?.len() > 1 => FITS,
+            _ => whole,
+        };
+        // sRGB and a gamma are near to each other.
+        if off <= FITS && nearest.is_none_or(|(least, _)| off < NEARER * least) {
+            nearest = Some((off, encoding));
         }
     }
-    Ok(None)
+    Ok(nearest.map(|(_, encoding)| encoding))
 }
 
 /// Constant factors that a table may have: of a lobe whose albedo is 1 where it is smooth the largest value.
@@ -234,5 +251,10 @@ fn factors(case: &Case, quantity: &dyn Quantity) -> Vec<&'static Encoding> {
 
 /// Whether a table follows a convention, as far as some of its texels tell.
 pub(super) fn follows(case: &Case, quantity: &dyn Quantity) -> Result<bool, AuditError> {
-    Ok(best(case, quantity)?.is_some_and(|best| best.off <= FITS))
+    Ok(off(case, quantity)? <= FITS)
+}
+
+/// The largest misfit of a channel under the best convention, as far as some of its texels tell.
+fn off(case: &Case, quantity: &dyn Quantity) -> Result<f64, AuditError> {
+    Ok(best(case, quantity)?.map_or(f64::INFINITY, |best| best.off))
 }

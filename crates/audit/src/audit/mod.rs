@@ -19,6 +19,7 @@ mod declared;
 mod defects;
 mod encoded;
 mod energy;
+mod enlarged;
 mod error;
 mod errors;
 mod extent;
@@ -50,6 +51,7 @@ pub use convention::{Convention, Fixed, LEFT_OUT, Misfit};
 pub use declared::{Declared, Held, declared, declared_findings, stated_quantity};
 pub use defects::Defect;
 pub use encoded::{ENCODINGS, Encoding};
+pub use enlarged::Enlarged;
 pub use error::AuditError;
 pub use errors::{Drawn, TexelErrors};
 pub use extent::Extent;
@@ -90,7 +92,8 @@ pub const FUNCTION_FITS: f64 = 0.1;
 /// Root mean square over that of the best four fifths of a table of which a part may be of another lobe.
 const UNEVEN: f64 = 3.0;
 
-/// How much worse the next convention must rank for the best to be in no doubt.
+/// How much worse the next convention must rank for the best to be in no doubt, and how much better an
+/// unusual reading of a function's arguments for it to be taken.
 pub const CLEAR: f64 = 2.0;
 
 /// Conventions that are reported.
@@ -319,6 +322,7 @@ fn finish(
         Source::Function => None,
     };
     let sum = energy::Sum::of(&sample, &convention, live);
+    let enlarged = Enlarged::of(table, live);
     let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -338,6 +342,9 @@ fn finish(
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
         let defects = match (table.source, &two_lobes) {
             (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
+            (Source::Table, None) if enlarged.is_some() => {
+                enlarged.iter().filter(|_| place == 0).cloned().map(Defect::Enlarged).collect()
+            }
             (Source::Table, None) => defects::defects(&residuals, grain, alpha),
             (Source::Function, None) => defects::of_function(&residuals),
         };
@@ -454,7 +461,8 @@ fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[D
         return if dead { Fit::Part } else { Fit::Whole };
     }
     let spread = residuals.bounded(&residuals.judged);
-    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    let explained =
+        |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. } | Defect::Enlarged(_));
     if defects.iter().any(explained) && errors.median <= allowed * spread { Fit::Part } else { Fit::None }
 }
 

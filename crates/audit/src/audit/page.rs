@@ -118,6 +118,7 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::Sampled { .. } => "sampled",
         Defect::MissingLoss { .. } => "missing-loss",
         Defect::OtherLobe(_) => "other-lobe",
+        Defect::Enlarged(_) => "enlarged",
     }
 }
 

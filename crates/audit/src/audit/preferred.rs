@@ -14,7 +14,7 @@ use super::plain::is_usual;
 use super::sample::{Candidate, Fitted, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
-use super::{LAST, Registration};
+use super::{CLEAR, LAST, Registration};
 
 /// How much worse the plain reading must rank for another to be right beyond doubt.
 const BEYOND_DOUBT: f64 = 3.0;
@@ -27,8 +27,7 @@ const OVERWHELMING: f64 = 20.0;
 /// may not grow either.
 const LESSENED: f64 = 0.7;
 
-/// How much better end points must rank than centres to be taken for them, and a reading of arguments than
-/// the usual one.
+/// How much better end points must rank than centres to be taken for them.
 const LIKELY: f64 = 1.2;
 
 /// The conventions with the plain form of the first before it, where that is preferred: all axes at
@@ -43,7 +42,7 @@ pub(super) fn plain_first(
     if table.source == Source::Function && fixed.axes.is_none() {
         let is_nearly = |c: &Candidate| {
             let Fitted { rank, columns, .. } = &found[0].fitted;
-            c.fitted.rank <= LIKELY * rank && c.fitted.columns == *columns
+            c.fitted.rank <= CLEAR * rank && c.fitted.columns == *columns
         };
         let usual = |c: &Candidate| table.axes.iter().zip(&c.axes).all(|(name, axis)| is_usual(name, axis));
         if let Some(k) = found.iter().position(|c| usual(c) && is_nearly(c)) {

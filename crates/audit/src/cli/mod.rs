@@ -237,12 +237,16 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
         verdict: audit.verdict(options.limit),
     };
     let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
-    if options_fit_nothing(&done) {
-        for (without, fixed) in own.without() {
+    if done.fit == audit::Fit::None {
+        for (without, fixed) in own.without(audited.source) {
             progress.stage(&format!("the same without {without}"));
             let other = judge(&fixed)?;
-            beside = Some(otherwise(without, &other));
-            if other.fit != audit::Fit::Whole {
+            let follows = other.fit == audit::Fit::Whole || fixed.swapped && other.published.is_some();
+            // Of names nothing is said where they do not matter.
+            if follows || !fixed.swapped {
+                beside = Some(otherwise(without, &other));
+            }
+            if !follows {
                 continue;
             }
             if own.form.is_some() && fixed.form.is_none() {
@@ -303,10 +307,6 @@ fn publish(
         print(format!("{}\n{beside}{cost}", found.verdict).as_bytes())?;
     }
     Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
-}
-
-fn options_fit_nothing(done: &Audit) -> bool {
-    done.fixed && done.fit == audit::Fit::None
 }
 
 /// Extensions of shaders.
@@ -435,6 +435,7 @@ fn fixed(options: &Asked) -> Result<Fixed, CliError> {
         samples: options.samples.map(NonZero::get),
         points: options.points,
         roles: None,
+        swapped: false,
         inverse: false,
         domain: words::domain(&options.domain, &options.axes),
     })

@@ -221,8 +221,8 @@ impl Beside {
             values: (0..texels).map(|t| value(t * stored + c)).collect::<Vec<_>>().into(),
         };
         let step = match self.said.format {
-            TexelFormat::Unorm8 => Step::Unorm8,
-            TexelFormat::Unorm16 => Step::Unorm16,
+            TexelFormat::Unorm8 => Step::Unorm(8),
+            TexelFormat::Unorm16 => Step::Unorm(16),
             TexelFormat::F16 => Step::Half,
             TexelFormat::F32 => Step::None,
         };

@@ -12,12 +12,8 @@ pub enum Step {
     None,
     /// IEEE half.
     Half,
-    /// Integers / 255.
-    Unorm8,
-    /// Integers / 1023.
-    Unorm10,
-    /// Integers / 65535.
-    Unorm16,
+    /// Integers of so many bits over the largest.
+    Unorm(u32),
     /// Mantissas of 8 bits under the exponent of the largest of three.
     Rgbe,
     /// Integers over this many, decoded from sRGB.
@@ -41,9 +37,7 @@ impl Step {
                 let gap = next.to_f64() - f16::from_bits(bits).to_f64();
                 if gap.is_finite() { 0.5 * gap } else { 16.0 }
             }
-            Step::Unorm8 => 0.5 / 255.0,
-            Step::Unorm10 => 0.5 / 1023.0,
-            Step::Unorm16 => 0.5 / 65535.0,
+            Step::Unorm(bits) => 0.5 / f64::from((1_u32 << bits) - 1),
             // Of the largest of the three: what is known of one alone.
             Step::Rgbe if x == 0.0 => 0.0,
             Step::Rgbe => 0.5 * ops::exp2(ops::log2(x.abs()).floor() - 7.0),
@@ -64,9 +58,7 @@ impl Step {
         match self {
             Step::None => "single or better".into(),
             Step::Half => "half".into(),
-            Step::Unorm8 => "8-bit unorm".into(),
-            Step::Unorm10 => "10-bit unorm".into(),
-            Step::Unorm16 => "16-bit unorm".into(),
+            Step::Unorm(bits) => format!("{bits}-bit unorm"),
             Step::Rgbe => "RGBE".into(),
             Step::Srgb(n) => format!("{}-bit sRGB", (n + 1).ilog2()),
             Step::Rgbd(_) => "8-bit RGBD".into(),
@@ -158,8 +150,8 @@ impl RawFormat {
         match self {
             RawFormat::F16 => Step::Half,
             RawFormat::F32 | RawFormat::F64 => Step::None,
-            RawFormat::Unorm8 => Step::Unorm8,
-            RawFormat::Unorm16 => Step::Unorm16,
+            RawFormat::Unorm8 => Step::Unorm(8),
+            RawFormat::Unorm16 => Step::Unorm(16),
         }
     }
 

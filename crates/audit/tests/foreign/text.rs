@@ -139,7 +139,7 @@ fn integers_need_a_format() {
     assert!(message.contains("1:1") && message.contains("unorm16"), "{message}");
     let unorm = Hints { size: size.clone(), format: Some(RawFormat::Unorm16), ..Hints::default() };
     let table = &tables(&text, "t.h", &unorm)[0];
-    assert_eq!((table.channels[0].values[2], table.step), (2000.0 / 65535.0, Step::Unorm16));
+    assert_eq!((table.channels[0].values[2], table.step), (2000.0 / 65535.0, Step::Unorm(16)));
     let bytes = Hints { size, format: Some(RawFormat::Unorm8), ..Hints::default() };
     assert!(refused(&text, &bytes).contains("63000 are no unorm8"));
 }
@@ -234,11 +234,11 @@ fn numbers_of_every_language_and_no_others() {
         ("4lf", None, 4.0, Step::Decimals(0)),
         ("1.5f16", None, 1.5, Step::Decimals(1)),
         ("1_0.0", None, 10.0, Step::Decimals(1)),
-        ("3", Some(Unorm16), of(3.0), Step::Unorm16),
-        ("1_000", Some(Unorm16), of(1000.0), Step::Unorm16),
-        ("7u", Some(Unorm16), of(7.0), Step::Unorm16),
-        ("9n", Some(Unorm16), of(9.0), Step::Unorm16),
-        ("0x3c00", Some(Unorm16), of(15360.0), Step::Unorm16),
+        ("3", Some(Unorm16), of(3.0), Step::Unorm(16)),
+        ("1_000", Some(Unorm16), of(1000.0), Step::Unorm(16)),
+        ("7u", Some(Unorm16), of(7.0), Step::Unorm(16)),
+        ("9n", Some(Unorm16), of(9.0), Step::Unorm(16)),
+        ("0x3c00", Some(Unorm16), of(15360.0), Step::Unorm(16)),
         ("0x3c00", None, 1.0, Step::Half),
         ("15360", Some(F16), 1.0, Step::Half),
         ("0x3f80_0000u32", Some(F32), 1.0, Step::None),
@@ -331,5 +331,5 @@ fn steps_are_half_the_distance_of_neighbours() {
     assert_eq!(Step::Half.rounding(0.0), 0.5 / 16_777_216.0);
     assert_eq!(Step::Half.rounding(65504.0), 16.0, "the largest half");
     assert!((Step::Decimals(3).rounding(7.0) - 5e-4).abs() < 1e-18);
-    assert_eq!(Step::Unorm8.rounding(0.3), 0.5 / 255.0);
+    assert_eq!(Step::Unorm(8).rounding(0.3), 0.5 / 255.0);
 }

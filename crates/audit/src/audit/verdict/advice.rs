@@ -7,6 +7,8 @@ use super::drop_in::drop_in;
 use super::points::{LIKELY, SAME};
 use super::words::{excluded, listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
+use crate::audit::convention::NAMES;
+use crate::audit::enlarged::{Enlarged, by};
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
 use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
@@ -21,6 +23,10 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         let dead =
             audit.channels.iter().flat_map(|c| &c.defects).filter(|d| matches!(d, Defect::Dead { .. }));
         let mut steps = vec![match excluded(audit) {
+            Some(_) if audit.excluded == Some(NAMES) => {
+                let names = audit.axes.iter().map(String::as_str).collect::<Vec<_>>();
+                format!("{} stand in the wrong order, in it or where it calls another", listed(&names))
+            }
             Some(said) => format!("read it as it is, or make it again as {said}"),
             None => format!("do not ship it as this quantity: {told}"),
         }];
@@ -104,6 +110,12 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
             let (line, name) = (LINES[*axis], &axes[*axis]);
             return Some(format!(
                 "fill {line} {name} = {index}: take a coordinate near that end, by 0.001, where the end itself has no value"
+            ));
+        }
+        Defect::Enlarged(Enlarged { from, .. }) => {
+            let from = by(from);
+            return Some(format!(
+                "store the {from} texels that it was made from, or make it at its own size"
             ));
         }
         Defect::Clamped { .. } if source == Source::Function => {

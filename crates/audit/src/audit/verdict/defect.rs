@@ -42,6 +42,9 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 number(parts.max)
             )
         }
+        Defect::Enlarged(from) => {
+            format!("It is a table of {from}: of that it holds no more than the smaller one does.")
+        }
         Defect::Bias { mean } => {
             format!(
                 "The error is mostly a bias: values are {} {} on average.",

@@ -230,6 +230,12 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
             );
             return Some(Told::new(Kind::Texel, &column, (rest.max, &rest.at), found));
         }
+        Defect::Enlarged(from) => {
+            let (column, worst) = worst(audit, false)?;
+            let (max, at) = (number(worst.max) + &self::of(audit, &column), place(&worst.at));
+            let found = format!(" is of {from}: off by at most {max} at {at}");
+            return Some(Told::new(Kind::Damage, &column, (worst.max, &worst.at), found));
+        }
         Defect::Clamped { value, truth, texel, .. } => {
             let (held, there) = (number(*value), number(*truth));
             let found = format!(" stands at {held}{of} where the truth goes on to {there}");

@@ -6,11 +6,13 @@ use super::reason::reason;
 use super::words::{listed, number, percent, place, reading, readings_differ};
 use super::{Grade, Verdict, advice, defect, words};
 use crate::audit::axis::Registration;
+use crate::audit::best::CLOSE;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
+use crate::audit::errors::TexelErrors;
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
-use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, Tried, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 pub(super) const SAME: f64 = 1e-6;
@@ -74,18 +76,33 @@ pub(super) fn has_unknown(audit: &Audit) -> bool {
     !audit.excused && audit.channels.iter().any(|c| c.other == Some(Other::Unknown))
 }
 
-/// Whether a function follows another reading nearly as well, and its own not as closely as a table has to.
+/// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
+/// or a table another lobe or other columns, where neither noise nor rounding explains its errors.
 pub(super) fn is_ambiguous(audit: &Audit) -> bool {
+    let is_table = audit.source == Source::Table;
+    let close = if is_table { CLOSE } else { FITS };
+    let explains =
+        |d: &Defect| matches!(d, Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. });
     let is_far = |c: &ChannelAudit| {
         let [low, high] = c
             .truth
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
-        c.errors.as_ref().is_some_and(|errors| errors.rms > FITS * (high - low))
+        let is_off = |errors: &TexelErrors| errors.rms > close * (high - low);
+        c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
     };
-    let is_read = audit.fit != Fit::None && audit.misread(None).is_none();
-    let is_open = (1.0 / LIKELY..LIKELY).contains(&audit.margin);
-    audit.source == Source::Function && is_read && is_open && audit.channels.iter().any(is_far)
+    let (best, next) = (audit.best(), next(audit).map(|next| &next.convention));
+    // Where its texels lie is said and changes no verdict.
+    let differs = next.is_some_and(|next| (next.lobe, &next.columns) != (best.lobe, &best.columns));
+    let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none() && (differs || !is_table);
+    let nearly = if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR };
+    let is_open = (nearly..LIKELY).contains(&audit.margin);
+    is_read && is_open && audit.channels.iter().any(is_far)
+}
+
+/// The next convention that is not the same at the texels.
+fn next(audit: &Audit) -> Option<&Tried> {
+    audit.tried[1..].iter().find(|t| (t.rank / audit.tried[0].rank - 1.0).abs() >= SAME)
 }
 
 /// What it is best read as.
@@ -167,27 +184,27 @@ fn doubt(audit: &Audit) -> String {
             number(audit.margin)
         );
     }
-    let next = if audit.source == Source::Table { "convention" } else { "reading" };
+    let what = if audit.source == Source::Table { "convention" } else { "reading" };
     let first = &audit.tried[0];
-    let apart = |t: &&crate::audit::Tried| (t.rank / first.rank - 1.0).abs() >= SAME;
+    let apart = |t: &&Tried| (t.rank / first.rank - 1.0).abs() >= SAME;
     let other = |convention: &Convention| readings_differ(audit, &first.convention, convention);
     let same = audit.tried[1..].iter().find(|t| !apart(t));
     let mut out = same.map_or(String::new(), |t| format!("with {} it is the same; ", other(&t.convention)));
-    if let Some(second) = audit.tried[1..].iter().find(apart) {
+    if let Some(second) = next(audit) {
         let (times, other) = (number(audit.margin), other(&second.convention));
         out += &match audit.margin {
             m if m >= CLEAR => {
-                format!("in no doubt: the next {next} ({other}) fits {times} times worse.")
+                format!("in no doubt: the next {what} ({other}) fits {times} times worse.")
             }
             m if m >= LIKELY => {
-                format!("likely: the next {next} ({other}) fits {times} times worse.")
+                format!("likely: the next {what} ({other}) fits {times} times worse.")
             }
             m if m < 1.0 / LIKELY && audit.source == Source::Table => format!(
-                "the plain {next} is taken, since to change it would not lessen the error of lookups for certain; at its texels another ({other}) fits {} \
+                "the plain {what} is taken, since to change it would not lessen the error of lookups for certain; at its texels another ({other}) fits {} \
                  times better.",
                 number(1.0 / m)
             ),
-            _ => format!("open: another {next} ({other}) fits nearly as well."),
+            _ => format!("open: another {what} ({other}) fits nearly as well."),
         };
     }
     out.trim_end().into()

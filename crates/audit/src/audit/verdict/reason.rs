@@ -12,7 +12,13 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         return None;
     }
     if limit.is_none() && is_ambiguous(done) {
-        return Some("another reading fits nearly as well, and its own not closely: --axes and --smith say what is meant".into());
+        let (next, options) = match done.source {
+            Source::Function => ("reading", "--axes and --smith say"),
+            Source::Table => ("convention", "--axes, --registration and --smith say"),
+        };
+        return Some(format!(
+            "another {next} fits nearly as well, and its own not closely: {options} what is meant"
+        ));
     }
     if limit.is_none() && has_unknown(done) {
         return done.unjudged();

@@ -2,7 +2,7 @@
 
 use crate::audit::Audit;
 use crate::audit::axis::{AxisReading, Input};
-use crate::audit::convention::Convention;
+use crate::audit::convention::{Convention, NAMES};
 use crate::audit::table::Source;
 use lobefit::data::Place;
 
@@ -96,10 +96,14 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
     }
 }
 
-/// What says another convention than the one that it follows: `--smith says`, `the options say`.
+/// What says another convention than the one that it follows: `--smith says`, `the names of its arguments say`.
 pub(super) fn excluded(audit: &Audit) -> Option<String> {
     let option = audit.excluded?;
-    Some(if option.starts_with('-') { format!("{option} says") } else { "the options say".into() })
+    Some(match option {
+        NAMES => format!("{NAMES} say"),
+        option if option.starts_with('-') => format!("{option} says"),
+        _ => "the options say".into(),
+    })
 }
 
 impl AxisReading {

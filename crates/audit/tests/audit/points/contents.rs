@@ -105,7 +105,7 @@ fn point_05_rgbe_in_a_picture_of_four_channels_is_found() {
         ("B", &|_, _| 0.0),
         ("A", &|x, y| (exponent(x, y) + 128.0) / 255.0),
     ]);
-    rgbe.step = Step::Unorm8;
+    rgbe.step = Step::Unorm(8);
     let found = reflection_of(&rgbe);
     assert!(found.fit == Fit::Whole && found.worst() < 0.005, "{}", found.worst());
     says(&found.verdict(Some(0.01)), "FAIL", &["decoded from RGBE", "R = A"]);
@@ -128,7 +128,7 @@ fn point_05_rgbd_with_a_channel_of_another_quantity_is_found() {
         ("B", &|x, y| stored(charlie(x, y), alpha(x, y))),
         ("A", &alpha),
     ]);
-    rgbd.step = Step::Unorm8;
+    rgbd.step = Step::Unorm(8);
     let found = run(&rgbd, "ggx-reflection", &of_centres());
     assert!(found.fit == Fit::Whole && found.worst() < 0.01, "{}", found.worst());
     says(&found.verdict(None), "FAIL", &["decoded from RGBD of gamma 2.2", "R = B (", "G = E ("]);
@@ -139,7 +139,7 @@ fn point_05_rgbd_with_a_channel_of_another_quantity_is_found() {
 fn point_05_srgb_in_a_picture_of_several_channels_is_found() {
     let srgb = |v: f64| if v <= 0.0031308 { 12.92 * v } else { 1.055 * ops::pow(v, 1.0 / 2.4) - 0.055 };
     let stored = |v: f64| eight(srgb(v));
-    let of = |channels: &[Filled]| AuditedTable { step: Step::Unorm8, ..table(channels) };
+    let of = |channels: &[Filled]| AuditedTable { step: Step::Unorm(8), ..table(channels) };
     let found = reflection_of(&of(&[("R", &|x, y| stored(a(x, y))), ("G", &|x, y| stored(b(x, y)))]));
     let plain = found.plain.as_ref().expect("nobody assumes it");
     assert!(plain.options == "--encoding srgb" && plain.max > 0.1, "{plain:?}");
@@ -174,7 +174,7 @@ fn a_constant_factor_is_found() {
     }
     // Steps are of what is stored.
     let stored = table(&[("R", &|x, y| eight(a(x, y) / PI)), ("G", &|x, y| eight(b(x, y) / PI))]);
-    let stored = AuditedTable { step: Step::Unorm8, ..stored };
+    let stored = AuditedTable { step: Step::Unorm(8), ..stored };
     let rounded = "That is what rounding to 8-bit unorm leaves";
     says(&run(&stored, "ggx-reflection", &encoding("times=1/pi")).verdict(None), "PASS", &[rounded]);
 }

@@ -113,7 +113,7 @@ fn damaged_rows_among_samples_are_named() {
 fn point_07_what_the_format_holds_is_no_part_of_other_code() {
     let e: Vec<f64> =
         (0..N * N).map(|i| both(Smith::Correlated, at(i / N) * at(i / N), at(i % N)).0).collect();
-    for (step, steps) in [(Step::Unorm8, 255.0), (Step::Unorm10, 1023.0), (Step::Unorm16, 65535.0)] {
+    for (step, steps) in [(Step::Unorm(8), 255.0), (Step::Unorm(10), 1023.0), (Step::Unorm(16), 65535.0)] {
         let of = |round: fn(f64) -> f64| {
             let values = e.iter().map(|e| round(e * steps) / steps).collect();
             reflection_of(&shipped(&[N; 2], vec![("0", values)]))

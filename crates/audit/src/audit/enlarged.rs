@@ -1,0 +1,155 @@
+//! A table that was made larger from a smaller one, by repeating texels or by linear interpolation between
+//! them: it takes the memory of its size, and its error is that of the smaller.
+
+use std::fmt;
+
+use super::defects::stored;
+use super::table::{AuditedTable, Source, place};
+
+/// Texels of smaller tables along an axis whose outermost stand at those of the larger one; with the
+/// centres of both aligned every divisor of its size from [`LEAST`] on is tried.
+const CORNERS: [usize; 7] = [8, 16, 32, 64, 128, 256, 512];
+
+/// Least texels of the smaller table along an axis, and least times that the larger one has as many.
+const LEAST: usize = 4;
+const TIMES: usize = 2;
+
+/// Share of the sharpest bend along an axis that lines between texels of the smaller table may be bent by.
+/// Where a table was computed at its own size, bends are as sharp between those as at them.
+const STRAIGHT: f64 = 1e-3;
+
+/// Steps of rounding that the values of one bend are apart at most: extrapolation to a knot from two texels
+/// on each side of it takes twice four halves.
+const ROUNDED: f64 = 8.0;
+
+/// The smaller table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enlarged {
+    /// Its size.
+    pub from: Vec<usize>,
+    /// Whether values between its texels are interpolated, along some axis.
+    pub linear: bool,
+}
+
+impl Enlarged {
+    /// The smaller table of which all channels that vary were made.
+    pub(super) fn of(table: &AuditedTable, live: &[usize]) -> Option<Enlarged> {
+        let mut found = Enlarged { from: table.size.clone(), linear: false };
+        let axes = if table.source == Source::Table { table.size.len() } else { 0 };
+        for axis in 0..axes {
+            let lines: Vec<Lines> = live.iter().map(|k| Lines::of(table, *k, axis)).collect();
+            let n = table.size[axis];
+            let all = |made: &dyn Fn(&Lines) -> bool| lines.iter().all(made);
+            let divisors = (LEAST..=n / TIMES).filter(|from| n.is_multiple_of(*from));
+            if let Some(from) = divisors.clone().find(|from| all(&|lines| lines.are_repeated(n / from))) {
+                found.from[axis] = from;
+                continue;
+            }
+            let centred = divisors.map(|from| Knots::centred(from, n));
+            let corners =
+                CORNERS.into_iter().filter(|from| TIMES * from <= n).map(|from| Knots::ends(from, n));
+            if let Some(knots) = centred.chain(corners).find(|knots| all(&|lines| lines.are_straight(knots)))
+            {
+                (found.from[axis], found.linear) = (knots.count, true);
+            }
+        }
+        (found.from != table.size).then_some(found)
+    }
+}
+
+impl fmt::Display for Enlarged {
+    /// `32 x 64 texels enlarged by linear interpolation`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let how = if self.linear { "linear interpolation" } else { "repeating them" };
+        write!(f, "{} texels enlarged by {how}", by(&self.from))
+    }
+}
+
+/// `32 x 64`.
+pub(super) fn by(size: &[usize]) -> String {
+    size.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ")
+}
+
+/// Where the texels of a smaller table stand among those of the larger one.
+struct Knots {
+    count: usize,
+    first: f64,
+    step: f64,
+}
+
+impl Knots {
+    /// The centres of both cover the same range.
+    fn centred(count: usize, n: usize) -> Knots {
+        let step = n as f64 / count as f64;
+        Knots { count, first: 0.5 * (step - 1.0), step }
+    }
+
+    /// The outermost are the same.
+    fn ends(count: usize, n: usize) -> Knots {
+        Knots { count, first: 0.0, step: (n - 1) as f64 / (count - 1) as f64 }
+    }
+
+    fn at(&self, k: usize) -> f64 {
+        self.first + self.step * k as f64
+    }
+}
+
+/// The values of a channel line by line along an axis, from the one with the sharpest bend on.
+struct Lines {
+    n: usize,
+    values: Vec<f64>,
+    /// The largest second difference.
+    bend: f64,
+    /// What rounding leaves of a bend at most.
+    rounding: f64,
+}
+
+impl Lines {
+    fn of(table: &AuditedTable, channel: usize, axis: usize) -> Lines {
+        let (size, own) = (&table.size, &table.channels[channel].values);
+        let n = size[axis];
+        let step: usize = size[..axis].iter().product();
+        let mut values = Vec::with_capacity(own.len());
+        for first in (0..own.len()).filter(|i| place(*i, size)[axis] == 0) {
+            values.extend((0..n).map(|k| own[first + k * step]));
+        }
+        let bends = || values.chunks(n).map(|line| line.windows(3).map(second).fold(0.0, f64::max));
+        let (line, bend) =
+            bends().enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
+        values.rotate_left(line * n);
+        let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let rounding = ROUNDED * stored(table.step, own).rounding(largest) + 1e-6 * largest;
+        Lines { n, values, bend, rounding }
+    }
+
+    /// Whether texels stand in groups of equals.
+    fn are_repeated(&self, times: usize) -> bool {
+        self.bend > 0.0 && self.values.chunks(times).all(|group| group.iter().all(|value| *value == group[0]))
+    }
+
+    /// Whether all between the knots are straight lines, which meet at the knots, and all beyond is level.
+    fn are_straight(&self, knots: &Knots) -> bool {
+        let left = STRAIGHT * self.bend + self.rounding;
+        let last = knots.count - 1;
+        let (low, high) = (knots.at(0).ceil() as usize, knots.at(last).floor() as usize);
+        let straight = |line: &[f64]| {
+            let level = |part: &[f64]| part.windows(2).all(|w| (w[0] - w[1]).abs() <= left);
+            let ends = level(&line[..low]) && level(&line[high + 1..]);
+            ends && (0..last).all(|k| {
+                let inside = knots.at(k).ceil() as usize..=knots.at(k + 1).floor() as usize;
+                line[inside].windows(3).all(|w| second(w) <= left)
+            }) && (1..last).all(|k| {
+                let at = knots.at(k);
+                let (before, after) = (at.floor() as usize, at.ceil() as usize);
+                let beyond = |a: usize, b: usize| line[a] + (line[a] - line[b]) * (at - a as f64).abs();
+                before == after || (beyond(before, before - 1) - beyond(after, after + 1)).abs() <= left
+            })
+        };
+        self.bend > ROUNDED * left && self.values.chunks(self.n).all(straight)
+    }
+}
+
+/// The second difference of three values.
+fn second(w: &[f64]) -> f64 {
+    (w[0] - 2.0 * w[1] + w[2]).abs()
+}
