@@ -23,6 +23,9 @@ use lobefit::data::Place;
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
 const PLACES: usize = 16;
 
+/// Channels in words.
+const PLACES_OF: [&str; 4] = ["first", "second", "third", "last"];
+
 /// The column of an error, and where it is.
 pub type Where = (Column, Place);
 
@@ -106,13 +109,25 @@ pub(super) fn plain(
         options.push(format!("--registration {}", list(&convention.axes, |a| a.registration.name().into())));
     }
     let at = |wanted: Column| convention.columns.iter().position(|c| *c == Some(wanted));
-    if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings)
-        && b < a
-    {
-        read.columns.swap(a, b);
-        untold.push("B before A".into());
-        let held: Vec<Option<Column>> = live.iter().map(|k| convention.columns[*k]).collect();
-        options.push(format!("--meaning {}", meanings(&held)));
+    let mut judged = live.to_vec();
+    if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings) {
+        let next = if b < a { b } else { a + 1 };
+        let is_apart = b > next && table.source == Source::Table;
+        if b < a {
+            read.columns.swap(a, b);
+            untold.push("B before A".into());
+        } else if is_apart {
+            read.columns.swap(next, b);
+            judged.extend((!live.contains(&next)).then_some(next));
+            untold.push(format!(
+                "B in the {} channel, A in the {}",
+                PLACES_OF[b.min(3)],
+                PLACES_OF[a.min(3)]
+            ));
+        }
+        if b < a || is_apart {
+            options.push(format!("--meaning {}", meanings(&convention.columns)));
+        }
     }
     for column in
         read.columns.iter_mut().flatten().filter(|_| fixed.meanings.is_none() && fixed.column.is_none())
@@ -130,7 +145,8 @@ pub(super) fn plain(
         return Ok(None);
     }
     let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
-    let (max, judged, at) = worst(truth, table, live, lobe, &read)?;
+    judged.sort();
+    let (max, judged, at) = worst(truth, table, &judged, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
     let options = options.join(" ");
     Ok(Some(Plain { convention: read, untold, options, texels, max, at, encoding: None }))

@@ -91,13 +91,15 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
         let is_off = |errors: &TexelErrors| errors.rms > close * (high - low);
         c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
     };
-    let (best, next) = (audit.best(), next(audit).map(|next| &next.convention));
-    // Where its texels lie is said and changes no verdict.
-    let differs = next.is_some_and(|next| (next.lobe, &next.columns) != (best.lobe, &best.columns));
-    let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none() && (differs || !is_table);
-    let nearly = if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR };
-    let is_open = (nearly..LIKELY).contains(&audit.margin);
-    is_read && is_open && audit.channels.iter().any(is_far)
+    let (best, nearly) = (audit.best(), if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR });
+    let is_open = |t: &Tried| {
+        let (times, read) = (t.rank / audit.tried[0].rank, &t.convention);
+        // Where its texels lie is said and changes no verdict.
+        let differs = !is_table || (read.lobe, &read.columns) != (best.lobe, &best.columns);
+        differs && (times - 1.0).abs() >= SAME && (nearly..LIKELY).contains(&times)
+    };
+    let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none();
+    is_read && audit.tried[1..].iter().any(is_open) && audit.channels.iter().any(is_far)
 }
 
 /// The next convention that is not the same at the texels.

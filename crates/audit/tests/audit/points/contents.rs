@@ -155,6 +155,17 @@ fn point_05_srgb_in_a_picture_of_several_channels_is_found() {
     assert!(refused(&picture, "ggx-reflection", &encoding("srgb")).contains("--encoding"));
 }
 
+/// A power in place of the curve of sRGB, from which it is nowhere farther than 0.01.
+#[test]
+fn a_gamma_is_not_taken_for_srgb() {
+    let stored = |v: f64| eight(ops::pow(v, 1.0 / 2.2));
+    let picture = table(&[("R", &|x, y| stored(a(x, y))), ("G", &|x, y| stored(b(x, y)))]);
+    let found = reflection_of(&AuditedTable { step: Step::Unorm(8), ..picture });
+    let said = ["values encoded as gamma 2.2", "`--encoding gamma-2.2`"];
+    says(&found.verdict(None), "FAIL", &said);
+    says(&found.verdict(Some(0.05)), "FAIL", &said);
+}
+
 /// A constant factor, as of a division by pi that was left to the shader, is named.
 #[test]
 fn a_constant_factor_is_found() {

@@ -172,10 +172,9 @@ fn point_13_rounding_is_claimed_where_it_explains_every_texel() {
     assert!(!named && worst > 0.5e-3, "{worst}");
 }
 
-/// A roughness that is held from below at 0.2, which no list of clamps has; and a table that was enlarged
-/// from eight texels a side, which has no clamp at all.
+/// A roughness that is held from below at 0.2, which no list of clamps has.
 #[test]
-fn clamps_are_seen_and_not_invented() {
+fn clamps_are_seen() {
     let held = |y: usize| at(y).max(0.2) * at(y).max(0.2);
     let of = |y: usize, x: usize| both(Smith::Correlated, held(y), at(x));
     let clamped = table(&[("R", &|x, y| of(y, x).0 - of(y, x).1), ("G", &|x, y| of(y, x).1)]);
@@ -183,17 +182,66 @@ fn clamps_are_seen_and_not_invented() {
     let [mu, roughness] = [0, 1].map(|k| found.best().axes[k].floor);
     assert!(mu == 0.0 && (0.03..0.06).contains(&roughness), "{mu} {roughness}");
     assert!(found.fit == Fit::Whole && found.worst() < 0.02, "{}", found.worst());
+}
 
+/// A table that was made larger, by each of the ways that image tools have: it has no clamp, no damaged part
+/// and no noise, but the error of the smaller.
+#[test]
+fn enlarged_tables_are_named_with_what_they_were_made_from() {
     let small = |i: usize| (i as f64 + 0.5) / 8.0;
     let lattice: Vec<f64> =
         (0..64).map(|i| both(Smith::Correlated, small(i / 8) * small(i / 8), small(i % 8)).0).collect();
-    let enlarged = |x: usize, y: usize| {
-        let place = |i: usize| 7.0 * i as f64 / 31.0;
-        let (i, j) = ((place(x) as usize).min(6), (place(y) as usize).min(6));
-        let (s, t) = (place(x) - i as f64, place(y) - j as f64);
-        let row = |j: usize| lattice[8 * j + i] * (1.0 - s) + lattice[8 * j + i + 1] * s;
-        row(j) * (1.0 - t) + row(j + 1) * t
+    let of = |place: &dyn Fn(usize) -> f64| {
+        let enlarged = |x: usize, y: usize| {
+            let (i, j) = ((place(x) as usize).min(6), (place(y) as usize).min(6));
+            let (s, t) = (place(x) - i as f64, place(y) - j as f64);
+            let row = |j: usize| lattice[8 * j + i] * (1.0 - s) + lattice[8 * j + i + 1] * s;
+            row(j) * (1.0 - t) + row(j + 1) * t
+        };
+        reflection_of(&plane([32; 2], &[("R", &enlarged)]))
     };
-    let found = reflection_of(&plane([32; 2], &[("R", &enlarged)]));
-    assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
+    let linear = "is of 8 x 8 texels enlarged by linear interpolation: off by at most";
+    let store = "store the 8 x 8 texels that it was made from";
+    let ends = of(&|i| 7.0 * i as f64 / 31.0);
+    let centres = of(&|i| ((i as f64 + 0.5) / 4.0 - 0.5).clamp(0.0, 7.0));
+    let repeated = of(&|i| (i / 4) as f64);
+    for (found, how) in [
+        (ends, linear),
+        (centres, linear),
+        (repeated, "is of 8 x 8 texels enlarged by repeating them: off by at most"),
+    ] {
+        let is_clamped = found.best().axes.iter().any(|axis| axis.floor > 0.0);
+        assert!(!is_clamped || how != linear, "{:?}", found.best().axes);
+        says(&found.verdict(None), "FAIL", &[how, store]);
+    }
+    // Along one axis alone; and a table of its own size is none, however smooth.
+    let columns = |x: usize, y: usize| e(x / 2 * 2, y);
+    let found = reflection_of(&table(&[("R", &columns)]));
+    says(&found.verdict(None), "FAIL", &["is of 8 x 16 texels enlarged by repeating them"]);
+    assert!(!said(&reflection_of(&table(&[("R", &e)]))).contains("enlarged"));
+}
+
+/// alpha = roughness^3, which is no convention of engines.
+#[test]
+fn a_cube_of_roughness_is_found() {
+    let cubed = |x: usize, y: usize| both(Smith::Correlated, at(y) * at(y) * at(y), at(x));
+    let found = reflection_of(&table(&[("R", &|x, y| cubed(x, y).0)]));
+    assert_eq!(axes(&found), rising(&[Scale::Mu, Scale::RoughnessThird], Registration::Centre));
+    says(&found.verdict(None), "FAIL", &["it has alpha^(1/3) along y", "`--axes mu,alpha^(1/3)`"]);
+}
+
+/// A and B in the first and the last of three channels: a reader takes them from the first two.
+#[test]
+fn channels_that_do_not_stand_together_are_said() {
+    let found = reflection_of(&table(&[("R", &a), ("G", &|_, _| 0.0), ("B", &b)]));
+    let said = ["read plainly", "B in the third channel, A in the first", "`--meaning A,-,B`"];
+    says(&found.verdict(None), "FAIL", &said);
+    assert!(found.plain.as_ref().unwrap().max > 0.5, "{:?}", found.plain);
+    let meanings = Some(vec![Some(Column::A), None, Some(Column::B)]);
+    let meant = run(
+        &table(&[("R", &a), ("G", &|_, _| 0.0), ("B", &b)]),
+        "ggx-reflection",
+        &Fixed { meanings, ..Fixed::default() },
+    );
+    says(&meant.verdict(None), "PASS", &["ggx-reflection A and B"]);
 }

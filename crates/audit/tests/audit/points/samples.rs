@@ -1,7 +1,7 @@
 //! What samples, formats and designs leave, which is no part that other code made.
 
 use lobefit::data::Smith;
-use lobefit_audit::audit::{Audit, Column, Defect, Fit, Fixed, Registration, Scale};
+use lobefit_audit::audit::{Audit, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale};
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
 use rand::{Rng, SeedableRng};
@@ -125,5 +125,21 @@ fn point_07_what_the_format_holds_is_no_part_of_other_code() {
         let rounded = |d: &Defect| matches!(d, Defect::Steps { step: own, .. } if *own == step);
         assert!(found.channels[0].defects.iter().any(rounded), "{step:?}");
         says(&found.verdict(Some(0.51 / steps)), "PASS", &["ggx-reflection E"]);
+    }
+}
+
+/// A picture of 8 bits that was made from one of 565.
+#[test]
+fn pictures_of_fewer_bits_are_rounded_and_not_noisy() {
+    let of = |bits: u32| {
+        let steps = f64::from((1_u32 << bits) - 1);
+        let eight = |e: f64| ((e * steps).round() / steps * 255.0).round() / 255.0;
+        let values = |i: usize| eight(both(Smith::Correlated, at(i / N) * at(i / N), at(i % N)).0);
+        let stored = shipped(&[N; 2], vec![("0", (0..N * N).map(values).collect())]);
+        reflection_of(&AuditedTable { step: Step::Unorm(8), ..stored })
+    };
+    for bits in [5, 6] {
+        let rounded = format!("That is what rounding to {bits}-bit unorm leaves");
+        says(&of(bits).verdict(None), "PASS", &[&rounded]);
     }
 }
