@@ -147,7 +147,8 @@ def reason(name, found):
     said = [f"- `{name}`: **{verdict['grade']}** {verdict['headline']}."]
     if other and other["verdict"]["grade"] != "UNKNOWN":
         said.append(f"Without {other['without']}: {other['verdict']['grade']} {other['verdict']['headline']}.")
-    said += [f"Remedy: {'; '.join(verdict['remedy'])}."] * bool(verdict["remedy"])
+    remedy = "; ".join(verdict.get("remedy", []))
+    said += [f"Remedy: {remedy}."] * bool(remedy)
     return [" ".join(said)]
 
 
