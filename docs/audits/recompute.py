@@ -40,6 +40,7 @@ index = lambda root: (1 + root) / (1 - root) if root < 1 else np.inf
 SCALES = {
     "alpha": ("alpha", lambda x: x),
     "roughness": ("alpha", lambda x: x**2),
+    "alpha^(1/3)": ("alpha", lambda x: x**3),
     "alpha^(1/4)": ("alpha", lambda x: x**4),
     "alpha^2": ("alpha", np.sqrt),
     "mu": ("mu", lambda x: x),
