@@ -14,6 +14,9 @@ pub(super) const ONE_SIGN: f64 = 0.8;
 /// they are all over it: the square of their mean is this share of their mean square, where a few large ones
 /// make less of it;
 const FILLED: f64 = 0.3;
+/// or it stands out by so much, as rows that hold those before them do, and few texels do not make all of it;
+const FAR: f64 = 36.0;
+const FILLED_FAR: f64 = 0.15;
 /// and it has so many texels.
 const BLOCK: f64 = 4.0;
 /// It is looked for above thresholds, each so many times lower than the one before.
@@ -62,8 +65,7 @@ fn stands_out(r: &Residuals, range: &[[usize; 2]]) -> bool {
     inside.count >= BLOCK
         && outside.count > 0.0
         && inside.square() >= APART * APART * outside.square()
-        && about.signs[1] * about.signs[1] >= FILLED * inside.count * inside.sum
-        && about.is_of_one_sign()
+        && (about.is_filled() || about.is_far())
         && about.ends_at_edges()
 }
 
@@ -110,6 +112,24 @@ impl About {
             }
         }
         About { inside, outside, signs, lines }
+    }
+
+    /// Whether it is the smaller part, and stands out by far all over.
+    fn is_far(&self) -> bool {
+        let [inside, outside] = [self.inside, self.outside];
+        let is_far = inside.square() >= FAR * FAR * outside.square();
+        is_far && inside.count <= outside.count && self.is_over(FILLED_FAR)
+    }
+
+    /// Whether its errors are of one sign, and all over it.
+    fn is_filled(&self) -> bool {
+        self.is_over(FILLED) && self.is_of_one_sign()
+    }
+
+    /// Whether they are all over it, by a share.
+    fn is_over(&self, share: f64) -> bool {
+        let [_, magnitudes] = self.signs;
+        magnitudes * magnitudes >= share * self.inside.count * self.inside.sum
     }
 
     pub(super) fn is_of_one_sign(&self) -> bool {

@@ -82,6 +82,7 @@ impl Fixed {
             ("--meaning", Fixed { meanings: None, ..own() }),
             ("--encoding", Fixed { encoding: None, ..own() }),
             ("--clamp", Fixed { floors: Vec::new(), ..own() }),
+            ("the column of --as", Fixed { column: None, ..own() }),
             (NAMES, Fixed { swapped: of_function, ..own() }),
             ("those options", Fixed { column: self.column, domain: self.domain.clone(), ..free }),
         ];

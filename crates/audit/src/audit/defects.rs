@@ -312,14 +312,17 @@ pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Extent {
 fn clamped(r: &Residuals) -> Option<Defect> {
     let ends = [r.judged.iter().map(|i| r.values[*i]).fold(f64::NEG_INFINITY, f64::max), 0.0];
     let least = (10.0 * r.median()).max(1e-3);
+    let (dims, repeated) = (r.sample.dims(), repeated_lines(r));
     let mut told = None;
     for (end, upper) in ends.into_iter().zip([true, false]) {
         let beyond = |i: &&usize| {
             let past = if upper { r.truth(**i) - end } else { end - r.truth(**i) };
             r.values[**i] == end && past > least
         };
-        let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
-        // Lines that a clamp of an input makes one hold one value of one truth.
+        // Lines that a clamp of an input makes one hold one value: the first of them is looked at.
+        let is_repeated = |i: usize| place(i, &dims).iter().zip(&repeated).any(|(k, lines)| lines[*k]);
+        let stuck: Vec<usize> =
+            r.judged.iter().filter(beyond).copied().filter(|i| !is_repeated(*i)).collect();
         let truths = || stuck.iter().map(|i| r.truth(*i));
         let apart = truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min);
         if stuck.len() >= 2 && apart > 0.0 {
@@ -330,6 +333,21 @@ fn clamped(r: &Residuals) -> Option<Defect> {
         }
     }
     told
+}
+
+/// Which lines along every axis are the same as the one before them.
+fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
+    let dims = r.sample.dims();
+    let mut repeated: Vec<Vec<bool>> =
+        dims.iter().map(|n| (0..*n).map(|k| k > 0 && dims.len() > 1).collect()).collect();
+    for (i, value) in r.values.iter().enumerate() {
+        let mut step = 1;
+        for (axis, at) in place(i, &dims).into_iter().enumerate() {
+            repeated[axis][at] &= at > 0 && r.values[i - step] == *value;
+            step *= dims[axis];
+        }
+    }
+    repeated
 }
 
 /// Root mean square of white noise that would make the second differences of the errors among some texels,

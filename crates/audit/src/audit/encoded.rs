@@ -4,9 +4,9 @@
 use std::f64::consts::PI;
 
 use super::apart;
-use super::best::{Case, best, promising};
+use super::best::{Best, Case, best, promising, truth_of};
 use super::defects::stored;
-use super::plain::Plain;
+use super::plain::{Plain, worst};
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
@@ -98,6 +98,9 @@ const NEAR: f64 = 0.02;
 /// Share of the misfit of one encoding that another of a table that follows both may leave to be taken.
 const NEARER: f64 = 0.9;
 
+/// What a factor may leave of what it explains, the share by which it changes values.
+const EXPLAINED: f64 = 0.1;
+
 /// How the word of a constant factor begins.
 const TIMES: &str = "times=";
 
@@ -141,6 +144,11 @@ impl Encoding {
         self.factor == 1.0
     }
 
+    /// The share by which a factor changes values.
+    fn changes(&self) -> f64 {
+        (self.factor - 1.0).abs()
+    }
+
     /// A table without the encoding; none of one that cannot have it.
     fn undone(&self, table: &AuditedTable) -> Option<AuditedTable> {
         let alpha = table.channels.iter().find(|c| c.name == "A");
@@ -182,20 +190,28 @@ impl Encoding {
         })
     }
 
-    /// An audit of the decoded table, which nobody said to be encoded, with what it is as it is `stored`.
-    pub(super) fn beside(&'static self, read: Audit, stored: &Audit) -> Audit {
+    /// An audit of the decoded table, which nobody said to be encoded, with how far off the stored values are
+    /// under the convention of the decoded ones.
+    pub(super) fn beside(
+        &'static self,
+        read: Audit,
+        stored: &Case,
+        quantity: &dyn Quantity,
+    ) -> Result<Audit, AuditError> {
         let told = read.plain.clone();
-        let all = read.size.iter().product();
         let convention = told.as_ref().map_or(read.best(), |plain| &plain.convention).clone();
         let (mut untold, mut options) =
             told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
         untold.push(format!("values {}", self.said("encoded as ")));
         options += &format!("--encoding {}", self.word);
-        let held = stored.channels.iter().filter_map(|c| c.column.zip(c.errors.as_ref()));
-        let worst = held.reduce(|a, b| if b.1.max > a.1.max { b } else { a });
-        let (max, at) = worst.map_or((f64::INFINITY, None), |(c, e)| (e.max, Some((c, e.at.clone()))));
-        let plain = Plain { convention, untold, options, texels: [all; 2], max, at, encoding: Some(self) };
-        Audit { plain: Some(plain), fixed: stored.fixed, ..read }
+        let truth = truth_of(stored.table, quantity, stored.fixed, &[convention.lobe.form])?;
+        let lobe = truth.lobes().iter().position(|lobe| *lobe == convention.lobe).unwrap_or(0);
+        let held = |k: &usize| convention.columns.get(*k).is_some_and(Option::is_some);
+        let live: Vec<usize> = stored.live.iter().copied().filter(held).collect();
+        let (max, judged, at) = worst(&truth, stored.table, &live, lobe, &convention)?;
+        let texels = [judged, stored.table.size.iter().product()];
+        let plain = Plain { convention, untold, options, texels, max, at, encoding: Some(self) };
+        Ok(Audit { plain: Some(plain), fixed: !stored.fixed.is_free(), ..read })
     }
 }
 
@@ -226,11 +242,12 @@ pub(super) fn found(
         let case = Case { live: &likely, ..case };
         let whole = if all { off(&case, quantity)? } else { f64::INFINITY };
         let off = match whole <= FITS {
-            false if some && apart::following(&case, quantity)?.len() > 1 => FITS,
+            false if some && encoding.is_of_colours() && apart::following(&case, quantity)?.len() > 1 => FITS,
             _ => whole,
         };
-        // sRGB and a gamma are near to each other.
-        if off <= FITS && nearest.is_none_or(|(least, _)| off < NEARER * least) {
+        // sRGB and a gamma are near to each other. A factor makes more of the difference than is left.
+        let most = if encoding.is_of_colours() { FITS } else { FITS.min(EXPLAINED * encoding.changes()) };
+        if off <= most && nearest.is_none_or(|(least, _)| off < NEARER * least) {
             nearest = Some((off, encoding));
         }
     }
@@ -256,5 +273,10 @@ pub(super) fn follows(case: &Case, quantity: &dyn Quantity) -> Result<bool, Audi
 
 /// The largest misfit of a channel under the best convention, as far as some of its texels tell.
 fn off(case: &Case, quantity: &dyn Quantity) -> Result<f64, AuditError> {
-    Ok(best(case, quantity)?.map_or(f64::INFINITY, |best| best.off))
+    // Of numbers that mean nothing all channels may be near to one column.
+    let is_one = |best: &Best| {
+        let columns = &best.found[0].fitted.columns;
+        columns.len() > 1 && columns.iter().all(|column| *column == columns[0])
+    };
+    Ok(best(case, quantity)?.filter(|best| !is_one(best)).map_or(f64::INFINITY, |best| best.off))
 }

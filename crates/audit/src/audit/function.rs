@@ -9,8 +9,14 @@ use super::table::{AuditedTable, Source, place};
 use crate::foreign::{Channel, ShaderFunction, Step};
 use lobefit_truth::quantity::Quantity;
 
-/// Places along every argument: of one, two and three.
+/// Places along every argument: of one, two and three,
 const PLACES: [usize; 3] = [512, 128, 20];
+/// and of a function that takes long at least.
+const FEWEST: [usize; 3] = [64, 16, 8];
+
+/// Statements and expressions that are run in all at most, but for the fewest places: half a minute on two
+/// cores.
+const STEPS: f64 = 3e8;
 
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
 const BLENDS: [(f32, &str); 2] = [(0.0, "at f0 = 0"), (1.0, AT_ONE)];
@@ -63,7 +69,7 @@ fn of_feeds(
     function: &ShaderFunction,
     (names, feeds): (Vec<String>, Vec<Feed>),
 ) -> Result<AuditedTable, AuditError> {
-    let n = PLACES[names.len() - 1];
+    let n = places(function, names.len(), &feeds);
     let size = vec![n; names.len()];
     let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();
     let centre = |i: usize| (i as f32 + 0.5) / n as f32;
@@ -120,6 +126,19 @@ fn of_feeds(
         scale: 1.0,
         dead: Vec::new(),
     })
+}
+
+/// Places along every argument at which a function is taken: fewer of one that takes many steps, as loops over
+/// samples do. What cannot be run is said of the first place at which it is.
+fn places(function: &ShaderFunction, arguments: usize, feeds: &[Feed]) -> usize {
+    let [most, fewest] = [PLACES, FEWEST].map(|places| places[arguments - 1]);
+    let steps = |x: f32| {
+        let point: Vec<f32> = feeds.iter().map(|feed| feed.value(&|_| x, 1.0)).collect();
+        function.steps(&point).unwrap_or(0)
+    };
+    let steps = [0.1, 0.5, 0.9].map(steps).into_iter().fold(1, usize::max);
+    let affordable = (STEPS / steps as f64).powf(1.0 / arguments as f64) as usize;
+    affordable.clamp(fewest, most)
 }
 
 /// Name of a scalar of the result.

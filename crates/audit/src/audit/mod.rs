@@ -169,7 +169,7 @@ pub fn audit(
         let decoded = Fixed { encoding: Some(encoding), ..fixed.clone() };
         let read = audit(audited, quantity, &decoded, progress)?;
         if read.fit != Fit::None {
-            return Ok(encoding.beside(read, &done));
+            return encoding.beside(read, &case, quantity);
         }
     }
     let uneven = |m: &Misfit| m.rms > UNEVEN * m.trimmed;

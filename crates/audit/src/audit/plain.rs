@@ -112,13 +112,21 @@ pub(super) fn plain(
     let mut judged = live.to_vec();
     if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings) {
         let next = if b < a { b } else { a + 1 };
-        let is_apart = b > next && table.source == Source::Table;
+        // Channels before A that hold nothing are fetched all the same.
+        let is_late = b == next && a > 0 && (0..a).all(|k| convention.columns[k].is_none());
+        let is_apart = (b > next || is_late) && table.source == Source::Table;
         if b < a {
             read.columns.swap(a, b);
             untold.push("B before A".into());
         } else if is_apart {
-            read.columns.swap(next, b);
-            judged.extend((!live.contains(&next)).then_some(next));
+            if is_late {
+                read.columns.swap(0, a);
+                read.columns.swap(1, b);
+            } else {
+                read.columns.swap(next, b);
+            }
+            let read: Vec<usize> = (0..read.columns.len()).filter(|k| read.columns[*k].is_some()).collect();
+            judged.extend(read);
             untold.push(format!(
                 "B in the {} channel, A in the {}",
                 PLACES_OF[b.min(3)],
@@ -146,6 +154,7 @@ pub(super) fn plain(
     }
     let lobe = if fixed.form.is_none() { lobe } else { best.lobe };
     judged.sort();
+    judged.dedup();
     let (max, judged, at) = worst(truth, table, &judged, lobe, &read)?;
     let texels = [judged, table.size.iter().product()];
     let options = options.join(" ");
@@ -212,7 +221,7 @@ fn is_transposed(source: Source, axes: &[AxisReading]) -> bool {
 
 /// Largest error of any judged channel under a reading, infinite where the truth cannot be had at any texel,
 /// how many texels were judged, and the column and place of the error.
-fn worst(
+pub(super) fn worst(
     truth: &Truth,
     table: &AuditedTable,
     live: &[usize],

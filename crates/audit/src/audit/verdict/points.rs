@@ -63,7 +63,7 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
         // It is known, and is not what the options say.
         _ if audit.excluded.is_some() => Grade::Fail,
         _ if unfit => Grade::Unknown,
-        None if is_ambiguous(audit) || has_unknown(audit) => Grade::Unknown,
+        None if is_ambiguous(audit) || is_loose(audit) || has_unknown(audit) => Grade::Unknown,
         Some(limit) if audit.passes(Some(limit)) => Grade::Pass,
         Some(limit) if audit.keeps(limit) => Grade::Unknown,
         None if audit.fit == Fit::Whole && audit.misread(None).is_none() && remedy.is_empty() => Grade::Pass,
@@ -76,6 +76,24 @@ pub(super) fn has_unknown(audit: &Audit) -> bool {
     !audit.excused && audit.channels.iter().any(|c| c.other == Some(Other::Unknown))
 }
 
+/// What a function may be off by at most without a limit, of what its truth spans: published approximations are
+/// by a fifth in the corner of grazing and smooth, formulas of something else by a third.
+const LOOSE: f64 = 0.3;
+
+/// Whether a function that is no published formula is farther off than approximations of its quantity are.
+pub(super) fn is_loose(audit: &Audit) -> bool {
+    let far = |c: &ChannelAudit| c.errors.as_ref().is_some_and(|errors| errors.max > LOOSE * spread(c));
+    let judged = audit.fit == Fit::Whole && audit.misread(None).is_none() && audit.furnace_error().is_none();
+    let is_own = audit.source == Source::Function && audit.published.is_none();
+    judged && is_own && audit.channels.iter().any(far)
+}
+
+/// What the truth of a channel spans.
+fn spread(channel: &ChannelAudit) -> f64 {
+    let truth = || channel.truth.iter().copied();
+    truth().fold(f64::NEG_INFINITY, f64::max) - truth().fold(f64::INFINITY, f64::min)
+}
+
 /// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
 /// or a table another lobe, where neither noise nor rounding explains its errors.
 pub(super) fn is_ambiguous(audit: &Audit) -> bool {
@@ -84,11 +102,7 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let explains =
         |d: &Defect| matches!(d, Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. });
     let is_far = |c: &ChannelAudit| {
-        let [low, high] = c
-            .truth
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
-        let is_off = |errors: &TexelErrors| errors.rms > close * (high - low);
+        let is_off = |errors: &TexelErrors| errors.rms > close * spread(c);
         c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
     };
     let (best, nearly) = (audit.best(), if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR });

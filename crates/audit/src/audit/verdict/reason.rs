@@ -1,7 +1,7 @@
 //! Why a verdict is no PASS, where its first line does not say so.
 
 use super::figure::damage;
-use super::points::{has_unknown, is_ambiguous};
+use super::points::{has_unknown, is_ambiguous, is_loose};
 use super::words::{excluded, number};
 use crate::audit::{Audit, Fit, Source};
 
@@ -19,6 +19,11 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         return Some(format!(
             "another {next} fits nearly as well, and its own not closely: {options} what is meant"
         ));
+    }
+    if limit.is_none() && is_loose(done) {
+        let why =
+            "its errors are larger than those of approximations are, so that it may be of something else";
+        return Some(format!("{why}: --limit says what is allowed"));
     }
     if limit.is_none() && has_unknown(done) {
         return done.unjudged();

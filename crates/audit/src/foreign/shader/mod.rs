@@ -270,6 +270,18 @@ impl ShaderFunction {
     /// # Errors
     /// What cannot be run, with its place.
     pub fn at(&self, inputs: &[f32]) -> Result<Vec<f32>, ForeignError> {
+        self.run(inputs).map(|(results, _)| results)
+    }
+
+    /// Statements and expressions that are run for a point, loops unrolled.
+    ///
+    /// # Errors
+    /// As of [`Self::at`].
+    pub fn steps(&self, inputs: &[f32]) -> Result<usize, ForeignError> {
+        self.run(inputs).map(|(_, steps)| steps)
+    }
+
+    fn run(&self, inputs: &[f32]) -> Result<(Vec<f32>, usize), ForeignError> {
         let (function, span) = self.program.function();
         let mut run = Run::new(&self.program)?;
         let first = run.memory.len();
@@ -303,7 +315,7 @@ impl ShaderFunction {
         if run.undefined {
             results.fill(f32::NAN);
         }
-        Ok(results)
+        Ok((results, run.steps))
     }
 
     /// Whether its results do not depend on one of its scalars, by points of a lattice at which others

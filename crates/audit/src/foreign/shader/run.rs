@@ -40,7 +40,8 @@ pub(super) struct Run<'a> {
     globals: Vec<Option<usize>>,
     /// The last place that was known: front ends do not tell that of every expression.
     here: Span,
-    steps: usize,
+    /// Statements and expressions that were run.
+    pub steps: usize,
     depth: usize,
 }
 
@@ -57,24 +58,30 @@ fn is_known(function: &Function, handle: Handle<Expression>) -> bool {
     }
 }
 
-/// The operands of an expression whose value follows from theirs, in order.
-fn operands(expression: &Expression) -> Vec<Handle<Expression>> {
-    match expression {
-        Expression::Compose { components, .. } => components.clone(),
-        Expression::Splat { value, .. } => vec![*value],
-        Expression::Swizzle { vector, .. } => vec![*vector],
-        Expression::Unary { expr, .. } | Expression::As { expr, .. } => vec![*expr],
-        Expression::Binary { left, right, .. } => vec![*left, *right],
-        Expression::Select { condition, accept, reject } => vec![*condition, *accept, *reject],
-        Expression::Relational { argument, .. } => vec![*argument],
-        Expression::Math { arg, arg1, arg2, arg3, .. } => {
-            [Some(*arg), *arg1, *arg2, *arg3].into_iter().flatten().collect()
+/// Most operands of an expression that is not composed of entries.
+const OPERANDS: usize = 4;
+
+/// The operands of an expression whose value follows from theirs, in order; of one that is composed, its
+/// entries.
+fn operands(expression: &Expression) -> impl Iterator<Item = Handle<Expression>> {
+    let (entries, own): (&[_], [Option<_>; OPERANDS]) = match *expression {
+        Expression::Compose { ref components, .. } => (components, [None; OPERANDS]),
+        Expression::Splat { value: x, .. }
+        | Expression::Swizzle { vector: x, .. }
+        | Expression::Unary { expr: x, .. }
+        | Expression::As { expr: x, .. }
+        | Expression::Relational { argument: x, .. }
+        | Expression::AccessIndex { base: x, .. }
+        | Expression::Load { pointer: x } => (&[], [Some(x), None, None, None]),
+        Expression::Binary { left, right, .. } => (&[], [Some(left), Some(right), None, None]),
+        Expression::Access { base, index } => (&[], [Some(base), Some(index), None, None]),
+        Expression::Select { condition, accept, reject } => {
+            (&[], [Some(condition), Some(accept), Some(reject), None])
         }
-        Expression::Access { base, index } => vec![*base, *index],
-        Expression::AccessIndex { base, .. } => vec![*base],
-        Expression::Load { pointer } => vec![*pointer],
-        _ => Vec::new(),
-    }
+        Expression::Math { arg, arg1, arg2, arg3, .. } => (&[], [Some(arg), arg1, arg2, arg3]),
+        _ => (&[], [None; OPERANDS]),
+    };
+    own.into_iter().flatten().chain(entries.iter().copied())
 }
 
 impl<'a> Run<'a> {
@@ -276,11 +283,19 @@ impl<'a> Run<'a> {
             Expression::LocalVariable(local) => return Ok(Self::pointer(frame.locals[local.index()])),
             _ => {}
         }
-        let operands = operands(expression);
-        let exponent = operands.last().is_some_and(|last| is_known(frame.function, *last));
-        let operands = operands.into_iter().map(|operand| self.value(frame, operand));
-        let operands = operands.collect::<Result<Vec<Value>, _>>()?;
-        self.made(expression, &operands, exponent, span)
+        if let Expression::Compose { .. } = expression {
+            let entries = operands(expression).map(|entry| self.value(frame, entry));
+            let entries = entries.collect::<Result<Vec<Value>, _>>()?;
+            return self.made(expression, &entries, false, span);
+        }
+        // The last is an exponent where one is called for.
+        let (mut values, mut count, mut known) = ([const { Value::Unset }; OPERANDS], 0, false);
+        for operand in operands(expression) {
+            values[count] = self.value(frame, operand)?;
+            count += 1;
+            known = matches!(expression, Expression::Math { .. }) && is_known(frame.function, operand);
+        }
+        self.made(expression, &values[..count], known, span)
     }
 
     /// The value of an expression of the module's own scope.
@@ -288,7 +303,7 @@ impl<'a> Run<'a> {
         self.step()?;
         let expression = &self.module.global_expressions[handle];
         let span = self.module.global_expressions.get_span(handle);
-        let operands = operands(expression).into_iter().map(|operand| self.global_expression(operand));
+        let operands = operands(expression).map(|operand| self.global_expression(operand));
         let operands = operands.collect::<Result<Vec<Value>, _>>()?;
         self.made(expression, &operands, true, span)
     }

@@ -4,7 +4,7 @@ use std::process::Output;
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditedTable, Column, Defect, Encoding, Fit, Fixed, Form, Other, Registration, Scale,
+    Audit, AuditedTable, Column, Defect, Encoding, Fit, Fixed, Form, Other, Registration, Scale, Source,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
@@ -181,6 +181,10 @@ fn a_constant_factor_is_found() {
         let scaled = table(&[("R", &|x, y| factor * a(x, y)), ("G", &|x, y| factor * b(x, y))]);
         let found = reflection_of(&scaled);
         says(&found.verdict(None), "FAIL", &[step, &format!("`--encoding {word}`"), "R = A (", "G = B ("]);
+        // What a reader of the stored values is off by.
+        let largest = (0..N * N).map(|i| a(i % N, i / N).max(b(i % N, i / N))).fold(0.0, f64::max);
+        let plain = found.plain.as_ref().unwrap();
+        assert!((plain.max - (factor - 1.0).abs() * largest).abs() < 2e-3 * factor, "{plain:?}");
         says(&run(&scaled, "ggx-reflection", &encoding(word)).verdict(None), "PASS", &[]);
     }
     // Steps are of what is stored.
@@ -256,4 +260,23 @@ fn a_channel_of_nothing_is_no_pass() {
     let meanings = meaning(&[None, Some(Column::B)]);
     let left_out = run(&odd, "ggx-reflection", &Fixed { meanings, ..Fixed::default() });
     says(&left_out.verdict(None), "PASS", &["ggx-reflection B"]);
+}
+
+/// One channel of two with a factor of its own: there is none to divide both by.
+#[test]
+fn a_factor_of_one_channel_is_none_of_the_table() {
+    let found = reflection_of(&table(&[("R", &|x, y| 0.95 * a(x, y)), ("G", &b)]));
+    assert!(!found.verdict(None).to_string().contains("divide"), "{}", found.verdict(None));
+}
+
+/// 1 - E where E is asked for is said to be that.
+#[test]
+fn a_loss_where_an_albedo_is_asked_for_is_said() {
+    let column = Some(Column::E);
+    let fixed = Fixed { column, ..Fixed::default() };
+    let loss = table(&[("R", &|x, y| 1.0 - e(x, y))]);
+    assert_eq!(run(&loss, "ggx-reflection", &fixed).fit, Fit::None);
+    let all = fixed.without(Source::Table);
+    let (_, free) = all.iter().find(|(without, _)| *without == "the column of --as").unwrap();
+    says(&run(&loss, "ggx-reflection", free).verdict(None), "PASS", &["ggx-reflection 1-E"]);
 }

@@ -229,38 +229,13 @@ fn point_11_a_function_is_read_and_not_its_file() {
     assert!(code == Some(2) && err.contains("`albedo(float, float)`, `albedo(vec3, float, float)`"), "{err}");
 }
 
-/// Karis' loop in a shader, with few samples.
-const LOOP: &str = "
-    fn split(alpha: f32, mu: f32) -> vec2<f32> {
-        let view = vec3<f32>(sqrt(1.0 - mu * mu), 0.0, mu);
-        let stretched = normalize(vec3<f32>(alpha * view.x, 0.0, view.z));
-        var sum = vec2<f32>(0.0, 0.0);
-        for (var i = 0; i < 64; i = i + 1) {
-            let r = sqrt((f32(i / 8) + 0.5) / 8.0);
-            let phi = 6.2831853 * (f32(i % 8) + 0.5) / 8.0;
-            let s = 0.5 * (1.0 + stretched.z);
-            let t1 = r * cos(phi);
-            let t2 = (1.0 - s) * sqrt(1.0 - t1 * t1) + s * r * sin(phi);
-            let t3 = sqrt(max(0.0, 1.0 - t1 * t1 - t2 * t2));
-            let h = normalize(vec3<f32>(alpha * (stretched.x * t3 - stretched.z * t2), alpha * t1,
-                max(1e-6, stretched.x * t2 + stretched.z * t3)));
-            let c = max(dot(view, h), 0.0);
-            let l = 2.0 * c * h.z - view.z;
-            if (l > 0.0) {
-                let a2 = alpha * alpha;
-                let bend = sqrt(mu * mu * (1.0 - a2) + a2);
-                let weight = l * (mu + bend) / (l * bend + mu * sqrt(l * l * (1.0 - a2) + a2));
-                let f = pow(1.0 - c, 5.0);
-                sum = sum + weight * vec2<f32>(1.0 - f, f);
-            }
-        }
-        return sum / 64.0;
-    }";
+/// The functions that the built-in scene is baked to.
+const BAKED: &str = include_str!("../../../../../fits/lobefit.wgsl");
 
 /// The whole of a verdict as the program prints it.
 fn printed(text: &str, function: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("f.wgsl"), format!("{LOOP}{text}")).unwrap();
+    std::fs::write(folder.path().join("f.wgsl"), format!("{BAKED}{text}")).unwrap();
     let asked = ["audit", "f.wgsl", "--as", "ggx-reflection", "--function", function];
     let output = lobefit(folder.path(), &asked, b"");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -270,27 +245,54 @@ fn printed(text: &str, function: &str) -> String {
 /// Names of arguments are trusted, so that a call with two of them in the wrong order followed nothing.
 #[test]
 fn arguments_in_the_wrong_order_are_named() {
-    let right =
-        "fn dfg(n_dot_v: f32, roughness: f32) -> vec2<f32> { return split(roughness * roughness, n_dot_v); }";
-    assert!(printed(right, "dfg").starts_with("PASS ggx-reflection A and B: dfg"));
-    let wrong = right.replace("roughness * roughness, n_dot_v", "n_dot_v * n_dot_v, roughness");
-    let said = printed(&wrong, "dfg");
+    let call = "ggx_energy_compensation(roughness, n_dot_v)";
+    let right = format!("fn own(n_dot_v: f32, roughness: f32) -> f32 {{ return 1.0 / {call}; }}");
+    assert!(printed(&right, "own").starts_with("PASS ggx-reflection E: own"));
+    let wrong = right.replace("(roughness, n_dot_v)", "(n_dot_v, roughness)");
+    let said = printed(&wrong, "own");
     assert!(
         said.starts_with("FAIL ") && said.contains("is not what the names of its arguments say"),
         "{said}"
     );
     assert!(said.contains("n_dot_v and roughness stand in the wrong order"), "{said}");
-    assert!(said.contains("Without the names of its arguments: PASS ggx-reflection A and B"), "{said}");
+    assert!(said.contains("Without the names of its arguments: PASS ggx-reflection E"), "{said}");
     // What follows nothing in either order has no second verdict.
     let nothing =
-        "fn dfg(n_dot_v: f32, roughness: f32) -> f32 { return sin(20.0 * n_dot_v) * cos(9.0 * roughness); }";
-    let said = printed(nothing, "dfg");
+        "fn own(n_dot_v: f32, roughness: f32) -> f32 { return sin(20.0 * n_dot_v) * cos(9.0 * roughness); }";
+    let said = printed(nothing, "own");
     assert!(said.starts_with("UNKNOWN ") && !said.contains("names"), "{said}");
 }
 
 #[test]
 fn a_constant_factor_of_a_function_is_found() {
-    let over = "fn dfg(r: f32, n_dot_v: f32) -> vec2<f32> { return split(r * r, n_dot_v) / 3.14159265; }";
-    let said = printed(over, "dfg");
+    let over =
+        "fn own(r: f32, n_dot_v: f32) -> f32 { return 0.3183099 / ggx_energy_compensation(r, n_dot_v); }";
+    let said = printed(over, "own");
     assert!(said.starts_with("FAIL ") && said.contains("divide its values by 1/pi"), "{said}");
+}
+
+/// A formula that follows a reading within what approximations leave on average, but not by far at its worst.
+#[test]
+fn a_formula_of_something_else_is_no_pass() {
+    let mixed = "fn own(n_dot_v: f32, roughness: f32) -> f32 { return mix(1.0, 0.4, roughness); }";
+    let said = printed(mixed, "own");
+    assert!(said.starts_with("UNKNOWN ") && said.contains("it may be of something else"), "{said}");
+}
+
+/// A loop over 1024 samples, as renderers have it, takes fewer places.
+#[test]
+#[ignore = "half a minute: .ci/nightly"]
+fn nightly_a_loop_over_samples_is_taken_at_fewer_places() {
+    let text = "
+        fn own(n_dot_v: f32, roughness: f32) -> f32 {
+            var sum = 0.0;
+            for (var i = 0; i < 1024; i = i + 1) {
+                let r = roughness + 1e-6 * sin(f32(i));
+                sum = sum + 1.0 / ggx_energy_compensation(r, n_dot_v);
+            }
+            return sum / 1024.0;
+        }";
+    let said = printed(text, "own");
+    let line = said.lines().next().unwrap();
+    assert!(line.starts_with("PASS ggx-reflection E: own") && !line.contains("16384"), "{said}");
 }
