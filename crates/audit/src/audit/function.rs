@@ -7,6 +7,7 @@ use super::arguments::{Feed, feeds};
 use super::axis::Scale;
 use super::table::{AuditedTable, Source, place};
 use crate::foreign::{Channel, ShaderFunction, Step};
+use lobefit_math::ops;
 use lobefit_truth::quantity::Quantity;
 
 /// Places along every argument: of one, two and three,
@@ -137,7 +138,7 @@ fn places(function: &ShaderFunction, arguments: usize, feeds: &[Feed]) -> usize 
         function.steps(&point).unwrap_or(0)
     };
     let steps = [0.1, 0.5, 0.9].map(steps).into_iter().fold(1, usize::max);
-    let affordable = (STEPS / steps as f64).powf(1.0 / arguments as f64) as usize;
+    let affordable = ops::pow(STEPS / steps as f64, 1.0 / arguments as f64) as usize;
     affordable.clamp(fewest, most)
 }
 

@@ -48,7 +48,7 @@ Examples:
   lobefit audit ltc_1.dds --as ltc --scales ltc_2.dds --limit 0.1   area lights: a pair of tables of a linearly transformed cosine
   lobefit audit tables/ggx-dfg-correlated-32x32.exr     a table of this tool says itself what it stands for
 
-What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
+What is not given is tried: --axes takes alpha, roughness, alpha^(1/3), alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, 1/ior..ior (from inside, then from outside), ior=1.1..2.2 (evenly between two ends), ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 --smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
@@ -123,7 +123,7 @@ struct Options {
     #[command(flatten)]
     pub source: SourceOptions,
     /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`, or of roughness, alpha =
-    /// roughness^2 unless the axis alpha^(1/4) is stated; of both, where both hold
+    /// roughness^2 unless the axis alpha^(1/3) or alpha^(1/4) is stated; of both, where both hold
     #[arg(long, value_name = "INPUT=LOW..HIGH,..", value_delimiter = ',', value_parser = range)]
     pub domain: Vec<(Ranged, [f64; 2])>,
     /// Compile the function for three families of AMD GPUs, and beside it our formulas of the same use

@@ -41,7 +41,8 @@ impl Ranged {
 /// alpha = roughness^2.
 pub(super) fn domain(given: &[(Ranged, [f64; 2])], axes: &[(Scale, bool)]) -> Vec<(Input, [f64; 2])> {
     let stated = |scale: &Scale| axes.iter().any(|(own, _)| own == scale);
-    let map = Some(Scale::RoughnessFourth).filter(stated).unwrap_or(Scale::Roughness);
+    let powers = [Scale::RoughnessThird, Scale::RoughnessFourth];
+    let map = powers.into_iter().find(stated).unwrap_or(Scale::Roughness);
     let of_input = |(ranged, range): &(Ranged, [f64; 2])| match ranged {
         Ranged::Input(input) => (*input, *range),
         Ranged::Roughness => (map.input(), range.map(|x| map.input_at(x))),
