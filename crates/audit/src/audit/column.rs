@@ -215,7 +215,7 @@ impl Column {
     /// Whether few tables hold it, so that the verdict takes it only where it is clearly better than
     /// what others hold.
     pub fn is_rare(self) -> bool {
-        matches!(self, Column::LossR | Column::RadianceT | Column::Radiance)
+        matches!(self, Column::Share | Column::LossR | Column::RadianceT | Column::Radiance)
     }
 
     /// Whether it is of one f0: B is near to all of these columns, so that only clear figures

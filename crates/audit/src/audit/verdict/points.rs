@@ -95,7 +95,7 @@ fn spread(channel: &ChannelAudit) -> f64 {
 }
 
 /// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
-/// or a table another lobe, where neither noise nor rounding explains its errors.
+/// or a table another lobe or other columns, where neither noise nor rounding explains its errors.
 pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let is_table = audit.source == Source::Table;
     let close = if is_table { CLOSE } else { FITS };
@@ -109,7 +109,8 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let is_open = |t: &Tried| {
         let (times, read) = (t.rank / audit.tried[0].rank, &t.convention);
         // Where its texels lie is said and changes no verdict.
-        let differs = !is_table || read.lobe != best.lobe && read.axes == best.axes;
+        let of = |read: &Convention| (read.lobe, read.columns.clone());
+        let differs = !is_table || of(read) != of(best) && read.axes == best.axes;
         differs && (times - 1.0).abs() >= SAME && (nearly..LIKELY).contains(&times)
     };
     let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none();
