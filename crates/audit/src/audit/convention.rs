@@ -1,11 +1,12 @@
 //! A whole convention, what of it is given, and how well one fits.
 
 use super::AuditError;
+use super::arguments::role;
 use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
 use super::encoded::Encoding;
 use super::lobe::{Form, Lobe};
-use super::table::Source;
+use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use lobefit_truth::integrate::glass::Side;
 
@@ -14,6 +15,9 @@ pub const LEFT_OUT: &str = "-";
 
 /// What tells the inputs of a function, as no option does.
 pub(super) const NAMES: &str = "the names of its arguments";
+
+/// The column that is asked for behind the quantity.
+pub(super) const COLUMN: &str = "the column of --as";
 
 /// One way to read a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,8 +73,10 @@ impl Fixed {
 
     /// The same without one of what is given, and at last without all of it; by the option. Of a function
     /// the names of its arguments are given.
-    pub fn without(&self, source: Source) -> Vec<(&'static str, Fixed)> {
-        let of_function = source == Source::Function && self.axes.is_none();
+    pub fn without(&self, table: &AuditedTable) -> Vec<(&'static str, Fixed)> {
+        let roles: Vec<Option<Input>> = table.axes.iter().map(|name| role(name)).collect();
+        let are_named = matches!(roles[..], [first, second] if first != second);
+        let of_function = table.source == Source::Function && self.axes.is_none() && are_named;
         let own = || self.clone();
         let free =
             Fixed { inverse: self.inverse, samples: self.samples, points: self.points, ..Fixed::default() };
@@ -82,7 +88,7 @@ impl Fixed {
             ("--meaning", Fixed { meanings: None, ..own() }),
             ("--encoding", Fixed { encoding: None, ..own() }),
             ("--clamp", Fixed { floors: Vec::new(), ..own() }),
-            ("the column of --as", Fixed { column: None, ..own() }),
+            (COLUMN, Fixed { column: None, ..own() }),
             (NAMES, Fixed { swapped: of_function, ..own() }),
             ("those options", Fixed { column: self.column, domain: self.domain.clone(), ..free }),
         ];

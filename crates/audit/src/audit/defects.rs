@@ -342,9 +342,10 @@ fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
         dims.iter().map(|n| (0..*n).map(|k| k > 0 && dims.len() > 1).collect()).collect();
     for (i, value) in r.values.iter().enumerate() {
         let mut step = 1;
-        for (axis, at) in place(i, &dims).into_iter().enumerate() {
+        for (axis, n) in dims.iter().enumerate() {
+            let at = i / step % n;
             repeated[axis][at] &= at > 0 && r.values[i - step] == *value;
-            step *= dims[axis];
+            step *= n;
         }
     }
     repeated
@@ -418,8 +419,9 @@ const FEW_BITS: [u32; 3] = [4, 5, 6];
 pub(super) fn stored(step: Step, values: &[f64]) -> Step {
     let few = |bits: &u32| {
         let most = f64::from((1_u32 << bits) - 1);
-        // Within half a step of 8 bits.
-        values.iter().all(|v| (v * most - (v * most).round()).abs() <= most * 0.51 / 255.0)
+        // Within half a step of 8 bits. A constant tells no steps.
+        values.iter().any(|v| *v != values[0])
+            && values.iter().all(|v| (v * most - (v * most).round()).abs() <= most * 0.51 / 255.0)
     };
     if step != Step::None || values.len() < 16 {
         let coarse = FEW_BITS.iter().find(|bits| step == Step::Unorm(8) && values.len() >= 16 && few(bits));

@@ -55,7 +55,7 @@ pub static ENCODINGS: [Encoding; 5] = [
         name: "gamma 2.2",
         remedy: "its values were encoded for display: store them as they are",
         decode: |x, _| ops::pow(x, 2.2),
-        step: |stored| if stored == Step::Unorm(8) { Step::Rgbd(22) } else { Step::None },
+        step: |stored| if let Step::Unorm(bits) = stored { Step::Gamma((1 << bits) - 1) } else { Step::None },
         factor: 1.0,
         takes_alpha: false,
     },
@@ -95,7 +95,7 @@ const FACTORS: [(f64, &str); 6] =
 /// A factor is one of these within this share of it, and 1 as well.
 const NEAR: f64 = 0.02;
 
-/// Share of the misfit of one encoding that another of a table that follows both may leave to be taken.
+/// Of two encodings that a table follows a later one is taken where it leaves this share of the misfit.
 const NEARER: f64 = 0.9;
 
 /// What a factor may leave of what it explains, the share by which it changes values.
@@ -167,7 +167,9 @@ impl Encoding {
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| c.values.iter()).all(|v| v.is_finite());
         let unit = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
-        let step = (self.step)(stored(table.step, &table.channels[0].values));
+        let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
+        let first = table.channels.iter().find(varies).unwrap_or(&table.channels[0]);
+        let step = (self.step)(stored(table.step, &first.values));
         let decoded = AuditedTable { channels, step, scale: self.factor, ..table.clone() };
         // A Radiance picture is linear, and so is a function.
         let is_picture = unit && table.step != Step::Rgbe && table.source == Source::Table;

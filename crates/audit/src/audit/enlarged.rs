@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::defects::stored;
-use super::table::{AuditedTable, Source, place};
+use super::table::{AuditedTable, Source};
 
 /// Texels of smaller tables along an axis whose outermost stand at those of the larger one; with the
 /// centres of both aligned every divisor of its size from [`LEAST`] on is tried.
@@ -94,37 +94,44 @@ impl Knots {
     }
 }
 
-/// The values of a channel line by line along an axis, from the one with the sharpest bend on.
-struct Lines {
+/// The values of a channel line by line along an axis, the line with the sharpest bend first: most tables are
+/// told there to be no enlarged ones.
+struct Lines<'a> {
+    values: &'a [f64],
+    /// Texels of a line, and the step from one to the next.
     n: usize,
-    values: Vec<f64>,
+    step: usize,
+    /// The first texel of each.
+    first: Vec<usize>,
     /// The largest second difference.
     bend: f64,
     /// What rounding leaves of a bend at most.
     rounding: f64,
 }
 
-impl Lines {
-    fn of(table: &AuditedTable, channel: usize, axis: usize) -> Lines {
-        let (size, own) = (&table.size, &table.channels[channel].values);
-        let n = size[axis];
-        let step: usize = size[..axis].iter().product();
-        let mut values = Vec::with_capacity(own.len());
-        for first in (0..own.len()).filter(|i| place(*i, size)[axis] == 0) {
-            values.extend((0..n).map(|k| own[first + k * step]));
-        }
-        let bends = || values.chunks(n).map(|line| line.windows(3).map(second).fold(0.0, f64::max));
-        let (line, bend) =
-            bends().enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
-        values.rotate_left(line * n);
+impl<'a> Lines<'a> {
+    fn of(table: &'a AuditedTable, channel: usize, axis: usize) -> Lines<'a> {
+        let (size, values) = (&table.size, table.channels[channel].values.as_slice());
+        let (n, step) = (size[axis], size[..axis].iter().product());
+        let first = (0..values.len() / (n * step)).flat_map(|k| (0..step).map(move |i| k * n * step + i));
+        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, rounding: 0.0 };
+        let bends = lines.each().map(|line| line.windows(3).map(second).fold(0.0, f64::max));
+        let (sharpest, bend) =
+            bends.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
+        lines.first.swap(0, sharpest);
         let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let rounding = ROUNDED * stored(table.step, own).rounding(largest) + 1e-6 * largest;
-        Lines { n, values, bend, rounding }
+        let rounding = ROUNDED * stored(table.step, values).rounding(largest) + 1e-6 * largest;
+        Lines { bend, rounding, ..lines }
+    }
+
+    fn each(&self) -> impl Iterator<Item = Vec<f64>> {
+        self.first.iter().map(|first| (0..self.n).map(|k| self.values[first + k * self.step]).collect())
     }
 
     /// Whether texels stand in groups of equals.
     fn are_repeated(&self, times: usize) -> bool {
-        self.bend > 0.0 && self.values.chunks(times).all(|group| group.iter().all(|value| *value == group[0]))
+        let is_one = |group: &[f64]| group.iter().all(|value| *value == group[0]);
+        self.bend > 0.0 && self.each().all(|line| line.chunks(times).all(is_one))
     }
 
     /// Whether all between the knots are straight lines, which meet at the knots, and all beyond is level.
@@ -132,20 +139,29 @@ impl Lines {
         let left = STRAIGHT * self.bend + self.rounding;
         let last = knots.count - 1;
         let (low, high) = (knots.at(0).ceil() as usize, knots.at(last).floor() as usize);
-        let straight = |line: &[f64]| {
-            let level = |part: &[f64]| part.windows(2).all(|w| (w[0] - w[1]).abs() <= left);
-            let ends = level(&line[..low]) && level(&line[high + 1..]);
-            ends && (0..last).all(|k| {
-                let inside = knots.at(k).ceil() as usize..=knots.at(k + 1).floor() as usize;
-                line[inside].windows(3).all(|w| second(w) <= left)
-            }) && (1..last).all(|k| {
-                let at = knots.at(k);
-                let (before, after) = (at.floor() as usize, at.ceil() as usize);
-                let beyond = |a: usize, b: usize| line[a] + (line[a] - line[b]) * (at - a as f64).abs();
-                before == after || (beyond(before, before - 1) - beyond(after, after + 1)).abs() <= left
-            })
+        let level = |part: &[f64]| part.windows(2).all(|w| (w[0] - w[1]).abs() <= left);
+        let straight = |line: &[f64], k: usize| {
+            let inside = knots.at(k).ceil() as usize..=knots.at(k + 1).floor() as usize;
+            line[inside].windows(3).all(|w| second(w) <= left)
         };
-        self.bend > ROUNDED * left && self.values.chunks(self.n).all(straight)
+        let meet = |line: &[f64], k: usize| {
+            let at = knots.at(k);
+            let (before, after) = (at.floor() as usize, at.ceil() as usize);
+            let beyond = |a: usize, b: usize| line[a] + (line[a] - line[b]) * (at - a as f64).abs();
+            before == after || (beyond(before, before - 1) - beyond(after, after + 1)).abs() <= left
+        };
+        // Texels beyond the outermost knots hold what stands at those.
+        let held = |line: &[f64], [end, a, b]: [usize; 3], knot: f64| {
+            (line[a] + (line[a] - line[b]) * (knot - a as f64).abs() - line[end]).abs() <= left
+        };
+        let is_made = |line: Vec<f64>| {
+            let ends = level(&line[..low]) && level(&line[high + 1..]);
+            let held = low == 0
+                || held(&line, [low - 1, low, low + 1], knots.at(0))
+                    && held(&line, [high + 1, high, high - 1], knots.at(last));
+            ends && held && (0..last).all(|k| straight(&line, k)) && (1..last).all(|k| meet(&line, k))
+        };
+        self.bend > ROUNDED * left && self.each().all(is_made)
     }
 }
 

@@ -15,8 +15,7 @@ const PLACES: [usize; 3] = [512, 128, 20];
 /// and of a function that takes long at least.
 const FEWEST: [usize; 3] = [64, 16, 8];
 
-/// Statements and expressions that are run in all at most, but for the fewest places: half a minute on two
-/// cores.
+/// Statements and expressions that are run in all at most, but for the fewest places: 8 s on two cores.
 const STEPS: f64 = 3e8;
 
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.

@@ -343,7 +343,7 @@ fn finish(
         let defects = match (table.source, &two_lobes) {
             (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
             (Source::Table, None) if enlarged.is_some() => {
-                enlarged.iter().filter(|_| place == 0).cloned().map(Defect::Enlarged).collect()
+                enlarged.iter().cloned().map(Defect::Enlarged).collect()
             }
             (Source::Table, None) => defects::defects(&residuals, grain, alpha),
             (Source::Function, None) => defects::of_function(&residuals),

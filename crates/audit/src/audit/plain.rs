@@ -24,7 +24,7 @@ use lobefit::data::Place;
 const PLACES: usize = 16;
 
 /// Channels in words.
-const PLACES_OF: [&str; 4] = ["first", "second", "third", "last"];
+const PLACES_OF: [&str; 4] = ["first", "second", "third", "fourth"];
 
 /// The column of an error, and where it is.
 pub type Where = (Column, Place);
@@ -113,7 +113,7 @@ pub(super) fn plain(
     if let (Some(a), Some(b), None) = (at(Column::A), at(Column::B), &fixed.meanings) {
         let next = if b < a { b } else { a + 1 };
         // Channels before A that hold nothing are fetched all the same.
-        let is_late = b == next && a > 0 && (0..a).all(|k| convention.columns[k].is_none());
+        let is_late = b > a && a > 0 && (0..a).all(|k| convention.columns[k].is_none());
         let is_apart = (b > next || is_late) && table.source == Source::Table;
         if b < a {
             read.columns.swap(a, b);

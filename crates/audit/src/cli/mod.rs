@@ -238,7 +238,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     };
     let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if done.fit == audit::Fit::None {
-        for (without, fixed) in own.without(audited.source) {
+        for (without, fixed) in own.without(&audited) {
             progress.stage(&format!("the same without {without}"));
             let other = judge(&fixed)?;
             let follows = other.fit == audit::Fit::Whole || fixed.swapped && other.published.is_some();

@@ -43,7 +43,7 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             )
         }
         Defect::Enlarged(from) => {
-            format!("It is a table of {from}: of that it holds no more than the smaller one does.")
+            format!("It is a table of {from}, and holds no more than that.")
         }
         Defect::Bias { mean } => {
             format!(

@@ -32,6 +32,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
         errors.extend(at_places(audit, channel, k == 0));
         let known = audit.fit != Fit::None && audit.two_lobes.is_none();
         let told = channel.defects.iter().filter(|d| known || matches!(d, Defect::Dead { .. }));
+        // Of a table that was enlarged all channels were.
+        let told = told.filter(|d| k == 0 || !matches!(d, Defect::Enlarged(_)));
         errors.extend(told.map(|d| defect::sentence(d, &audit.axes)));
     }
     errors.dedup();

@@ -2,7 +2,7 @@
 
 use crate::audit::Audit;
 use crate::audit::axis::{AxisReading, Input};
-use crate::audit::convention::{Convention, NAMES};
+use crate::audit::convention::{COLUMN, Convention, NAMES};
 use crate::audit::table::Source;
 use lobefit::data::Place;
 
@@ -101,6 +101,7 @@ pub(super) fn excluded(audit: &Audit) -> Option<String> {
     let option = audit.excluded?;
     Some(match option {
         NAMES => format!("{NAMES} say"),
+        COLUMN => "--as says".into(),
         option if option.starts_with('-') => format!("{option} says"),
         _ => "the options say".into(),
     })

@@ -3,6 +3,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{AuditedTable, Column, Defect, Fit, Fixed, Input, Registration, Scale};
+use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
 
 use super::{N, a, at, b, e, table};
@@ -213,11 +214,20 @@ fn enlarged_tables_are_named_with_what_they_were_made_from() {
     ] {
         says(&found.verdict(None), "FAIL", &[how, store]);
     }
-    // Along one axis alone; and a table of its own size is none, however smooth.
+    // Of two channels; along one axis alone; and a table of its own size is none, however smooth.
     let columns = |x: usize, y: usize| e(x / 2 * 2, y);
     let found = reflection_of(&table(&[("R", &columns)]));
     says(&found.verdict(None), "FAIL", &["is of 8 x 16 texels enlarged by repeating them"]);
+    let twice = |f: &dyn Fn(usize, usize) -> f64, x: usize, y: usize| f(x / 4, y / 4);
+    let both = plane([4 * N; 2], &[("R", &|x, y| twice(&a, x, y)), ("G", &|x, y| twice(&b, x, y))]);
+    says(&reflection_of(&both).verdict(None), "FAIL", &["is of 16 x 16 texels enlarged by repeating them"]);
     assert!(!said(&reflection_of(&table(&[("R", &e)]))).contains("enlarged"));
+    // Nor one of 8 bits at end points, over alpha: each bend is within some steps.
+    let end = |i: usize| (i as f64 / 31.0).max(1e-4);
+    let eight = |v: f64| (v * 255.0).round() / 255.0;
+    let rounded = |x: usize, y: usize| eight(crate::support::both(Smith::Correlated, end(y), end(x)).0);
+    let picture = AuditedTable { step: Step::Unorm(8), ..plane([32; 2], &[("R", &rounded)]) };
+    assert!(!said(&reflection_of(&picture)).contains("enlarged"));
 }
 
 /// alpha = roughness^3, which is no convention of engines.

@@ -256,7 +256,15 @@ fn arguments_in_the_wrong_order_are_named() {
     );
     assert!(said.contains("n_dot_v and roughness stand in the wrong order"), "{said}");
     assert!(said.contains("Without the names of its arguments: PASS ggx-reflection E"), "{said}");
-    // What follows nothing in either order has no second verdict.
+    // Names that say nothing are not in the wrong order; and what follows nothing in either has no second verdict.
+    let karis = "
+        fn own(x: f32, q: f32, f0: f32) -> f32 {
+            let r = q * vec4<f32>(-1.0, -0.0275, -0.572, 0.022) + vec4<f32>(1.0, 0.0425, 1.04, -0.04);
+            let a = min(r.x * r.x, exp2(-9.28 * x)) * r.x + r.y;
+            return f0 * (-1.04 * a + r.z) + 1.04 * a + r.w;
+        }";
+    let said = printed(karis, "own");
+    assert!(said.contains("`ggx_blend_karis`") && !said.contains("wrong order"), "{said}");
     let nothing =
         "fn own(n_dot_v: f32, roughness: f32) -> f32 { return sin(20.0 * n_dot_v) * cos(9.0 * roughness); }";
     let said = printed(nothing, "own");
