@@ -289,7 +289,7 @@ fn a_formula_of_something_else_is_no_pass() {
 
 /// A loop over 1024 samples, as renderers have it, takes fewer places.
 #[test]
-#[ignore = "half a minute: .ci/nightly"]
+#[ignore = "six seconds of two cores: .ci/nightly"]
 fn nightly_a_loop_over_samples_is_taken_at_fewer_places() {
     let text = "
         fn own(n_dot_v: f32, roughness: f32) -> f32 {
