@@ -14,7 +14,7 @@ pub(super) const ONE_SIGN: f64 = 0.8;
 /// they are all over it: the square of their mean is this share of their mean square, where a few large ones
 /// make less of it;
 const FILLED: f64 = 0.3;
-/// or, as rows do that hold those before them, it stands out by so much, and by more than a few of its texels;
+/// or, as rows that hold those before them, it stands out by so much, by many texels;
 const FAR: f64 = 36.0;
 const FILLED_FAR: f64 = 0.15;
 /// and it has so many texels.

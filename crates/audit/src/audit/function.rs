@@ -128,8 +128,8 @@ fn of_feeds(
     })
 }
 
-/// Places along every argument at which a function is taken: fewer of one that takes many steps, as loops over
-/// samples do. What cannot be run is said of the first place at which it is.
+/// Places along every argument at which a function is taken: fewer of one that takes many steps, as loops
+/// over samples do. What cannot be run is said of the first place at which it is.
 fn places(function: &ShaderFunction, arguments: usize, feeds: &[Feed]) -> usize {
     let [most, fewest] = [PLACES, FEWEST].map(|places| places[arguments - 1]);
     let steps = |x: f32| {

@@ -35,6 +35,6 @@ pub const MACRO_TOKENS: usize = 1 << 18;
 pub const NESTING: usize = 1024;
 /// Most scalars of a variable of a shader.
 pub const ENTRIES: usize = 1 << 15;
-/// Most statements and expressions of a shader function at one point, calls and loops expanded: a loop of 1024
-/// samples of GGX takes half.
+/// Most statements and expressions of a shader function at one point, calls and loops expanded: a loop of
+/// 1024 samples of GGX takes half.
 pub const STEPS: usize = 1 << 20;

@@ -78,8 +78,8 @@ pub(super) fn has_unknown(audit: &Audit) -> bool {
     !audit.excused && audit.channels.iter().any(|c| c.other == Some(Other::Unknown))
 }
 
-/// What a function may be off by at most without a limit, of what its truth spans: published approximations are
-/// by a fifth in the corner of grazing and smooth, formulas of something else by a third.
+/// What a function may be off by at most without a limit, of what its truth spans: published approximations
+/// are by a fifth in the corner of grazing and smooth, formulas of something else by a third.
 const LOOSE: f64 = 0.3;
 
 /// Whether a function that is no published formula is farther off than approximations of its quantity are.

@@ -96,7 +96,7 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
     }
 }
 
-/// What says another convention than the one that it follows: `--smith says`, `the names of its arguments say`.
+/// What says another convention than the one that it follows: `--smith says`.
 pub(super) fn excluded(audit: &Audit) -> Option<String> {
     let option = audit.excluded?;
     Some(match option {

@@ -157,3 +157,19 @@ fn a_table_between_two_lobes_is_of_no_lobe_for_certain() {
     let why = "since another convention fits nearly as well, and its own not closely";
     says(&found.verdict(None), "UNKNOWN", &[why, "--smith say what is meant"]);
 }
+
+/// Karis' loop with few samples and an alpha of at least 0.0001: its first rows are the same, and no value is
+/// clamped.
+#[test]
+fn rows_that_a_clamp_makes_one_are_no_clamp_of_values() {
+    const SIDE: usize = 256;
+    let centre = |i: usize| (i as f64 + 0.5) / SIDE as f64;
+    let texel = |i: usize| {
+        let roughness = centre(i / SIDE).max(0.01);
+        karis(centre(i % SIDE), roughness, 0.5 * roughness * roughness, 64).map(half)
+    };
+    let texels: Vec<[f64; 2]> = (0..SIDE * SIDE).map(texel).collect();
+    let channel = |k: usize| texels.iter().map(|texel| texel[k]).collect();
+    let found = run(&square(SIDE, vec![("R", channel(0)), ("G", channel(1))]), "ggx-reflection", None);
+    says(&found.verdict(None), "PASS", &["as Schlick-Smith with k = alpha/2"]);
+}

@@ -256,7 +256,7 @@ fn arguments_in_the_wrong_order_are_named() {
     );
     assert!(said.contains("n_dot_v and roughness stand in the wrong order"), "{said}");
     assert!(said.contains("Without the names of its arguments: PASS ggx-reflection E"), "{said}");
-    // Names that say nothing are not in the wrong order; and what follows nothing in either has no second verdict.
+    // Names that say nothing are in no order; what follows nothing in either has no second verdict.
     let karis = "
         fn own(x: f32, q: f32, f0: f32) -> f32 {
             let r = q * vec4<f32>(-1.0, -0.0275, -0.572, 0.022) + vec4<f32>(1.0, 0.0425, 1.04, -0.04);
