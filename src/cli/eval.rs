@@ -57,7 +57,7 @@ fn domain(input: &Input, smallest_alpha: f64) -> String {
     let short = |x: f64| format!("{x:?}").trim_end_matches(".0").to_owned();
     let (name, [low, high]) = (input.name, input.domain);
     match (low, high) {
-        (low, high) if !(low.is_finite() && high.is_finite()) => name.to_owned(),
+        (low, high) if !(low > f64::MIN && high < f64::MAX) => format!("{name} (any)"),
         (0.0, high) if name == "alpha" => format!("{name} (0, {} to {})", short(smallest_alpha), short(high)),
         (low, high) => format!("{name} ({} to {})", short(low), short(high)),
     }

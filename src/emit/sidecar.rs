@@ -18,6 +18,14 @@ pub const SCHEMA_VERSION: u32 = 1;
 /// How the texels lie in the file.
 const ORDER: &str = "x (columns) fastest, then y (rows), then z (slices); the channels of a texel together";
 
+/// GPUTextureFormat by name.
+const WEBGPU: [[&str; 3]; 4] = [
+    ["r8unorm", "rg8unorm", "rgba8unorm"],
+    ["r16unorm", "rg16unorm", "rgba16unorm"],
+    ["r16float", "rg16float", "rgba16float"],
+    ["r32float", "rg32float", "rgba32float"],
+];
+
 /// The document.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sidecar {
@@ -42,6 +50,9 @@ pub struct Sidecar {
     /// VkFormat of a KTX 2 file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vk_format: Option<String>,
+    /// GPUTextureFormat of a texture, as WebGPU calls it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub webgpu_format: Option<String>,
     /// Of a stored number.
     pub byte_order: String,
     /// How the texels lie in the file, in words.
@@ -73,6 +84,7 @@ impl Sidecar {
         let format = |of: Container, name: fn(Texel) -> (&'static str, u32)| {
             Texel::of(table).filter(|_| container == of).map(|texel| name(texel).0.to_string())
         };
+        let texel = Texel::of(table).filter(|_| matches!(container, Container::Dds | Container::Ktx2));
         let formulas = decode.formulas().iter();
         Sidecar {
             schema_version: SCHEMA_VERSION,
@@ -84,6 +96,7 @@ impl Sidecar {
             stored: packed.stored,
             dxgi_format: format(Container::Dds, dds::format),
             vk_format: format(Container::Ktx2, ktx2::format),
+            webgpu_format: texel.map(|texel| texel.named(WEBGPU).into()),
             byte_order: "little-endian".into(),
             order: ORDER.into(),
             offset: packed.header.len(),

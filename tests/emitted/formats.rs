@@ -243,6 +243,11 @@ fn a_dds_reader_finds_a_texture_with_every_texel() {
             said["dxgi_format"].as_str().unwrap().to_lowercase(),
             format!("{format:?}").to_lowercase()
         );
+        // R16G16_Float is rg16float.
+        let digits = 8 * bytes;
+        let short = format!("{format:?}").replace(&digits.to_string(), "").to_lowercase();
+        let (letters, kind) = short.split_once('_').expect("channels and a type");
+        assert_eq!(said["webgpu_format"], format!("{letters}{digits}{kind}"));
     }
     say(&format!("ddsfile: {} textures, every texel at its place", tables.len()));
 }

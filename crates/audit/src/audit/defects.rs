@@ -4,7 +4,7 @@ use super::FITS;
 use super::block::{About, block};
 use super::column::Column;
 use super::enlarged::Enlarged;
-use super::errors::Residuals;
+use super::errors::{Residuals, spread};
 use super::extent::Extent;
 use super::line::line;
 use super::spikes::{are_apart, spikes};
@@ -323,9 +323,7 @@ fn clamped(r: &Residuals) -> Option<Defect> {
         let is_repeated = |i: usize| place(i, &dims).iter().zip(&repeated).any(|(k, lines)| lines[*k]);
         let stuck: Vec<usize> =
             r.judged.iter().filter(beyond).copied().filter(|i| !is_repeated(*i)).collect();
-        let truths = || stuck.iter().map(|i| r.truth(*i));
-        let apart = truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min);
-        if stuck.len() >= 2 && apart > 0.0 {
+        if stuck.len() >= 2 && spread(stuck.iter().map(|i| r.truth(*i))) > 0.0 {
             let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
             let worst = stuck.iter().max_by(far).copied().unwrap_or(stuck[0]);
             let (texels, truth) = (stuck.len(), r.truth(worst));

@@ -107,8 +107,7 @@ impl<'a> Residuals<'a> {
     }
 
     fn spread_of(&self, texels: &[usize]) -> f64 {
-        let truths = || texels.iter().map(|i| self.truth(*i));
-        truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+        spread(texels.iter().map(|i| self.truth(*i)))
     }
 
     /// Root mean square of the errors of some texels beside the spread of their truth; an error of an
@@ -205,4 +204,10 @@ pub(super) fn median(mut list: Vec<f64>) -> f64 {
     }
     let middle = list.len() / 2;
     *list.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// Difference of the largest value and the smallest; of none minus infinity.
+pub(super) fn spread(values: impl Iterator<Item = f64>) -> f64 {
+    let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+    ends[1] - ends[0]
 }

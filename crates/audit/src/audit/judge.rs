@@ -7,6 +7,7 @@ use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
+use super::errors::spread;
 use super::sample::{self, Candidate, Fitted, Sample, View, fit_columns, judged, shared, steps};
 use super::screen::best;
 use super::truth::{Truth, Truths, Values};
@@ -98,7 +99,7 @@ pub(super) fn with_floors(
     candidate: &Candidate,
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
-    let lines = Lines::of(truth, sample, candidate)?;
+    let lines = Clampable::of(truth, sample, candidate)?;
     let of = |inputs: &[Input]| -> Vec<usize> {
         let open = |input: Input| inputs.contains(&input) && fixed.floor(input).is_none();
         (0..at.axes.len()).filter(|k| open(at.axes[*k].scale.input())).collect()
@@ -147,18 +148,18 @@ pub(super) fn with_floors(
 }
 
 /// Lines of a sample along an axis, which a clamp makes one, and of its truth without a clamp.
-struct Lines<'a> {
+struct Clampable<'a> {
     sample: &'a Sample,
     truth: Vec<Vec<f64>>,
 }
 
-impl<'a> Lines<'a> {
-    fn of(truth: &Truth, sample: &'a Sample, candidate: &Candidate) -> Result<Lines<'a>, AuditError> {
+impl<'a> Clampable<'a> {
+    fn of(truth: &Truth, sample: &'a Sample, candidate: &Candidate) -> Result<Clampable<'a>, AuditError> {
         let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::ranked)?;
         let value = |column: Column| judgement.base.iter().map(|base| column.value(*base)).collect();
         let of = |(column, own): (&Option<Column>, &Vec<f64>)| column.map_or_else(|| own.clone(), value);
         let columns = candidate.fitted.columns.iter().zip(&sample.values);
-        Ok(Lines { sample, truth: columns.map(of).collect() })
+        Ok(Clampable { sample, truth: columns.map(of).collect() })
     }
 
     /// Places along an axis at which an input is below a floor, the least first.
@@ -177,14 +178,12 @@ impl<'a> Lines<'a> {
         let step: usize = dims[..axis].iter().product();
         let along = |i: usize| i / step % dims[axis];
         let channel = |(values, own): (&Vec<f64>, &Vec<f64>)| {
-            let [low, high] = own
-                .iter()
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)]);
+            let high = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let first = |i: usize| i + lines[0] * step - along(i) * step;
             let counts = |i: &usize| lines.contains(&along(*i)) && own[*i] != high && own[first(*i)] != high;
             let squares = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]).map(|d| d * d);
             let squares: Vec<f64> = squares.collect();
-            (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / (high - low)
+            (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / spread(own.iter().copied())
         };
         of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
     }

@@ -7,6 +7,7 @@ use lobefit::report::words;
 use serde::Serialize;
 
 use super::measure::{Cell, Energy, Furnace};
+use super::roles::Role;
 use crate::audit::{Grade, first_line, place};
 
 /// The verdict.
@@ -26,6 +27,9 @@ const ALLOWED: f64 = 5e-3;
 
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
+
+/// In the names of reflectances at normal incidence.
+const F0: [&str; 3] = ["f0", "specular", "reflectance"];
 
 /// What a function may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -169,11 +173,22 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
         }
     };
     let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();
+    let white = Role::White.words();
+    let is_f0 = |name: &str| {
+        let name = name.to_ascii_lowercase();
+        F0.iter().any(|word| name.contains(word)) && !name.contains("f90")
+    };
+    let f0 = found.arguments.iter().find(|(name, role)| *role == white && is_f0(name));
+    let hidden = f0.map_or_else(String::new, |(name, _)| {
+        format!(
+            " A Fresnel term is 1 throughout where {name} is 1, and not judged: `--set {name}=0.04` shows what it does."
+        )
+    });
     let mut points = vec![
         format!("Energy: {} at most.{advice} {} at least.{lost}", of(&found.most), of(&found.least)),
         format!("Reciprocity: {swapped}"),
         format!("Cosine: {cosine}"),
-        format!("Arguments: {}.", given.join(", ")),
+        format!("Arguments: {}.{hidden}", given.join(", ")),
     ];
     if let Some(bad) = &found.unusable {
         let so = words::count(bad.points, "point", "points");

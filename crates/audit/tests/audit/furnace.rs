@@ -91,6 +91,19 @@ fn what_gains_energy_is_found_at_its_worst_place() {
     assert!(verdict.points.len() <= 5, "{:?}", verdict.points);
 }
 
+/// At a reflectance of 1 no Fresnel term shows, which is said.
+#[test]
+fn what_a_reflectance_of_one_hides_is_said() {
+    for (argument, hides) in
+        [("specularColor", true), ("F0", true), ("albedo", false), ("specularF90", false)]
+    {
+        let glsl =
+            format!("float f(vec3 l, vec3 v, vec3 n, float {argument}) {{ return 0.3 * {argument}; }}");
+        let points = judgement("f", &measured(&glsl, "f.glsl", "f", &[]), within(None)).points.concat();
+        assert_eq!(points.contains(&format!("`--set {argument}=0.04`")), hides, "{points}");
+    }
+}
+
 /// A factor that is counted twice or not at all is named: of a white Lambert surface.
 #[test]
 fn constant_factors_are_named() {

@@ -260,6 +260,12 @@ fn gloss_is_told_from_roughness_and_its_powers() {
         );
         assert_eq!(columns(&found), [Some(Column::B)]);
         assert_eq!(said(&found).contains("gloss"), reversed, "{}", said(&found));
+        assert_eq!(
+            said(&found).contains("or store the rows in the other order"),
+            reversed,
+            "{}",
+            said(&found)
+        );
     }
 }
 

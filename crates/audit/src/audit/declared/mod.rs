@@ -12,7 +12,7 @@ mod words;
 pub use findings::findings as declared_findings;
 
 use super::column::Column;
-use super::errors::{TexelErrors, median};
+use super::errors::{TexelErrors, median, spread};
 use super::lobe::Form;
 use super::lookup::fetch;
 use super::table::AuditedTable;
@@ -68,8 +68,7 @@ impl Held {
 
     /// Difference of the largest and the smallest truth.
     pub fn spread(&self) -> f64 {
-        let truths = || self.truths.iter().copied();
-        truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+        spread(self.truths.iter().copied())
     }
 }
 

@@ -56,9 +56,14 @@ fn readings(audit: &Audit, plain: &Plain) -> Vec<String> {
     if audit.source == Source::Table && !is_open(audit) {
         steps.extend(registrations(audit));
     }
-    for (name, (axis, plain)) in audit.axes.iter().zip(best.axes.iter().zip(&plain.convention.axes)) {
+    let axes = audit.axes.iter().zip(LINES).zip(best.axes.iter().zip(&plain.convention.axes));
+    for ((name, line), (axis, plain)) in axes {
         if axis.reversed && !plain.reversed && axis.scale.input() == Input::Alpha {
-            steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
+            let pass = format!("pass 1 - {} as {name}", axis.scale.name());
+            steps.push(match audit.source {
+                Source::Table => format!("{pass}, or store the {line}s in the other order"),
+                Source::Function => pass,
+            });
         }
     }
     if best.columns != plain.convention.columns

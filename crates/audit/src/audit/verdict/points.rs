@@ -9,7 +9,7 @@ use crate::audit::axis::Registration;
 use crate::audit::best::CLOSE;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
-use crate::audit::errors::TexelErrors;
+use crate::audit::errors::{TexelErrors, spread};
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
 use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, Tried, TwoLobes};
@@ -84,16 +84,12 @@ const LOOSE: f64 = 0.3;
 
 /// Whether a function that is no published formula is farther off than approximations of its quantity are.
 pub(super) fn is_loose(audit: &Audit) -> bool {
-    let far = |c: &ChannelAudit| c.errors.as_ref().is_some_and(|errors| errors.max > LOOSE * spread(c));
+    let far = |c: &ChannelAudit| {
+        c.errors.as_ref().is_some_and(|errors| errors.max > LOOSE * spread(c.truth.iter().copied()))
+    };
     let judged = audit.fit == Fit::Whole && audit.misread(None).is_none() && audit.furnace_error().is_none();
     let is_own = audit.source == Source::Function && audit.published.is_none();
     judged && is_own && audit.channels.iter().any(far)
-}
-
-/// What the truth of a channel spans.
-fn spread(channel: &ChannelAudit) -> f64 {
-    let truth = || channel.truth.iter().copied();
-    truth().fold(f64::NEG_INFINITY, f64::max) - truth().fold(f64::INFINITY, f64::min)
 }
 
 /// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
@@ -104,7 +100,7 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let explains =
         |d: &Defect| matches!(d, Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. });
     let is_far = |c: &ChannelAudit| {
-        let is_off = |errors: &TexelErrors| errors.rms > close * spread(c);
+        let is_off = |errors: &TexelErrors| errors.rms > close * spread(c.truth.iter().copied());
         c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
     };
     let (best, nearly) = (audit.best(), if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR });
