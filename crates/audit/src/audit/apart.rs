@@ -8,7 +8,7 @@ use super::found::{Audit, ChannelAudit, Fit, Other};
 use super::screen::Sieved;
 use super::table::{AuditedTable, Source};
 use super::truth::spec;
-use super::{AuditError, FITS, Fixed};
+use super::{AuditError, Fixed};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 
@@ -100,9 +100,11 @@ fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditErr
         }
         let Some(found) = best(&case, quantity)? else { continue };
         let better = nearest.as_ref().is_none_or(|b| found.found[0].fitted.rank < b.found[0].fitted.rank);
-        if found.off <= FITS && better {
+        if better {
             nearest = Some(found);
         }
     }
-    nearest.map(|best| best.audit(&case)).transpose()
+    // Of a channel that stands at what its format holds a part follows.
+    let audit = nearest.map(|best| best.audit(&case)).transpose()?;
+    Ok(audit.filter(|audit| audit.fit != Fit::None))
 }

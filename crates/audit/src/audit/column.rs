@@ -215,7 +215,13 @@ impl Column {
     /// Whether few tables hold it, so that the verdict takes it only where it is clearly better than
     /// what others hold.
     pub fn is_rare(self) -> bool {
-        matches!(self, Column::Share | Column::LossR | Column::RadianceT | Column::Radiance)
+        use Column::{LossR, Radiance, RadianceT, Share, ShareR};
+        matches!(self, Share | ShareR | LossR | RadianceT | Radiance)
+    }
+
+    /// Whether it is what f0 A + B is made of: at an f0 of 1 a function has their sum.
+    pub fn is_part(self) -> bool {
+        matches!(self, Column::A | Column::B | Column::Share)
     }
 
     /// Whether it is of one f0: B is near to all of these columns, so that only clear figures

@@ -13,6 +13,7 @@ mod arguments;
 mod axis;
 mod best;
 mod block;
+mod clamp;
 mod column;
 mod convention;
 mod declared;
@@ -257,7 +258,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let mut clamped = Vec::new();
     for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
         let floored = k < CLAMPED[class] && table.source == Source::Table;
-        clamped.push(if floored { judge::with_floors(truth, &more, fixed, &candidate)? } else { candidate });
+        clamped.push(if floored { clamp::with_floors(truth, &more, fixed, &candidate)? } else { candidate });
     }
     let last = Sample::new(table, live, LAST[class], false);
     let far = FAR[class] * clamped.iter().map(|c| c.fitted.rank).fold(f64::INFINITY, f64::min);
@@ -366,7 +367,7 @@ fn finish(
             fit: if two_lobes.is_some() {
                 Fit::Part
             } else {
-                fit(table.source, &residuals, &errors, &defects)
+                fit(table.source, fixed.samples, &residuals, &errors, &defects)
             },
             truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
@@ -454,9 +455,23 @@ fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried
     Tried { convention: c.convention(truth, live, channels), misfits, rank: c.fitted.rank }
 }
 
-fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
+/// How well a channel fits: but for what its samples leave where the user states them, or for noise up to
+/// twice what fits.
+fn fit(
+    source: Source,
+    samples: Option<u32>,
+    residuals: &Residuals,
+    errors: &TexelErrors,
+    defects: &[Defect],
+) -> Fit {
     let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
-    if residuals.misfit(&residuals.judged) <= allowed {
+    let misfit = residuals.misfit(&residuals.judged);
+    let noise =
+        defects.iter().find_map(|d| if let Defect::Noise { rms, .. } = d { Some(*rms) } else { None });
+    let smooth = |noise: f64| (errors.rms * errors.rms - noise * noise).max(0.0).sqrt() / errors.rms * misfit;
+    let is_noisy = misfit <= 2.0 * allowed && noise.is_some_and(|noise| smooth(noise) <= allowed);
+    let sampled = samples.map_or(0.0, |n| 0.5 / f64::from(n).sqrt());
+    if misfit <= allowed.max(sampled) || is_noisy {
         let dead = defects.iter().any(|d| matches!(d, Defect::Dead { .. }));
         return if dead { Fit::Part } else { Fit::Whole };
     }

@@ -5,10 +5,11 @@
 
 use super::AuditError;
 use super::axis::AxisReading;
+use super::clamp::with_floors;
 use super::convention::Fixed;
 use super::defects::{Grain, stored};
 use super::errors::Residuals;
-use super::judge::{judge, rejudge, with_floors};
+use super::judge::{judge, rejudge};
 use super::lookup::{Look, Points};
 use super::plain::is_usual;
 use super::sample::{Candidate, Fitted, Sample};

@@ -19,6 +19,8 @@ pub(super) struct Sample {
     pub at: Vec<Vec<usize>>,
     /// Values of every live channel, the first axis fastest.
     pub values: Vec<Vec<f64>>,
+    /// Of every live channel whether it is of a function at an f0 of 1.
+    pub at_one: Vec<bool>,
 }
 
 impl Sample {
@@ -35,7 +37,8 @@ impl Sample {
         let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
         let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
         let texels = alive(audited);
-        Sample { size: audited.size.clone(), texels, values: live.iter().map(of).collect(), at }
+        let values = live.iter().map(of).collect();
+        Sample { size: audited.size.clone(), texels, values, at, at_one: at_one(audited, live) }
     }
 
     /// Some of the rows of a table of two axes, and all of its columns, but for those that are dead.
@@ -46,7 +49,8 @@ impl Sample {
         let texels = || at[1].iter().flat_map(|row| at[0].iter().map(move |column| row * width + column));
         let of = |c: &usize| texels().map(|texel| audited.channels[*c].values[texel]).collect();
         let values = live.iter().map(of).collect();
-        Sample { size: audited.size.clone(), texels: alive(audited), values, at }
+        let at_one = at_one(audited, live);
+        Sample { size: audited.size.clone(), texels: alive(audited), values, at, at_one }
     }
 
     /// One texel.
@@ -54,7 +58,8 @@ impl Sample {
         let i = flat(texel, &audited.size);
         let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
         let at = texel.iter().map(|k| vec![*k]).collect();
-        Sample { size: audited.size.clone(), texels: alive(audited), values, at }
+        let at_one = at_one(audited, live);
+        Sample { size: audited.size.clone(), texels: alive(audited), values, at, at_one }
     }
 
     /// Index along every axis of the table.
@@ -84,6 +89,11 @@ impl Sample {
     pub(super) fn nodes(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         self.at[axis].iter().map(|i| reading.node(*i, self.size[axis])).collect()
     }
+}
+
+/// Of every live channel whether it is of a function at an f0 of 1.
+fn at_one(audited: &AuditedTable, live: &[usize]) -> Vec<bool> {
+    live.iter().map(|k| audited.is_at_one(&audited.channels[*k])).collect()
 }
 
 /// Texels that are not dead.
@@ -233,10 +243,10 @@ pub(super) struct Fitted {
 /// user gives it.
 const LEAST_SHARE: usize = 3;
 
-/// The best columns of the channels, whose `values` are given, for given base values; none if no texel
-/// is judged, or few are.
+/// The best columns of the channels, whose `values` are given, and which of them are of an f0 of 1, for given
+/// base values; none if no texel is judged, or few are.
 pub(super) fn fit_columns(
-    values: &[Vec<f64>],
+    (values, at_one): (&[Vec<f64>], &[bool]),
     base: &Values,
     judged: &[bool],
     fixed: &Fixed,
@@ -278,7 +288,9 @@ pub(super) fn fit_columns(
             (Some(given), _) => given[k].and_then(|column| least(&[column])),
             (None, Some(column)) => least(&[column]),
             (None, None) => {
-                let (fixed, plain): (Vec<Column>, Vec<Column>) = columns.iter().partition(|c| c.is_fixed());
+                let (fixed, mut plain): (Vec<Column>, Vec<Column>) =
+                    columns.iter().partition(|c| c.is_fixed());
+                plain.retain(|column| !(at_one[k] && column.is_part()));
                 let plain = least(&plain);
                 let clear = |f: &(Column, Misfit)| plain.is_none_or(|p| CLEAR * f.1.rank() < p.1.rank());
                 // A channel beside another holds a part of the split sum, not all of it.

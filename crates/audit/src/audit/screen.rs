@@ -304,7 +304,7 @@ impl All<'_> {
             let judged = ranked(everywhere(own.into_iter()), shared.as_ref());
             let judged: Vec<bool> = judged.into_iter().step_by(stride).collect();
             let base = self.base(&guesses, stride);
-            let fitted = fit_columns(&values, &base, &judged, fixed, truth.columns())?;
+            let fitted = fit_columns((&values, &sample.at_one), &base, &judged, fixed, truth.columns())?;
             Some(Candidate { axes, lobe, fitted })
         };
         combinations.par_iter().filter_map(one).collect()

@@ -139,6 +139,11 @@ impl AuditedTable {
         (0..channel).find(|k| self.channels[*k].values == self.channels[channel].values)
     }
 
+    /// Whether a channel is of a function at an f0 of 1.
+    pub(super) fn is_at_one(&self, channel: &Channel) -> bool {
+        self.source == Source::Function && channel.name.ends_with(AT_ONE)
+    }
+
     /// Channels that vary and are not the same as one before, by their place; all of them where a meaning
     /// is `given` for each. Of a function of f0 E may be constant where B varies.
     pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
@@ -147,8 +152,7 @@ impl AuditedTable {
             return Ok((0..self.channels.len()).collect());
         }
         let some = self.channels.iter().any(varies);
-        let of_f0 = |c: &Channel| some && self.source == Source::Function && c.name.ends_with(AT_ONE);
-        let lives = |i: &usize| varies(&self.channels[*i]) || of_f0(&self.channels[*i]);
+        let lives = |i: &usize| varies(&self.channels[*i]) || some && self.is_at_one(&self.channels[*i]);
         let mut live: Vec<usize> = (0..self.channels.len()).filter(lives).collect();
         let first = |i: &usize| self.source == Source::Function || self.same(*i).is_none();
         let distinct: Vec<usize> = live.iter().copied().filter(first).collect();

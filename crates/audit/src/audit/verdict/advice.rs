@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::defect::{LINES, extent};
 use super::drop_in::drop_in;
-use super::points::{LIKELY, SAME};
+use super::points::{LIKELY, SAME, is_loose};
 use super::words::{excluded, listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::convention::NAMES;
@@ -35,6 +35,9 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         // What follows another convention is as good as another.
         steps.extend(drop_in(audit).filter(|_| audit.source == Source::Table && audit.excluded.is_none()));
         return steps;
+    }
+    if limit.is_none() && audit.source == Source::Table && is_loose(audit) {
+        return Vec::new();
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     steps.extend(audit.plain.iter().flat_map(|plain| readings(audit, plain)));

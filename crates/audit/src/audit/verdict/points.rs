@@ -82,14 +82,44 @@ pub(super) fn has_unknown(audit: &Audit) -> bool {
 /// are by a fifth in the corner of grazing and smooth, formulas of something else by a third.
 const LOOSE: f64 = 0.3;
 
-/// Whether a function that is no published formula is farther off than approximations of its quantity are.
+/// Root mean square, beside the spread of the truth, up to which a table follows a convention without a limit
+/// where neither rounding nor noise nor its samples explain it: published tables that are what they say leave
+/// 0.009, those of another exponent in Fresnel's term, or with a factor of 0.98, 0.012 and more.
+const FOLLOWS: f64 = 0.01;
+
+/// Whether a function that is no published formula is farther off than approximations of its quantity are; or
+/// a table than what follows its convention is.
 pub(super) fn is_loose(audit: &Audit) -> bool {
     let far = |c: &ChannelAudit| {
         c.errors.as_ref().is_some_and(|errors| errors.max > LOOSE * spread(c.truth.iter().copied()))
     };
-    let judged = audit.fit == Fit::Whole && audit.misread(None).is_none() && audit.furnace_error().is_none();
-    let is_own = audit.source == Source::Function && audit.published.is_none();
-    judged && is_own && audit.channels.iter().any(far)
+    if audit.fit != Fit::Whole || audit.published.is_some() {
+        return false;
+    }
+    match audit.source {
+        Source::Function if audit.misread(None).is_some() || audit.furnace_error().is_some() => false,
+        Source::Function => audit.channels.iter().any(far),
+        // What is to be mended has a name. A misreading is none that fits no better.
+        Source::Table => audit.channels.iter().any(|c| is_off(c, FOLLOWS)) && !has_remedy(audit),
+    }
+}
+
+/// Whether a defect says what is to be mended.
+fn has_remedy(audit: &Audit) -> bool {
+    let mended = |d: &Defect| advice::mending(d, &audit.axes, audit.source).is_some();
+    audit.channels.iter().flat_map(|c| &c.defects).any(mended)
+}
+
+/// Whether a channel is off by more than a share of what its truth spans, root mean square, and neither noise,
+/// rounding nor stated samples explain it.
+fn is_off(c: &ChannelAudit, share: f64) -> bool {
+    let explains = |d: &Defect| match d {
+        Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. } => true,
+        Defect::Sampled { texels: [over, _], .. } => *over == 0,
+        _ => false,
+    };
+    let is_off = |errors: &TexelErrors| errors.rms > share * spread(c.truth.iter().copied());
+    c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
 }
 
 /// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
@@ -97,12 +127,6 @@ pub(super) fn is_loose(audit: &Audit) -> bool {
 pub(super) fn is_ambiguous(audit: &Audit) -> bool {
     let is_table = audit.source == Source::Table;
     let close = if is_table { CLOSE } else { FITS };
-    let explains =
-        |d: &Defect| matches!(d, Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. });
-    let is_far = |c: &ChannelAudit| {
-        let is_off = |errors: &TexelErrors| errors.rms > close * spread(c.truth.iter().copied());
-        c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
-    };
     let (best, nearly) = (audit.best(), if is_table { 1.0 / LIKELY } else { 1.0 / CLEAR });
     let is_open = |t: &Tried| {
         let (times, read) = (t.rank / audit.tried[0].rank, &t.convention);
@@ -112,7 +136,7 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
         differs && (times - 1.0).abs() >= SAME && (nearly..LIKELY).contains(&times)
     };
     let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none();
-    is_read && audit.tried[1..].iter().any(is_open) && audit.channels.iter().any(is_far)
+    is_read && audit.tried[1..].iter().any(is_open) && audit.channels.iter().any(|c| is_off(c, close))
 }
 
 /// The next convention that is not the same at the texels.

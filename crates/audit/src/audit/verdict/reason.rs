@@ -8,7 +8,8 @@ use crate::audit::{Audit, Fit, Source};
 /// Which of the figures is over the limit, or what else is wrong.
 pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
     let function = done.source == Source::Function;
-    if done.misread(limit).is_some() {
+    let is_loose = limit.is_none() && is_loose(done);
+    if done.misread(limit).is_some() && !is_loose {
         return None;
     }
     if limit.is_none() && is_ambiguous(done) {
@@ -20,10 +21,18 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
             "another {next} fits nearly as well, and its own not closely: {options} what is meant"
         ));
     }
-    if limit.is_none() && is_loose(done) {
-        let why =
-            "its errors are larger than those of approximations are, so that it may be of something else";
-        return Some(format!("{why}: --limit says what is allowed"));
+    if is_loose {
+        let (why, options) = match done.source {
+            Source::Function => (
+                "its errors are larger than those of approximations are, so that it may be of something else",
+                "",
+            ),
+            Source::Table => (
+                "its errors are larger than those of tables that follow it, and neither noise nor rounding explains them",
+                ", --samples of how many samples it is, --axes, --registration and --smith what is meant",
+            ),
+        };
+        return Some(format!("{why}: --limit says what is allowed{options}"));
     }
     if limit.is_none() && has_unknown(done) {
         return done.unjudged();

@@ -43,6 +43,18 @@ fn point_03_a_channel_of_another_quantity_is_judged_as_that() {
     says(&found.verdict(Some(1e-3)), "PASS", &words);
 }
 
+/// The same in a picture, which holds no value above 1.
+#[test]
+fn point_03_a_channel_of_another_quantity_may_be_clamped() {
+    let channels: [Filled; 3] =
+        [("R", &|x, y| eight(a(x, y))), ("G", &|x, y| eight(b(x, y))), ("B", &|x, y| eight(charlie(x, y)))];
+    let picture = AuditedTable { step: Step::Unorm(8), ..table(&channels) };
+    let found = run(&picture, "ggx-reflection", &of_centres());
+    let sheen =
+        "Channel B(lue) is of another quantity: sheen-charlie E: it stands at 1 where the truth goes on";
+    says(&found.verdict(None), "PASS", &["A and B", sheen]);
+}
+
 /// Of a channel of nothing known, a limit asks for a word: `-` leaves it out.
 #[test]
 fn point_03_a_channel_of_nothing_known_is_left_out_by_a_dash() {

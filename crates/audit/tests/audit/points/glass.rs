@@ -1,7 +1,7 @@
 //! Tables of glass: axes over both sides and from an index above 1, 1 - R, radiance, averages, a slice apart.
 
 use lobefit::data::Smith;
-use lobefit_audit::audit::{AuditedTable, Column, Fit, Fixed, Form, Input, Registration, Scale, Span};
+use lobefit_audit::audit::{AuditedTable, Column, Fit, Fixed, Form, Grade, Input, Registration, Scale, Span};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 
@@ -167,6 +167,19 @@ fn the_sum_of_r_and_t_gains_energy_where_it_is_above_1() {
     let furnace = sound.furnace.as_ref().expect("R + T");
     assert!(furnace.range.iter().all(|off| off.abs() < 0.02), "{furnace:?}");
     says(&of_both(1.02).verdict(None), "FAIL", &["gains energy: 1.02 of the light comes back at texel ["]);
+}
+
+/// R over indices that no convention has passed as R/E, also with a slice of another index.
+#[test]
+fn an_axis_of_a_range_that_is_not_stated_is_no_pass() {
+    let iors: Vec<f64> = (0..N).map(|k| 1.1 + 1.1 * k as f64 / (N - 1) as f64).collect();
+    let stale: Vec<f64> =
+        iors.iter().enumerate().map(|(k, ior)| if k == 5 { iors[3] } else { *ior }).collect();
+    for iors in [iors, stale] {
+        let reflected = energies(Smith::Correlated, &iors, |energies, _| energies.r[0]);
+        let found = run(&solid(reflected), "ggx-glass", &Fixed::default());
+        assert!(found.verdict(None).grade != Grade::Pass);
+    }
 }
 
 /// An axis of an index had one of a few ranges: ends may be stated, and an index may have no bound.

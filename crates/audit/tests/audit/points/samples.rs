@@ -7,7 +7,7 @@ use lobefit_math::ops;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 
-use crate::support::{axes, both, columns, reflection_of, rising, run, says, shipped};
+use crate::support::{axes, both, columns, jitter, reflection_of, rising, run, says, shipped};
 
 /// Texels along each axis.
 const N: usize = 24;
@@ -55,6 +55,24 @@ fn over(values: &[f64], samples: u32) -> usize {
         _ => None,
     });
     said.expect("samples are spoken of")
+}
+
+/// A channel of few samples "follows nothing that is known", whatever `--samples` said.
+#[test]
+fn few_samples_follow_what_they_are_samples_of() {
+    let both = |x: usize, y: usize| both(Smith::Correlated, at(y) * at(y), at(x));
+    let a = |i: usize| both(i % N, i / N).0 - both(i % N, i / N).1;
+    let bias: Vec<f64> = (0..N * N).map(|i| both(i % N, i / N).1).collect();
+    // Noise of 0.029, root mean square.
+    let noisy: Vec<f64> = (0..N * N).map(|i| a(i) + 0.05 * jitter(i % N, i / N)).collect();
+    let found = reflection_of(&shipped(&[N; 2], vec![("0", noisy), ("1", bias.clone())]));
+    says(&found.verdict(None), "PASS", &["A and B", "as sampling noise does"]);
+    // As smooth as the truth, as one set of points for all texels has it.
+    let smooth: Vec<f64> = (0..N * N).map(|i| a(i) + 0.09 * ops::sin(7.0 * at(i / N)) * at(i % N)).collect();
+    let of_set = shipped(&[N; 2], vec![("0", smooth), ("1", bias)]);
+    let known = Fixed { samples: Some(16), ..Fixed::default() };
+    says(&run(&of_set, "ggx-reflection", &known).verdict(None), "PASS", &["than 16 samples leave"]);
+    says(&reflection_of(&of_set).verdict(None), "UNKNOWN", &[]);
 }
 
 /// "Made by other code, make the table again" was said of a good table of 8192 samples.

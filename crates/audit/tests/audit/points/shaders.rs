@@ -1,7 +1,9 @@
 //! Shader functions as engines write them, as channels of the quantity: clamps that hide one,
 //! arguments that say nothing, domains.
 
-use lobefit_audit::audit::{Audit, AuditedTable, Channel, Fit, Fixed, Input, Scale, Source, audit, sampled};
+use lobefit_audit::audit::{
+    Audit, AuditedTable, Channel, Column, Fit, Fixed, Input, Scale, Source, audit, sampled,
+};
 use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
 use lobefit_truth::quantity::{self, Quantity};
 
@@ -158,6 +160,18 @@ fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
             &["is `ggx_blend_karis`, no approximation", ": B. Karis, ", &usual],
         );
     }
+}
+
+/// At an f0 of 1 it has f0 A + B, the albedo, and no A, however near that is to it in a domain.
+#[test]
+fn a_function_of_f0_has_an_albedo_at_one() {
+    let fitted = karis("float3 karis(float3 f0, ", "f0 * ab.x + ab.y");
+    let domain = vec![(Input::Mu, [0.05, 1.0]), (Input::Alpha, [0.01, 1.0])];
+    let fixed = Fixed { domain, ..Fixed::default() };
+    let found =
+        audit(&table(&fitted, "f.hlsl", "karis", &[]), of("ggx-reflection"), &fixed, &|_| ()).unwrap();
+    assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
+    says(&found.verdict(None), "FAIL", &["against height-correlated Smith by 0.39"]);
 }
 
 /// A chunk of a library of scripts with what killed the whole file: a macro and a helper elsewhere,

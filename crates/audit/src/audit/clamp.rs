@@ -1,0 +1,266 @@
+//! The least values that inputs were clamped to, as the lines and the corner of a table show them.
+
+use super::AuditError;
+use super::axis::{AxisReading, Input};
+use super::column::Column;
+use super::convention::{Fixed, Misfit};
+use super::errors::spread;
+use super::judge::{judge, rejudge};
+use super::sample::{Candidate, Fitted, Sample};
+use super::truth::Truth;
+
+/// Least values that tables clamp alpha and mu to; the last two are the first centre of 16 texels, which
+/// a table keeps that was made larger, and the least alpha of a sheen that Khronos ships.
+const FLOORS: [f64; 9] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2];
+
+/// Lines are the same that differ by no more than this share of what the table spans.
+const SAME: f64 = 1e-6;
+
+/// What a clamp makes one differs by no more than this share of what the truth does: of samples by noise.
+const ALIKE: f64 = 0.2;
+
+/// One line is clamped that lies below this share of the floor.
+const FAR_BELOW: f64 = 0.7;
+
+/// The candidate with the clamps that fit best: of all its axes together, of two in a corner that shows
+/// only both, then of each.
+pub(super) fn with_floors(
+    truth: &Truth,
+    sample: &Sample,
+    fixed: &Fixed,
+    candidate: &Candidate,
+) -> Result<Candidate, AuditError> {
+    let lines = Clampable::of(truth, sample, candidate)?;
+    let search = Search { truth, sample, fixed, bare: candidate, lines };
+    let (axes, iors) = (search.open(&[Input::Alpha, Input::Mu]), search.open(&[Input::Ior]));
+    let together = |floors: &dyn Fn(usize) -> f64| -> Vec<(usize, f64)> {
+        axes.iter().enumerate().map(|(k, axis)| (*axis, floors(k))).collect()
+    };
+    let mut at = candidate.clone();
+    for floor in FLOORS {
+        at = search.taken(at, &together(&|_| floor))?;
+    }
+    if at.axes == candidate.axes && sample.dims().len() == 2 && is_spiked(&at.fitted) {
+        for [first, second] in FLOORS.iter().flat_map(|a| FLOORS.map(|b| [*a, b])).filter(|[a, b]| a != b) {
+            at = search.taken(at, &together(&|k| [first, second][k]))?;
+        }
+    }
+    for axis in axes.iter().chain(&iors) {
+        at = search.along(at, *axis)?;
+    }
+    // What was looked for along one axis was so beside the clamp of the other as it was then.
+    if at.axes != candidate.axes && axes.len() > 1 {
+        for axis in &axes {
+            at = search.along(search.without(at, *axis)?, *axis)?;
+        }
+    }
+    Ok(at)
+}
+
+/// A search for the clamps of a reading.
+struct Search<'a> {
+    truth: &'a Truth<'a>,
+    sample: &'a Sample,
+    fixed: &'a Fixed,
+    /// The reading without them.
+    bare: &'a Candidate,
+    lines: Clampable<'a>,
+}
+
+impl Search<'_> {
+    /// Axes of some inputs for which no clamp is stated.
+    fn open(&self, inputs: &[Input]) -> Vec<usize> {
+        let input = |axis: &usize| self.bare.axes[*axis].scale.input();
+        let is_open = |axis: &usize| inputs.contains(&input(axis)) && self.fixed.floor(input(axis)).is_none();
+        (0..self.bare.axes.len()).filter(is_open).collect()
+    }
+
+    /// An index of refraction is clamped as far above 1 as the others above 0.
+    fn least(&self, axis: usize) -> f64 {
+        if self.bare.axes[axis].scale.input() == Input::Ior { 1.0 } else { 0.0 }
+    }
+
+    /// A reading with floors, by axis, and whether one of them is near the one line that it clamps; none
+    /// where they clamp nothing, or lines that differ.
+    fn raised(
+        &self,
+        at: &Candidate,
+        floors: &[(usize, f64)],
+    ) -> Result<Option<(Candidate, bool)>, AuditError> {
+        let nodes = |axis: usize| self.sample.nodes(axis, &self.bare.axes[axis]);
+        let clamps = |floor: &&(usize, f64)| nodes(floor.0).into_iter().any(|node| node < floor.1);
+        let floors: Vec<(usize, f64)> = floors.iter().filter(clamps).copied().collect();
+        let differ = |(axis, floor): &(usize, f64)| self.lines.differ(*axis, &self.bare.axes[*axis], *floor);
+        if floors.is_empty() || floors.iter().any(differ) {
+            return Ok(None);
+        }
+        let mut clamped = at.clone();
+        floors.iter().for_each(|(axis, floor)| clamped.axes[*axis].floor = *floor);
+        let near = floors.iter().any(|(axis, floor)| {
+            self.lines.is_near(*axis, &self.bare.axes[*axis], [self.least(*axis), *floor])
+        });
+        let judged = rejudge(self.truth, self.sample, self.fixed, vec![clamped], Truth::ranked)?.pop();
+        Ok(judged.map(|judged| (judged, near)))
+    }
+
+    /// A reading with floors where they explain something.
+    fn taken(&self, at: Candidate, floors: &[(usize, f64)]) -> Result<Candidate, AuditError> {
+        let raised = self.raised(&at, floors)?;
+        let is_mended = |t: &Candidate| is_mended(t, &at, NEARLY) && t.fitted.rank <= at.fitted.rank;
+        let taken = raised.filter(|(t, near)| if *near { is_mended(t) } else { explains(t, &at) });
+        Ok(taken.map_or(at, |(taken, _)| taken))
+    }
+
+    /// A reading without the clamp of an axis, where that is no worse.
+    fn without(&self, at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
+        if at.axes[axis].floor == self.bare.axes[axis].floor {
+            return Ok(at);
+        }
+        let mut bare = at.clone();
+        bare.axes[axis].floor = self.bare.axes[axis].floor;
+        let judged = rejudge(self.truth, self.sample, self.fixed, vec![bare], Truth::ranked)?.pop();
+        let as_good = |t: &Candidate| t.fitted.rank <= at.fitted.rank && t.fitted.texels >= at.fitted.texels;
+        Ok(judged.filter(as_good).unwrap_or(at))
+    }
+
+    /// A reading with the clamp of an axis that fits best.
+    fn along(&self, mut at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
+        let seen = self.lines.held(axis, &self.bare.axes[axis]);
+        for floor in FLOORS.map(|floor| self.least(axis) + floor) {
+            at = self.taken(at, &[(axis, floor)])?;
+        }
+        // Of those between two lines that explain something the nearest is taken, and looked about.
+        let (mut width, mut nearest) = (seen.get(1).map_or(0.0, |next| next - seen[0]), None);
+        let raised = |at: &Candidate, floor: f64| -> Result<Option<Candidate>, AuditError> {
+            Ok(self.raised(at, &[(axis, floor)])?.filter(|(_, near)| !near).map(|(raised, _)| raised))
+        };
+        for floor in seen {
+            let is_nearer = |t: &Candidate| nearest.is_some() && t.fitted.rank < at.fitted.rank;
+            if let Some(tried) = raised(&at, floor)?.filter(|t| explains(t, &at) || is_nearer(t)) {
+                (at, nearest) = (tried, Some(floor));
+            }
+        }
+        while let Some(floor) = nearest.filter(|floor| width > NARROW * floor) {
+            width *= 0.5;
+            for floor in [floor - width, floor + width] {
+                if let Some(tried) = raised(&at, floor)?.filter(|t| t.fitted.rank < at.fitted.rank) {
+                    (at, nearest) = (tried, Some(floor));
+                }
+            }
+        }
+        Ok(at)
+    }
+}
+
+/// Lines of a sample along an axis, which a clamp makes one, and of its truth without a clamp.
+struct Clampable<'a> {
+    sample: &'a Sample,
+    truth: Vec<Vec<f64>>,
+}
+
+impl<'a> Clampable<'a> {
+    fn of(truth: &Truth, sample: &'a Sample, candidate: &Candidate) -> Result<Clampable<'a>, AuditError> {
+        let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::ranked)?;
+        let value = |column: Column| judgement.base.iter().map(|base| column.value(*base)).collect();
+        let of = |(column, own): (&Option<Column>, &Vec<f64>)| column.map_or_else(|| own.clone(), value);
+        let columns = candidate.fitted.columns.iter().zip(&sample.values);
+        Ok(Clampable { sample, truth: columns.map(of).collect() })
+    }
+
+    /// Places along an axis at which an input is below a floor, the least first.
+    fn below(&self, axis: usize, reading: &AxisReading, floor: f64) -> Vec<usize> {
+        let nodes = self.sample.nodes(axis, reading);
+        let mut places: Vec<usize> = (0..nodes.len()).filter(|k| nodes[*k] < floor).collect();
+        places.sort_by(|a, b| nodes[*a].total_cmp(&nodes[*b]));
+        places
+    }
+
+    /// Root mean square of the differences of lines of the table or of its truth from the first of them,
+    /// beside what the values span; the largest of the channels. What stands at the largest value may be
+    /// clamped itself.
+    fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize]) -> f64 {
+        let dims = self.sample.dims();
+        let step: usize = dims[..axis].iter().product();
+        let along = |i: usize| i / step % dims[axis];
+        let channel = |(values, own): (&Vec<f64>, &Vec<f64>)| {
+            let high = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let first = |i: usize| i + lines[0] * step - along(i) * step;
+            let counts = |i: &usize| lines.contains(&along(*i)) && own[*i] != high && own[first(*i)] != high;
+            let squares = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]).map(|d| d * d);
+            let squares: Vec<f64> = squares.collect();
+            (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / spread(own.iter().copied())
+        };
+        of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
+    }
+
+    /// Whether what a floor makes one differs nearly as much as without it.
+    fn differ(&self, axis: usize, reading: &AxisReading, floor: f64) -> bool {
+        let lines = self.below(axis, reading, floor);
+        let own = || self.difference(&self.sample.values, axis, &lines);
+        lines.len() > 1 && own() > SAME.max(ALIKE * self.difference(&self.truth, axis, &lines))
+    }
+
+    /// Whether it makes nothing one that could differ: a line alone, and that not far below the floor, both
+    /// taken from the `least` that an input can be.
+    fn is_near(&self, axis: usize, reading: &AxisReading, [least, floor]: [f64; 2]) -> bool {
+        let near = |line: usize| self.sample.nodes(axis, reading)[line] - least > FAR_BELOW * (floor - least);
+        matches!(self.below(axis, reading, floor)[..], [one] if near(one))
+    }
+
+    /// What an input was clamped to by the look of it: where the first lines are the same, the last of
+    /// them, or between that and the next.
+    fn held(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
+        let nodes = self.sample.nodes(axis, reading);
+        let lines = self.below(axis, reading, f64::INFINITY);
+        let is_same = |n: &usize| self.difference(&self.sample.values, axis, &lines[..*n]) < SAME;
+        let Some(same) = (2..lines.len()).take_while(is_same).last() else { return Vec::new() };
+        let [last, next] = [nodes[lines[same - 1]], nodes[lines[same]]];
+        (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()
+    }
+}
+
+/// Share of a clamp to which it is looked for between two lines.
+const NARROW: f64 = 1e-4;
+
+/// Largest error over the root mean square of a table that is off in a corner.
+const SPIKED: f64 = 8.0;
+
+/// Share of the largest error that is left where it was one of a clamp.
+const MENDED: f64 = 0.05;
+
+/// The same of one line near to the floor, while the clamp of the other input is off by a little.
+const NEARLY: f64 = 0.3;
+
+/// Whether a clamp explains something: more of the texels as well as those before, or none fewer
+/// clearly better and the worst no worse. A clamp that takes texels out of the domain explains nothing.
+fn explains(clamped: &Candidate, before: &Candidate) -> bool {
+    let (now, then) = (&clamped.fitted, &before.fitted);
+    let worse = largest(now) > 1.5 * largest(then);
+    // What mends a single texel and leaves much of its error mends it by chance.
+    let worse = worse || rest(now) > 0.9 * rest(then) && largest(now) > 0.2 * largest(then);
+    // A corner where the truth jumps, of a table that is rounded everywhere.
+    now.texels >= then.texels && now.rank <= then.rank && is_mended(clamped, before, MENDED)
+        || now.texels > then.texels && now.rank < 1.2 * then.rank
+        || now.texels >= then.texels && now.rank < 0.9 * then.rank && !worse
+}
+
+/// The largest error.
+fn largest(fitted: &Fitted) -> f64 {
+    fitted.misfits.iter().flatten().map(|m| m.max).fold(0.0, f64::max)
+}
+
+/// The sum of squares but for the largest error.
+fn rest(fitted: &Fitted) -> f64 {
+    let of = |m: &Misfit| (m.rms * m.rms * fitted.texels as f64 - m.max * m.max).max(0.0);
+    fitted.misfits.iter().flatten().map(of).fold(0.0, f64::max)
+}
+
+/// Whether no more than a share of the largest error is left.
+fn is_mended(clamped: &Candidate, before: &Candidate, share: f64) -> bool {
+    largest(&clamped.fitted) < share * largest(&before.fitted)
+}
+
+/// Whether few texels hold most of the error.
+fn is_spiked(fitted: &Fitted) -> bool {
+    fitted.misfits.iter().flatten().any(|m| m.max > SPIKED * m.rms)
+}
