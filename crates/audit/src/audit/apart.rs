@@ -8,7 +8,7 @@ use super::found::{Audit, ChannelAudit, Fit, Other};
 use super::screen::Sieved;
 use super::table::{AuditedTable, Source};
 use super::truth::spec;
-use super::{AuditError, Fixed};
+use super::{AuditError, FITS, Fixed};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
 
@@ -91,20 +91,20 @@ fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditErr
     let mut inputs: Vec<_> = axes.iter().map(|a| a.scale.input()).collect();
     inputs.sort();
     let case = Case { fixed: &fixed, ..*channel };
-    let mut nearest: Option<Best> = None;
+    let mut found: Vec<Best> = Vec::new();
     for quantity in QUANTITIES.into_iter().filter(|q| q.name() != beside.quantity) {
         let mut own = spec(quantity).map_or(Vec::new(), |spec| spec.inputs.to_vec());
         own.sort();
         if own != inputs || promising(&case, quantity)?.is_empty() {
             continue;
         }
-        let Some(found) = best(&case, quantity)? else { continue };
-        let better = nearest.as_ref().is_none_or(|b| found.found[0].fitted.rank < b.found[0].fitted.rank);
-        if better {
-            nearest = Some(found);
-        }
+        found.extend(best(&case, quantity)?);
     }
-    // Of a channel that stands at what its format holds a part follows.
-    let audit = nearest.map(|best| best.audit(&case)).transpose()?;
+    // One that fits goes before one of which a part does: a channel may stand at what its format holds.
+    found.sort_by(|a, b| {
+        let rank = |best: &Best| best.found[0].fitted.rank;
+        (a.off > FITS).cmp(&(b.off > FITS)).then(rank(a).total_cmp(&rank(b)))
+    });
+    let audit = found.first().map(|best| best.audit(&case)).transpose()?;
     Ok(audit.filter(|audit| audit.fit != Fit::None))
 }

@@ -40,7 +40,7 @@ pub(super) fn with_floors(
     for floor in FLOORS {
         at = search.taken(at, &together(&|_| floor))?;
     }
-    if at.axes == candidate.axes && sample.dims().len() == 2 && is_spiked(&at.fitted) {
+    if at.axes == candidate.axes && sample.dims().len() == 2 && axes.len() == 2 && is_spiked(&at.fitted) {
         for [first, second] in FLOORS.iter().flat_map(|a| FLOORS.map(|b| [*a, b])).filter(|[a, b]| a != b) {
             at = search.taken(at, &together(&|k| [first, second][k]))?;
         }
@@ -106,8 +106,8 @@ impl Search<'_> {
     /// A reading with floors where they explain something.
     fn taken(&self, at: Candidate, floors: &[(usize, f64)]) -> Result<Candidate, AuditError> {
         let raised = self.raised(&at, floors)?;
-        let is_mended = |t: &Candidate| is_mended(t, &at, NEARLY) && t.fitted.rank <= at.fitted.rank;
-        let taken = raised.filter(|(t, near)| if *near { is_mended(t) } else { explains(t, &at) });
+        let mends = |t: &Candidate| is_mended(t, &at, NEARLY) && t.fitted.rank <= at.fitted.rank;
+        let taken = raised.filter(|(t, near)| if *near { mends(t) } else { explains(t, &at) });
         Ok(taken.map_or(at, |(taken, _)| taken))
     }
 

@@ -201,6 +201,24 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     found
 }
 
+/// Root mean square of the errors beside what the truth spans, without what defects in the nature of formats,
+/// samples and optimised tables explain.
+pub(super) fn left(r: &Residuals, found: &[Defect]) -> f64 {
+    let misfit = r.misfit(&r.judged);
+    let own = r.rms(&r.judged);
+    if own == 0.0 || found.iter().any(|d| matches!(d, Defect::Steps { .. } | Defect::Optimised { .. })) {
+        return 0.0;
+    }
+    let explained = |d: &Defect| match d {
+        Defect::Noise { rms, .. } => rms * rms,
+        // What samples leave at most is four standard errors.
+        Defect::Sampled { left, .. } => left * left / 16.0,
+        _ => 0.0,
+    };
+    let explained = found.iter().map(explained).fold(0.0, f64::max);
+    (own * own - explained).max(0.0).sqrt() / own * misfit
+}
+
 /// The lines of a channel that were never filled.
 pub(super) fn dead<'a>(table: &'a AuditedTable, values: &'a [f64]) -> impl Iterator<Item = Defect> + 'a {
     let lines =

@@ -77,6 +77,9 @@ pub struct ChannelAudit {
     pub other: Option<Other>,
     /// Its errors at the texels, where it is judged.
     pub errors: Option<TexelErrors>,
+    /// Their root mean square beside what the truth spans, of an albedo at most 1, without what noise,
+    /// rounding and the samples that were stated explain.
+    pub left: f64,
     /// Texels that were drawn from those that are judged, as many as were asked for.
     pub points: Vec<Drawn>,
     /// How it fits.

@@ -16,49 +16,55 @@ pub struct Form {
     pub words: &'static str,
     /// The variant's Smith form.
     pub smith: Option<Smith>,
-    /// What integrates it, where that is not the quantity itself.
+    /// What integrates it, where that is not the quantity itself,
     pub integrand: Option<&'static dyn Quantity>,
+    /// and its Smith form.
+    of_integrand: Option<Smith>,
 }
 
 /// A form of a quantity's own variants.
 const fn own(smith: Smith, word: &'static str, words: &'static str) -> Form {
-    Form { of: None, word, words, smith: Some(smith), integrand: None }
+    Form { of: None, word, words, smith: Some(smith), integrand: None, of_integrand: None }
 }
 
-/// A form of the lobe of one quantity, with what integrates it.
-const fn other(
-    of: &'static str,
-    [word, words]: [&'static str; 2],
-    integrand: Option<&'static dyn Quantity>,
-) -> Form {
-    Form { of: Some(of), word, words, smith: None, integrand }
+/// A form of GGX by lines that Schlick put in place of roots.
+const fn of_lines([word, words]: [&'static str; 2], by: &'static dyn Quantity, smith: Smith) -> Form {
+    let of = Some("ggx-reflection");
+    Form { of, word, words, smith: None, integrand: Some(by), of_integrand: Some(smith) }
+}
+
+/// A form of the sheen, with what integrates it.
+const fn of_sheen([word, words]: [&'static str; 2], integrand: Option<&'static dyn Quantity>) -> Form {
+    Form { of: Some("sheen-charlie"), word, words, smith: None, integrand, of_integrand: None }
 }
 
 /// Every form; of those of a quantity its own first, the one that is meant where nothing is said.
-pub static FORMS: [Form; 7] = [
+pub static FORMS: [Form; 8] = [
     own(Smith::Correlated, "correlated", "height-correlated Smith"),
     own(Smith::Separable, "separable", "separable Smith"),
-    other(
-        "ggx-reflection",
+    of_lines(
         ["schlick", "Schlick-Smith with k = alpha/2 (Karis 2013, for light from images)"],
-        Some(&SCHLICK_SMITH[0]),
+        &SCHLICK_SMITH[0],
+        Smith::Separable,
     ),
-    other(
-        "ggx-reflection",
+    of_lines(
         ["schlick-lights", "Schlick-Smith with k = (roughness + 1)^2/8 (Karis 2013, for analytic lights)"],
-        Some(&SCHLICK_SMITH[1]),
+        &SCHLICK_SMITH[1],
+        Smith::Separable,
     ),
-    other("ggx-reflection", ["schlick-alpha", "Schlick-Smith with k = alpha"], Some(&SCHLICK_SMITH[2])),
-    other("sheen-charlie", ["neubelt", "the visibility of Neubelt and Pettineo (2013)"], None),
-    other(
-        "sheen-charlie",
-        ["estevez-kulla", "the shadowing of Estevez and Kulla (2017)"],
-        Some(&EstevezKulla),
+    of_lines(["schlick-alpha", "Schlick-Smith with k = alpha"], &SCHLICK_SMITH[2], Smith::Separable),
+    // V = 1/2 over what lies between 2 (n.l) (n.v) and n.l + n.v by alpha: Lambda's root is a line.
+    of_lines(
+        ["joint-approx", "height-correlated Smith without roots (Hammon 2017; Unreal's joint approximation)"],
+        &SCHLICK_SMITH[0],
+        Smith::Correlated,
     ),
+    of_sheen(["neubelt", "the visibility of Neubelt and Pettineo (2013)"], None),
+    of_sheen(["estevez-kulla", "the shadowing of Estevez and Kulla (2017)"], Some(&EstevezKulla)),
 ];
 
 /// The form of a quantity that has one only.
-static ONLY: Form = Form { of: None, word: "", words: "", smith: None, integrand: None };
+static ONLY: Form = Form { of: None, word: "", words: "", smith: None, integrand: None, of_integrand: None };
 
 impl PartialEq for Form {
     fn eq(&self, other: &Form) -> bool {
@@ -109,9 +115,9 @@ impl Lobe {
         forms.iter().flat_map(with).collect()
     }
 
-    /// The variant of what integrates it. A product of two G1 is the separable form of its own.
+    /// The variant of what integrates it.
     pub(super) fn variant(&self) -> Variant {
-        let smith = self.form.smith.or(self.form.integrand.map(|_| Smith::Separable));
+        let smith = self.form.smith.or(self.form.of_integrand);
         Variant { smith, side: self.side, ..Variant::default() }
     }
 

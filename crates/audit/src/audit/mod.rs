@@ -83,6 +83,7 @@ use truth::Truth;
 /// Largest root mean square, beside the spread of the truth, with which a channel fits a
 /// convention. Published tables that are what they say leave up to 0.023 (sheen of few samples; the
 /// LTC magnitude, sampled without the lobe's tail, 0.014); tables of something else left 0.05 and more.
+/// To pass without a limit a table has to be closer, but for noise (`FOLLOWS` in the verdict).
 pub const FITS: f64 = 0.025;
 
 /// The same of a function, which is an approximation. Published ones leave up to 0.08 against the
@@ -359,6 +360,7 @@ fn finish(
         if two_lobes.is_none() && table.source == Source::Table {
             energy::gains(&residuals, sum.as_ref().filter(|sum| sum.channel == k), grain, &mut defects);
         }
+        let left = defects::left(&residuals, &defects);
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
@@ -367,11 +369,12 @@ fn finish(
             fit: if two_lobes.is_some() {
                 Fit::Part
             } else {
-                fit(table.source, fixed.samples, &residuals, &errors, &defects)
+                fit(table.source, left, &residuals, &errors, &defects)
             },
             truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
+            left,
             points: residuals.drawn(fixed.points, at),
             defects,
             lookup: looked(None)?,
@@ -437,6 +440,7 @@ fn unjudged(name: &str) -> ChannelAudit {
         constant: None,
         other: None,
         errors: None,
+        left: 0.0,
         points: Vec::new(),
         fit: Fit::None,
         map: Vec::new(),
@@ -455,23 +459,17 @@ fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried
     Tried { convention: c.convention(truth, live, channels), misfits, rank: c.fitted.rank }
 }
 
-/// How well a channel fits: but for what its samples leave where the user states them, or for noise up to
-/// twice what fits.
-fn fit(
-    source: Source,
-    samples: Option<u32>,
-    residuals: &Residuals,
-    errors: &TexelErrors,
-    defects: &[Defect],
-) -> Fit {
-    let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
+/// How well a channel fits, of which so much is `left`: a table but for noise up to twice what fits, and for
+/// what its samples leave where the user states them.
+fn fit(source: Source, left: f64, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
     let misfit = residuals.misfit(&residuals.judged);
-    let noise =
-        defects.iter().find_map(|d| if let Defect::Noise { rms, .. } = d { Some(*rms) } else { None });
-    let smooth = |noise: f64| (errors.rms * errors.rms - noise * noise).max(0.0).sqrt() / errors.rms * misfit;
-    let is_noisy = misfit <= 2.0 * allowed && noise.is_some_and(|noise| smooth(noise) <= allowed);
-    let sampled = samples.map_or(0.0, |n| 0.5 / f64::from(n).sqrt());
-    if misfit <= allowed.max(sampled) || is_noisy {
+    let is_stated = defects.iter().any(|d| matches!(d, Defect::Sampled { .. }));
+    let most = if is_stated { screen::PROMISING } else { 2.0 * FITS };
+    let (allowed, explained) = match source {
+        Source::Table => (FITS, misfit <= most && left <= FITS),
+        Source::Function => (FUNCTION_FITS, false),
+    };
+    if misfit <= allowed || explained {
         let dead = defects.iter().any(|d| matches!(d, Defect::Dead { .. }));
         return if dead { Fit::Part } else { Fit::Whole };
     }

@@ -51,7 +51,7 @@ Examples:
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/3), alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
 f0, 1/ior..ior (from inside, then from outside), ior=1.1..2.2 (evenly between two ends), ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
---smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha;
+--smith takes correlated, separable, and of others' reflection schlick (k = alpha/2), schlick-lights (k = (roughness + 1)^2/8), schlick-alpha, joint-approx;
 of sheen neubelt, estevez-kulla.
 
 Exit codes:

@@ -28,8 +28,8 @@ const ALLOWED: f64 = 5e-3;
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
 
-/// In the names of reflectances at normal incidence.
-const F0: [&str; 3] = ["f0", "specular", "reflectance"];
+/// In the names of reflectances at normal incidence; `specular` and `reflectance` are made into one by others.
+const F0: [&str; 2] = ["f0", "specularcolor"];
 
 /// What a function may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -174,10 +174,7 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
     };
     let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();
     let white = Role::White.words();
-    let is_f0 = |name: &str| {
-        let name = name.to_ascii_lowercase();
-        F0.iter().any(|word| name.contains(word)) && !name.contains("f90")
-    };
+    let is_f0 = |name: &str| F0.iter().any(|word| name.to_ascii_lowercase().replace('_', "").contains(word));
     let f0 = found.arguments.iter().find(|(name, role)| *role == white && is_f0(name));
     let hidden = f0.map_or_else(String::new, |(name, _)| {
         format!(

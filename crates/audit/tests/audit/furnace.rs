@@ -95,7 +95,7 @@ fn what_gains_energy_is_found_at_its_worst_place() {
 #[test]
 fn what_a_reflectance_of_one_hides_is_said() {
     for (argument, hides) in
-        [("specularColor", true), ("F0", true), ("albedo", false), ("specularF90", false)]
+        [("specular_color", true), ("F0", true), ("albedo", false), ("reflectance", false)]
     {
         let glsl =
             format!("float f(vec3 l, vec3 v, vec3 n, float {argument}) {{ return 0.3 * {argument}; }}");

@@ -9,7 +9,7 @@ use crate::audit::axis::Registration;
 use crate::audit::best::CLOSE;
 use crate::audit::convention::Convention;
 use crate::audit::defects::Defect;
-use crate::audit::errors::{TexelErrors, spread};
+use crate::audit::errors::spread;
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
 use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, Tried, TwoLobes};
@@ -82,9 +82,8 @@ pub(super) fn has_unknown(audit: &Audit) -> bool {
 /// are by a fifth in the corner of grazing and smooth, formulas of something else by a third.
 const LOOSE: f64 = 0.3;
 
-/// Root mean square, beside the spread of the truth, up to which a table follows a convention without a limit
-/// where neither rounding nor noise nor its samples explain it: published tables that are what they say leave
-/// 0.009, those of another exponent in Fresnel's term, or with a factor of 0.98, 0.012 and more.
+/// What may be [`ChannelAudit::left`] of a table without a limit: published tables that are what they say
+/// leave 0.009, those of another exponent in Fresnel's term, or with a factor of 0.98, 0.012 and more.
 const FOLLOWS: f64 = 0.01;
 
 /// Whether a function that is no published formula is farther off than approximations of its quantity are; or
@@ -96,11 +95,13 @@ pub(super) fn is_loose(audit: &Audit) -> bool {
     if audit.fit != Fit::Whole || audit.published.is_some() {
         return false;
     }
+    let misread = audit.misread(None);
     match audit.source {
-        Source::Function if audit.misread(None).is_some() || audit.furnace_error().is_some() => false,
+        Source::Function if misread.is_some() || audit.furnace_error().is_some() => false,
         Source::Function => audit.channels.iter().any(far),
-        // What is to be mended has a name. A misreading is none that fits no better.
-        Source::Table => audit.channels.iter().any(|c| is_off(c, FOLLOWS)) && !has_remedy(audit),
+        // What is to be mended has a name, and so has a reading that is clearly better than the plain one.
+        Source::Table if misread.is_some_and(|plain| plain.max > CLEAR * audit.worst()) => false,
+        Source::Table => audit.channels.iter().any(|c| c.left > FOLLOWS) && !has_remedy(audit),
     }
 }
 
@@ -108,18 +109,6 @@ pub(super) fn is_loose(audit: &Audit) -> bool {
 fn has_remedy(audit: &Audit) -> bool {
     let mended = |d: &Defect| advice::mending(d, &audit.axes, audit.source).is_some();
     audit.channels.iter().flat_map(|c| &c.defects).any(mended)
-}
-
-/// Whether a channel is off by more than a share of what its truth spans, root mean square, and neither noise,
-/// rounding nor stated samples explain it.
-fn is_off(c: &ChannelAudit, share: f64) -> bool {
-    let explains = |d: &Defect| match d {
-        Defect::Noise { .. } | Defect::Steps { .. } | Defect::Optimised { .. } => true,
-        Defect::Sampled { texels: [over, _], .. } => *over == 0,
-        _ => false,
-    };
-    let is_off = |errors: &TexelErrors| errors.rms > share * spread(c.truth.iter().copied());
-    c.errors.as_ref().is_some_and(is_off) && !c.defects.iter().any(explains)
 }
 
 /// Whether a function follows another reading nearly as well, and its own not as closely as a table has to;
@@ -136,7 +125,7 @@ pub(super) fn is_ambiguous(audit: &Audit) -> bool {
         differs && (times - 1.0).abs() >= SAME && (nearly..LIKELY).contains(&times)
     };
     let is_read = audit.fit == Fit::Whole && audit.misread(None).is_none();
-    is_read && audit.tried[1..].iter().any(is_open) && audit.channels.iter().any(|c| is_off(c, close))
+    is_read && audit.tried[1..].iter().any(is_open) && audit.channels.iter().any(|c| c.left > close)
 }
 
 /// The next convention that is not the same at the texels.

@@ -4,7 +4,7 @@ use lobefit::data::Smith;
 use lobefit_audit::audit::{Audit, AuditedTable, Column, Fit, Fixed, Form, Registration, Scale};
 use lobefit_math::ops;
 use lobefit_truth::quantity::sheen::EstevezKulla;
-use lobefit_truth::quantity::{Quantity, Variant};
+use lobefit_truth::quantity::{Quantity, SCHLICK_SMITH, Variant};
 
 use super::{N, at};
 use crate::support::{axes, both, columns, half, refused, rising, says, shipped};
@@ -95,6 +95,22 @@ fn point_04_the_other_ks_are_told_apart() {
         let found = run(&lut(k), "ggx-reflection", None);
         assert_eq!((found.best().lobe.form.word, found.fit), (word, Fit::Whole));
     }
+}
+
+/// Unreal's own LUT "fits no convention".
+#[test]
+fn the_joint_form_without_roots_is_recognised() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    let both = |i: usize| {
+        let (mu, alpha) = (at(i % 32), at(i / 32) * at(i / 32));
+        let of = SCHLICK_SMITH[0].at(&Smith::Correlated.into(), &[alpha, mu], 1e-7).unwrap();
+        [of[1], of[2]]
+    };
+    let texels: Vec<[f64; 2]> = (0..1024).map(both).collect();
+    let channel = |k: usize| texels.iter().map(|t| half(t[k])).collect();
+    let found = run(&square(32, vec![("R", channel(0)), ("G", channel(1))]), "ggx-reflection", None);
+    assert_eq!((found.best().lobe.form.word, found.fit), ("joint-approx", Fit::Whole));
+    says(&found.verdict(None), "PASS", &["without roots, and by 0.187", "as height-correlated Smith"]);
 }
 
 /// Neubelt's visibility alone was known, under the names of Estevez and Kulla; their own table was rejected.
