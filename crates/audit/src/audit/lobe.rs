@@ -53,7 +53,7 @@ pub static FORMS: [Form; 8] = [
         Smith::Separable,
     ),
     of_lines(["schlick-alpha", "Schlick-Smith with k = alpha"], &SCHLICK_SMITH[2], Smith::Separable),
-    // V = 1/2 over what lies between 2 (n.l) (n.v) and n.l + n.v by alpha: Lambda's root is a line.
+    // V = 1/2 over a mix by alpha of 2 (n.l) (n.v) and n.l + n.v: the root of Lambda is a line.
     of_lines(
         ["joint-approx", "height-correlated Smith without roots (Hammon 2017; Unreal's joint approximation)"],
         &SCHLICK_SMITH[0],

@@ -28,7 +28,7 @@ const ALLOWED: f64 = 5e-3;
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
 
-/// In the names of reflectances at normal incidence; `specular` and `reflectance` are made into one by others.
+/// In the names of reflectances at normal incidence; of `specular` and `reflectance` shaders compute one.
 const F0: [&str; 2] = ["f0", "specularcolor"];
 
 /// What a function may do.

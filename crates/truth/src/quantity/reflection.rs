@@ -39,8 +39,8 @@ pub static BECKMANN_REFLECTION: Reflection = {
 };
 
 /// `ggx-reflection` as renderers compute it that follow Karis (2013): with Schlick's shadowing, by k
-/// = alpha/2, k = (roughness + 1)^2/8 and k = alpha. Of their correlated variants that of the first alone has a
-/// source: Lambda with alpha + (1 - alpha) mu for its root is the joint form of Hammon (2017) and Unreal.
+/// = alpha/2, k = (roughness + 1)^2/8 and k = alpha. Of their correlated variants that of the first alone has
+/// a source: Lambda with alpha + (1 - alpha) mu for its root is the joint form of Hammon (2017) and Unreal.
 pub static SCHLICK_SMITH: [Reflection; 3] = {
     static LOBES: [Lobed<SchlickSmith>; 3] = [
         Lobed::new(SchlickSmith::of_images),

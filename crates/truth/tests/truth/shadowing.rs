@@ -100,7 +100,7 @@ fn schlick_smith_is_what_its_formula_draws() {
     }
 }
 
-/// G2 = 4 (n.l) (n.v) V, of V = 1/2 over what lies between 2 (n.l) (n.v) and n.l + n.v by alpha (Hammon 2017).
+/// G2 = 4 (n.l) (n.v) V, of V = 1/2 over a mix by alpha of 2 (n.l) (n.v) and n.l + n.v (Hammon 2017).
 #[test]
 fn the_joint_form_without_roots_is_what_its_formula_draws() {
     for (alpha, mu) in [(0.01, 0.7), (0.09, 0.2), (0.3, 0.04), (0.6, 0.95), (1.0, 0.5)] {
