@@ -81,10 +81,10 @@ impl Sidecar {
     /// That of a file of this container.
     pub fn new(container: Container, described: &Described, packed: &Packed) -> Sidecar {
         let Described { table, decode, certificate, header } = *described;
-        let format = |of: Container, name: fn(Texel) -> (&'static str, u32)| {
-            Texel::of(table).filter(|_| container == of).map(|texel| name(texel).0.to_string())
-        };
         let texel = Texel::of(table).filter(|_| matches!(container, Container::Dds | Container::Ktx2));
+        let format = |of: Container, name: fn(Texel) -> (&'static str, u32)| {
+            texel.filter(|_| container == of).map(|texel| name(texel).0.to_string())
+        };
         let formulas = decode.formulas().iter();
         Sidecar {
             schema_version: SCHEMA_VERSION,
