@@ -95,7 +95,7 @@ pub enum Scale {
     AnisotropySquared,
     /// sqrt(1 - 0.9 anisotropy) = x.
     Aspect,
-    /// An input between two ends that the user states.
+    /// An input between two ends, which the user states or its slices show.
     Span(&'static Span),
 }
 
@@ -108,6 +108,8 @@ pub struct Span {
     pub ends: [f64; 2],
     /// The word in options: `ior=1.1..2.2`.
     pub name: String,
+    /// Whether the user states it.
+    pub is_stated: bool,
 }
 
 impl PartialEq for Span {
@@ -149,6 +151,12 @@ pub const SCALES: [Scale; 26] = [
 ];
 
 impl Scale {
+    /// Evenly between two ends of an input. Options and audits live as long as the program.
+    pub fn between(input: Input, [low, high]: [f64; 2], is_stated: bool) -> Scale {
+        let name = format!("{}={low}..{high}", input.name());
+        Scale::Span(Box::leak(Box::new(Span { input, ends: [low, high], name, is_stated })))
+    }
+
     /// The input that it is a coordinate of, the word in options and verdicts, the input at a
     /// coordinate in [0, 1].
     fn facts(self) -> (Input, &'static str, fn(f64) -> f64) {
@@ -219,6 +227,7 @@ impl Scale {
             Scale::F0 | Scale::RootF0 | Scale::FourthRootF0 => "f0 at normal incidence",
             Scale::Eta => "eta = 1/ior",
             Scale::Aspect => "aspect = sqrt(1 - 0.9 anisotropy)",
+            Scale::Span(span) if !span.is_stated => "by its slices, as no range is stated",
             Scale::IorBothSides => "ior 2.5 falling to 1 from inside, then rising to 2.5 from outside",
             _ => "",
         }

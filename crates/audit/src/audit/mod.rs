@@ -35,6 +35,7 @@ mod page;
 mod plain;
 mod preferred;
 mod published;
+mod range;
 mod sample;
 mod scan;
 mod screen;
@@ -248,7 +249,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let class = usize::from(table.size.len() == 3);
     progress("the best conventions on more texels");
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
-    let found = judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?;
+    let found = range::shown(truth, case, &more, judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?)?;
     let hopeless = found.first().map(|first| is_hopeless(truth, &more, first)).transpose()?;
     if hopeless.unwrap_or(true) && table.source == Source::Table {
         return Ok(distinct(found));

@@ -1,7 +1,7 @@
 //! The words of the options.
 
 use crate::audit::{
-    Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale, Span,
+    Column, ENCODINGS, Encoding, FORMS, Form, Input, REGISTRATIONS, Registration, SCALES, Scale,
 };
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity_column;
@@ -117,8 +117,7 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
         if ends.iter().any(|end| !end.is_finite()) {
             return Err("two finite ends are called for, as ior=1.1..2.2".into());
         }
-        // Options live as long as the program.
-        return Ok((Scale::Span(Box::leak(Box::new(Span { input, ends, name }))), reversed));
+        return Ok((Scale::between(input, ends, true), reversed));
     }
     let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
     found.ok_or_else(|| {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Form, Input, Registration, Scale, Span, audit,
+    AuditError, AuditedTable, Column, Defect, Fit, Fixed, Form, Input, Registration, Scale, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::glass::Side;
@@ -344,10 +344,7 @@ fn every_texel_is_judged() {
 fn a_truth_keeps_the_error_that_it_states() {
     use Registration::{Centre, Endpoint};
     use Scale::{IorTwo, Mu, RootMu, Roughness, RoughnessFourth};
-    let below = |input: Input, to: f64| {
-        let name = format!("{}=0..{to}", input.name());
-        Scale::Span(Box::leak(Box::new(Span { input, ends: [0.0, to], name })))
-    };
+    let below = |input: Input, to: f64| Scale::between(input, [0.0, to], true);
     let ends = [below(Input::Mu, 2.1e-6), below(Input::Alpha, 7e-6)];
     for (name, form, column, output, registration, n, scales) in [
         ("ggx-reflection", "correlated", Column::E, "E", Centre, 29_usize, &[Mu, Roughness][..]),
