@@ -136,7 +136,7 @@ pub fn inputs_of(quantity: &dyn Quantity) -> usize {
 }
 
 /// Names of the quantities that can be audited.
-fn audited() -> String {
+pub(crate) fn audited() -> String {
     let audited = QUANTITIES.iter().filter(|quantity| truth::spec(**quantity).is_some());
     audited.map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
 }

@@ -6,7 +6,6 @@ use crate::foreign::{self, Hints};
 use lobefit::cli::CliError;
 use lobefit::cli::options::quantity_of;
 use lobefit::cli::output::say;
-use lobefit_truth::quantity::QUANTITIES;
 
 /// What the file is measured as: what the options say, or else what the file says of itself.
 pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError> {
@@ -19,7 +18,7 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
         }
         _ => Err(CliError::Usage(format!(
             "{file}: does not say which quantity it stands for; say it by --as: {}{}",
-            QUANTITIES.map(|quantity| quantity.name()).join(", "),
+            audit::audited(),
             lacking(options, bytes)
         ))),
     }

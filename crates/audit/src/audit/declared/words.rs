@@ -64,7 +64,7 @@ fn errors(found: &Declared, limit: Option<f64>) -> Vec<String> {
     let points = found.held.first().map_or(0, |held| held.errors.len());
     let mut out = vec![claim(found)];
     out.push(format!(
-        "Looked up as it says, sampled at {points} places of {} and at {}: {}.",
+        "Looked up as it says, sampled at {points} places of {}{}: {}.",
         domain(found),
         texels(found),
         held.collect::<Vec<_>>().join("; ")
@@ -105,11 +105,12 @@ fn claim(found: &Declared) -> String {
     format!("It claims {claimed}{of}{places}.")
 }
 
-/// The texels that were judged.
+/// The texels that were judged, if any were.
 fn texels(found: &Declared) -> String {
     match found.size.iter().product::<usize>() > found.texels {
-        true => format!("{} of its texels", found.texels),
-        false => "its texels".into(),
+        _ if found.texels == 0 => String::new(),
+        true => format!(" and at {} of its texels", found.texels),
+        false => " and at its texels".into(),
     }
 }
 
