@@ -110,6 +110,15 @@ pub struct Span {
     pub name: String,
     /// Whether the user states it.
     pub is_stated: bool,
+    /// Whether the ends are those of its root: of a roughness, whose square alpha is.
+    pub is_root: bool,
+}
+
+impl Span {
+    /// Options and audits live as long as the program.
+    fn scale(self) -> Scale {
+        Scale::Span(Box::leak(Box::new(self)))
+    }
 }
 
 impl PartialEq for Span {
@@ -151,10 +160,16 @@ pub const SCALES: [Scale; 26] = [
 ];
 
 impl Scale {
-    /// Evenly between two ends of an input. Options and audits live as long as the program.
+    /// Evenly between two ends of an input.
     pub fn between(input: Input, [low, high]: [f64; 2], is_stated: bool) -> Scale {
         let name = format!("{}={low}..{high}", input.name());
-        Scale::Span(Box::leak(Box::new(Span { input, ends: [low, high], name, is_stated })))
+        Span { input, ends: [low, high], name, is_stated, is_root: false }.scale()
+    }
+
+    /// Evenly between two roughnesses that the user states.
+    pub fn between_roughnesses([low, high]: [f64; 2]) -> Scale {
+        let name = format!("{}={low}..{high}", Scale::Roughness.name());
+        Span { input: Input::Alpha, ends: [low, high], name, is_stated: true, is_root: true }.scale()
     }
 
     /// The input that it is a coordinate of, the word in options and verdicts, the input at a
@@ -211,7 +226,9 @@ impl Scale {
     /// The input at a coordinate in [0, 1].
     pub fn input_at(self, x: f64) -> f64 {
         let x = self.facts().2(x);
-        if let Scale::Span(Span { ends: [low, high], .. }) = self { low + (high - low) * x } else { x }
+        let Scale::Span(Span { ends: [low, high], is_root, .. }) = self else { return x };
+        let x = low + (high - low) * x;
+        if *is_root { x * x } else { x }
     }
 
     /// Whether it runs over both sides of a surface.

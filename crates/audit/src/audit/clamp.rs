@@ -1,13 +1,14 @@
 //! The least values that inputs were clamped to, as the lines and the corner of a table show them.
 
-use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
 use super::errors::spread;
 use super::judge::{judge, rejudge};
 use super::sample::{Candidate, Fitted, Sample};
+use super::table::place;
 use super::truth::Truth;
+use super::{AuditError, CLEAR};
 
 /// Least values that tables clamp alpha and mu to; the last two are the first centre of 16 texels, which
 /// a table keeps that was made larger, and the least alpha of a sheen that Khronos ships.
@@ -18,6 +19,10 @@ const SAME: f64 = 1e-6;
 
 /// What a clamp makes one differs by no more than this share of what the truth does: of samples by noise.
 const ALIKE: f64 = 0.2;
+
+/// Share of what a table spans above which truths of lines that are the same differ: formats of 8 bits make
+/// smooth lines one that differ by less.
+const APART: f64 = 0.02;
 
 /// One line is clamped that lies below this share of the floor.
 const FAR_BELOW: f64 = 0.7;
@@ -31,7 +36,18 @@ pub(super) fn with_floors(
     candidate: &Candidate,
 ) -> Result<Candidate, AuditError> {
     let lines = Clampable::of(truth, sample, candidate)?;
-    let search = Search { truth, sample, fixed, bare: candidate, lines };
+    let clipped = lines.clipped();
+    if clipped.contains(&true) {
+        // Values that stand at a clamp of their own say nothing of one of an input.
+        let rest = Sample { left_out: clipped, ..sample.clone() };
+        let bare = rejudge(truth, &rest, fixed, vec![candidate.clone()], Truth::ranked)?.pop();
+        let Some(bare) = bare else { return Ok(candidate.clone()) };
+        let found = with_floors(truth, &rest, fixed, &bare)?;
+        let judged = rejudge(truth, sample, fixed, vec![found], Truth::ranked)?.pop();
+        return Ok(judged.unwrap_or_else(|| candidate.clone()));
+    }
+    let copied = candidate.axes.iter().enumerate().map(|(axis, reading)| lines.copied(axis, reading));
+    let search = Search { truth, sample, fixed, bare: candidate, copied: copied.collect(), lines };
     let (axes, iors) = (search.open(&[Input::Alpha, Input::Mu]), search.open(&[Input::Ior]));
     let together = |floors: &dyn Fn(usize) -> f64| -> Vec<(usize, f64)> {
         axes.iter().enumerate().map(|(k, axis)| (*axis, floors(k))).collect()
@@ -65,6 +81,8 @@ struct Search<'a> {
     /// The reading without them.
     bare: &'a Candidate,
     lines: Clampable<'a>,
+    /// By axis the input at the last of lines that are the same, below which no clamp leaves them so.
+    copied: Vec<f64>,
 }
 
 impl Search<'_> {
@@ -91,7 +109,8 @@ impl Search<'_> {
         let clamps = |floor: &&(usize, f64)| nodes(floor.0).into_iter().any(|node| node < floor.1);
         let floors: Vec<(usize, f64)> = floors.iter().filter(clamps).copied().collect();
         let differ = |(axis, floor): &(usize, f64)| self.lines.differ(*axis, &self.bare.axes[*axis], *floor);
-        if floors.is_empty() || floors.iter().any(differ) {
+        let is_below = |(axis, floor): &(usize, f64)| *floor < self.copied[*axis];
+        if floors.is_empty() || floors.iter().any(|floor| differ(floor) || is_below(floor)) {
             return Ok(None);
         }
         let mut clamped = at.clone();
@@ -123,18 +142,28 @@ impl Search<'_> {
         Ok(judged.filter(as_good).unwrap_or(at))
     }
 
+    /// Whether a line of the table, also one that is not sampled, lies at a clamp: it is what others were
+    /// copied from.
+    fn is_at_a_line(&self, axis: usize, floor: f64) -> bool {
+        let size = self.sample.size[axis];
+        let node = |k: usize| self.bare.axes[axis].node(k, size);
+        let is_at = |k: usize| (floor - node(k)).abs() < AT_A_LINE * (node(k + 1) - node(k)).abs();
+        (0..size - 1).any(is_at)
+    }
+
     /// A reading with the clamp of an axis that fits best.
     fn along(&self, mut at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
         let seen = self.lines.held(axis, &self.bare.axes[axis]);
         for floor in FLOORS.map(|floor| self.least(axis) + floor) {
             at = self.taken(at, &[(axis, floor)])?;
         }
+        let listed = at.clone();
         // Of those between two lines that explain something the nearest is taken, and looked about.
         let (mut width, mut nearest) = (seen.get(1).map_or(0.0, |next| next - seen[0]), None);
         let raised = |at: &Candidate, floor: f64| -> Result<Option<Candidate>, AuditError> {
             Ok(self.raised(at, &[(axis, floor)])?.filter(|(_, near)| !near).map(|(raised, _)| raised))
         };
-        for floor in seen {
+        for floor in seen.iter().copied() {
             let is_nearer = |t: &Candidate| nearest.is_some() && t.fitted.rank < at.fitted.rank;
             if let Some(tried) = raised(&at, floor)?.filter(|t| explains(t, &at) || is_nearer(t)) {
                 (at, nearest) = (tried, Some(floor));
@@ -146,6 +175,14 @@ impl Search<'_> {
                 if let Some(tried) = raised(&at, floor)?.filter(|t| t.fitted.rank < at.fitted.rank) {
                     (at, nearest) = (tried, Some(floor));
                 }
+            }
+        }
+        // Lines that hold what the next one has of its own are copies of it.
+        if let Some(floor) = nearest.filter(|floor| self.is_at_a_line(axis, *floor)) {
+            let beside = raised(&at, floor + seen[1] - seen[0])?;
+            // Samples do not tell a clamp from another.
+            if beside.is_none_or(|beside| beside.fitted.rank > CLEAR * at.fitted.rank) {
+                return Ok(listed);
             }
         }
         Ok(at)
@@ -167,6 +204,39 @@ impl<'a> Clampable<'a> {
         Ok(Clampable { sample, truth: columns.map(of).collect() })
     }
 
+    /// Which texels hold the largest value of a channel, as others do that lie on no line which is the same as
+    /// the one before it, and have a truth beyond it; none of those that are left out already.
+    fn clipped(&self) -> Vec<bool> {
+        let count = if self.sample.left_out.is_empty() { self.sample.values[0].len() } else { 0 };
+        let dims = self.sample.dims();
+        let repeated: Vec<Vec<bool>> = (0..dims.len()).map(|axis| self.repeated(axis)).collect();
+        let is_repeated = |i: &usize| place(*i, &dims).iter().zip(&repeated).any(|(k, lines)| lines[*k]);
+        let mut clipped = vec![false; count];
+        for (truth, own) in self.truth.iter().zip(&self.sample.values) {
+            let high = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let beyond = high + APART * spread(own.iter().copied());
+            let all: Vec<usize> = (0..count).filter(|i| own[*i] == high && truth[*i] > beyond).collect();
+            if all.iter().filter(|i| !is_repeated(i)).count() > 1 {
+                all.into_iter().for_each(|i| clipped[i] = true);
+            }
+        }
+        clipped
+    }
+
+    /// Which lines of an axis are the same as the one before.
+    fn repeated(&self, axis: usize) -> Vec<bool> {
+        let dims = self.sample.dims();
+        let step: usize = dims[..axis].iter().product();
+        let mut repeated: Vec<bool> = (0..dims[axis]).map(|k| k > 0).collect();
+        for own in &self.sample.values {
+            for (i, value) in own.iter().enumerate() {
+                let at = i / step % dims[axis];
+                repeated[at] &= at > 0 && own[i - step] == *value;
+            }
+        }
+        repeated
+    }
+
     /// Places along an axis at which an input is below a floor, the least first.
     fn below(&self, axis: usize, reading: &AxisReading, floor: f64) -> Vec<usize> {
         let nodes = self.sample.nodes(axis, reading);
@@ -179,6 +249,18 @@ impl<'a> Clampable<'a> {
     /// beside what the values span; the largest of the channels. What stands at the largest value may be
     /// clamped itself.
     fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize]) -> f64 {
+        let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+        self.differences(of, axis, lines, rms)
+    }
+
+    /// The same of another norm, which is had of squares.
+    fn differences(
+        &self,
+        of: &[Vec<f64>],
+        axis: usize,
+        lines: &[usize],
+        norm: impl Fn(&[f64]) -> f64,
+    ) -> f64 {
         let dims = self.sample.dims();
         let step: usize = dims[..axis].iter().product();
         let along = |i: usize| i / step % dims[axis];
@@ -187,8 +269,7 @@ impl<'a> Clampable<'a> {
             let first = |i: usize| i + lines[0] * step - along(i) * step;
             let counts = |i: &usize| lines.contains(&along(*i)) && own[*i] != high && own[first(*i)] != high;
             let squares = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]).map(|d| d * d);
-            let squares: Vec<f64> = squares.collect();
-            (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / spread(own.iter().copied())
+            norm(&squares.collect::<Vec<f64>>()) / spread(own.iter().copied())
         };
         of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
     }
@@ -198,6 +279,17 @@ impl<'a> Clampable<'a> {
         let lines = self.below(axis, reading, floor);
         let own = || self.difference(&self.sample.values, axis, &lines);
         lines.len() > 1 && own() > SAME.max(ALIKE * self.difference(&self.truth, axis, &lines))
+    }
+
+    /// The input at the last of the first lines that are the same, though their truths differ by more than
+    /// formats do; 0 where there are none.
+    fn copied(&self, axis: usize, reading: &AxisReading) -> f64 {
+        let nodes = self.sample.nodes(axis, reading);
+        let last = self.held(axis, reading).first().copied().unwrap_or(0.0);
+        let same = self.below(axis, reading, last * (1.0 + SAME));
+        let largest = |squares: &[f64]| squares.iter().copied().fold(0.0, f64::max).sqrt();
+        let is_plain = same.len() < 2 || self.differences(&self.truth, axis, &same, largest) < APART;
+        if is_plain { 0.0 } else { same.iter().map(|k| nodes[*k]).fold(0.0, f64::max) }
     }
 
     /// Whether it makes nothing one that could differ: a line alone, and that not far below the floor, both
@@ -221,6 +313,9 @@ impl<'a> Clampable<'a> {
 
 /// Share of a clamp to which it is looked for between two lines.
 const NARROW: f64 = 1e-4;
+
+/// Share of the way from a line to the next within which a clamp stands at that line.
+const AT_A_LINE: f64 = 5e-3;
 
 /// Largest error over the root mean square of a table that is off in a corner.
 const SPIKED: f64 = 8.0;

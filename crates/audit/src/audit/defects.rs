@@ -6,7 +6,7 @@ use super::column::Column;
 use super::enlarged::Enlarged;
 use super::errors::{Residuals, spread};
 use super::extent::Extent;
-use super::line::line;
+use super::line::{copies, line};
 use super::spikes::{are_apart, spikes};
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
@@ -173,7 +173,8 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     if found.is_empty() {
         let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
         found.extend(
-            part(r, grain)
+            copies(r, grain)
+                .or_else(|| part(r, grain))
                 .or_else(|| edge(r, grain))
                 .or_else(|| block(r))
                 .or_else(spikes)
@@ -189,7 +190,7 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
     if !apart && rms <= ROUNDED * rounding && rest.iter().all(|i| within_a_step(r, grain, *i)) {
         found.push(Defect::Steps { step, rms: rounding });
     } else if noise > 0.5 * rms && rms > 1e-7 {
-        let step = (noise <= NOISE_OF_ROUNDING * rounding).then_some(step);
+        let step = is_of_rounding(noise, r, &rest, grain).then_some(step);
         found.push(Defect::Noise { rms: noise, share: noise / rms, step, apart });
     }
     if let Some(samples) = grain.samples {
@@ -233,6 +234,11 @@ pub(super) fn dead<'a>(table: &'a AuditedTable, values: &'a [f64]) -> impl Itera
 /// Defects of a function: values that stand at a clamp, and a bias.
 pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
     clamped(r).into_iter().chain(bias(r, r.rms(&r.judged))).collect()
+}
+
+/// Whether errors jump from texel to texel as rounding makes them.
+pub(super) fn is_of_rounding(noise: f64, r: &Residuals, texels: &[usize], grain: Grain) -> bool {
+    noise <= NOISE_OF_ROUNDING * rounding(r, texels, grain)
 }
 
 /// Root mean square of the error that rounding to a format makes at some texels: a third of the square of
@@ -351,8 +357,11 @@ fn clamped(r: &Residuals) -> Option<Defect> {
     told
 }
 
+/// Values of lines are the same that differ by no more than this share of them: rounding of singles.
+const ALIKE: f64 = 1e-6;
+
 /// Which lines along every axis are the same as the one before them.
-fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
+pub(super) fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
     let dims = r.sample.dims();
     let mut repeated: Vec<Vec<bool>> =
         dims.iter().map(|n| (0..*n).map(|k| k > 0 && dims.len() > 1).collect()).collect();
@@ -360,7 +369,7 @@ fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
         let mut step = 1;
         for (axis, n) in dims.iter().enumerate() {
             let at = i / step % n;
-            repeated[axis][at] &= at > 0 && r.values[i - step] == *value;
+            repeated[axis][at] &= at > 0 && (r.values[i - step] - value).abs() <= ALIKE * value.abs();
             step *= n;
         }
     }

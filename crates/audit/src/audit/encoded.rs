@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use super::apart;
 use super::best::{Best, Case, best, promising, truth_of};
 use super::defects::stored;
-use super::plain::{Plain, worst};
+use super::plain::{CLAMPED, Plain, worst};
 use super::table::{AuditedTable, Source};
 use super::{Audit, AuditError, FITS, Fit};
 use crate::foreign::{Channel, Step};
@@ -201,10 +201,16 @@ impl Encoding {
         quantity: &dyn Quantity,
     ) -> Result<Audit, AuditError> {
         let told = read.plain.clone();
-        let convention = told.as_ref().map_or(read.best(), |plain| &plain.convention).clone();
+        let mut convention = told.as_ref().map_or(read.best(), |plain| &plain.convention).clone();
+        for (axis, own) in
+            convention.axes.iter_mut().zip(&read.best().axes).filter(|(axis, own)| axis.like(own))
+        {
+            axis.floor = own.floor;
+        }
         let (mut untold, mut options) =
             told.map_or((Vec::new(), String::new()), |plain| (plain.untold, plain.options + " "));
-        untold.push(format!("values {}", self.said("encoded as ")));
+        untold.retain(|word| !word.contains(CLAMPED));
+        untold.insert(0, format!("values {}", self.said("encoded as ")));
         options += &format!("--encoding {}", self.word);
         let truth = truth_of(stored.table, quantity, stored.fixed, &[convention.lobe.form])?;
         let lobe = truth.lobes().iter().position(|lobe| *lobe == convention.lobe).unwrap_or(0);

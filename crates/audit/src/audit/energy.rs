@@ -3,7 +3,7 @@
 use super::block::ONE_SIGN;
 use super::column::Column;
 use super::convention::Convention;
-use super::defects::{Defect, Grain, holds_albedo, noise};
+use super::defects::{Defect, Grain, holds_albedo, is_of_rounding, noise};
 use super::errors::Residuals;
 use super::found::Furnace;
 use super::inputs_at;
@@ -49,6 +49,10 @@ pub(super) fn furnace(
     let dims = sample.dims();
     for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
         let (stored, truth) = (column.albedo(values[i])?, column.true_albedo(judgement.base[i])?);
+        // A lobe that gains of its own, and not by an error of the truth, is not compensated.
+        if truth > 1.001 {
+            return None;
+        }
         // A compensation divides by the stored E: there is none of one that is 0 or less.
         let lit = stored > 0.0;
         dark += usize::from(!lit);
@@ -68,6 +72,9 @@ pub(super) fn furnace(
 /// A truth from which on nearly all of the light comes back.
 const BRIGHT: f64 = 0.95;
 
+/// Gains below it are errors of a quadrature, and no eye sees them.
+const LEAST_GAIN: f64 = 1e-4;
+
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
@@ -75,7 +82,8 @@ const ABOVE_NOISE: f64 = 6.0;
 /// is part of the gain.
 pub(super) fn gains(r: &Residuals, sum: Option<&Sum>, grain: Grain, defects: &mut Vec<Defect>) {
     let whole = sum.map(|sum| Residuals::new(r.sample, r.judgement, sum.column, &sum.values));
-    if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain) {
+    let steps = if whole.is_some() { 2.0 } else { 1.0 };
+    if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain, steps) {
         defects.retain(|defect| !matches!(defect, Defect::MissingLoss { .. }));
         defects.push(gain);
     }
@@ -93,9 +101,9 @@ fn comes_back(column: Column, value: f64) -> Option<f64> {
     }
 }
 
-/// More energy than comes in: beyond what formats leave and what jumps from texel to texel, where the albedo
+/// More energy than comes in: beyond what formats leave, of so many steps each, and what jumps from texel to texel, where the albedo
 /// is too high throughout if nearly all of the light comes back, as that of samples is not.
-fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
+fn gain(r: &Residuals, grain: Grain, steps: f64) -> Option<Defect> {
     let albedos = |i: usize| comes_back(r.column, r.values[i]).zip(comes_back(r.column, r.truth(i)));
     let (mut sums, mut worst) = ([0.0; 2], (0.0, 0, 1.0));
     for i in &r.judged {
@@ -112,7 +120,10 @@ fn gain(r: &Residuals, grain: Grain) -> Option<Defect> {
         }
     }
     let (over, i, albedo) = worst;
-    let left = 2.0 * grain.leaves(r, i) + ABOVE_NOISE * noise(r, &r.judged);
+    // What jumps as rounding does is counted with it.
+    let jumps =
+        Some(noise(r, &r.judged)).filter(|jumps| !is_of_rounding(*jumps, r, &r.judged, grain)).unwrap_or(0.0);
+    let left = (steps * grain.leaves(r, i) + ABOVE_NOISE * jumps).max(LEAST_GAIN);
     (over > left && sums[0] > ONE_SIGN * sums[1]).then(|| Defect::Gain {
         column: r.column,
         albedo,

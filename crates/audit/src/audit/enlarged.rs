@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::defects::stored;
 use super::table::{AuditedTable, Source};
+use crate::foreign::Step;
 
 /// Texels of smaller tables along an axis whose outermost stand at those of the larger one; with the
 /// centres of both aligned every divisor of its size from [`LEAST`] on is tried.
@@ -21,6 +22,11 @@ const STRAIGHT: f64 = 1e-3;
 /// Steps of rounding that the values of one bend are apart at most: extrapolation to a knot from two texels
 /// on each side of it takes twice four halves.
 const ROUNDED: f64 = 8.0;
+
+/// Root mean square of bends between knots beside that of rounding, and of bends at knots beside that, from
+/// which on rounding explains the ones and not the others.
+const LEVEL: f64 = 1.3;
+const SHARPER: f64 = 1.2;
 
 /// The smaller table.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,12 +54,29 @@ impl Enlarged {
             let centred = divisors.map(|from| Knots::centred(from, n));
             let corners =
                 CORNERS.into_iter().filter(|from| TIMES * from <= n).map(|from| Knots::ends(from, n));
-            if let Some(knots) = centred.chain(corners).find(|knots| all(&|lines| lines.are_straight(knots)))
-            {
+            let is_made = |knots: &Knots| all(&|lines| lines.are_straight(knots) && lines.bend_at(knots));
+            if let Some(knots) = centred.chain(corners).find(is_made) {
                 (found.from[axis], found.linear) = (knots.count, true);
             }
         }
+        found.alike(table, live);
         (found.from != table.size).then_some(found)
+    }
+}
+
+impl Enlarged {
+    /// Where one axis was made larger by lines, the others by the same factor, though formats hide their bends.
+    fn alike(&mut self, table: &AuditedTable, live: &[usize]) {
+        let times = self.from.iter().zip(&table.size).map(|(from, n)| n / from).find(|times| *times >= TIMES);
+        let Some(times) = times.filter(|_| self.linear) else { return };
+        for (axis, n) in table.size.iter().enumerate() {
+            if self.from[axis] == *n && n.is_multiple_of(times) && n / times >= LEAST {
+                let knots = Knots::centred(n / times, *n);
+                if live.iter().all(|k| Lines::of(table, *k, axis).are_straight(&knots)) {
+                    self.from[axis] = knots.count;
+                }
+            }
+        }
     }
 }
 
@@ -105,8 +128,9 @@ struct Lines<'a> {
     first: Vec<usize>,
     /// The largest second difference.
     bend: f64,
-    /// What rounding leaves of a bend at most.
+    /// What rounding leaves of a bend at most, and to what it is.
     rounding: f64,
+    format: Step,
 }
 
 impl<'a> Lines<'a> {
@@ -114,13 +138,14 @@ impl<'a> Lines<'a> {
         let (size, values) = (&table.size, table.channels[channel].values.as_slice());
         let (n, step) = (size[axis], size[..axis].iter().product());
         let first = (0..values.len() / (n * step)).flat_map(|k| (0..step).map(move |i| k * n * step + i));
-        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, rounding: 0.0 };
+        let format = stored(table.step, values);
+        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, rounding: 0.0, format };
         let bends = lines.each().map(|line| line.windows(3).map(second).fold(0.0, f64::max));
         let (sharpest, bend) =
             bends.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
         lines.first.swap(0, sharpest);
         let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let rounding = ROUNDED * stored(table.step, values).rounding(largest) + 1e-6 * largest;
+        let rounding = ROUNDED * format.rounding(largest) + 1e-6 * largest;
         Lines { bend, rounding, ..lines }
     }
 
@@ -161,7 +186,36 @@ impl<'a> Lines<'a> {
                     && held(&line, [high + 1, high, high - 1], knots.at(last));
             ends && held && (0..last).all(|k| straight(&line, k)) && (1..last).all(|k| meet(&line, k))
         };
-        self.bend > ROUNDED * left && self.each().all(is_made)
+        self.each().all(is_made)
+    }
+
+    /// Whether lines bend at the knots and between them no more than rounding makes them: by far at the
+    /// sharpest bend, or on average over all.
+    fn bend_at(&self, knots: &Knots) -> bool {
+        if self.bend > ROUNDED * (STRAIGHT * self.bend + self.rounding) {
+            return true;
+        }
+        // Of three texels in a row the outer two are on one side of every knot, or on both of one.
+        let within = |i: usize| {
+            let side = |i: usize| ((i as f64 - knots.first) / knots.step).floor();
+            side(i - 1) == side(i + 1) || (i as f64 + 1.0 - knots.first) % knots.step == 0.0
+        };
+        let (low, high) = (knots.at(0).ceil() as usize + 1, knots.at(knots.count - 1).floor() as usize);
+        let inside: Vec<bool> = (0..self.n).map(|i| i > 0 && within(i)).collect();
+        let (mut squares, mut counts, mut rounded) = ([0.0; 2], [0.0; 2], 0.0);
+        for line in self.each() {
+            for i in low..high {
+                let (k, bend) = (usize::from(inside[i]), second(&line[i - 1..=i + 1]));
+                (squares[k], counts[k]) = (squares[k] + bend * bend, counts[k] + 1.0);
+                // A second difference of values that are off by up to so much, evenly.
+                rounded += if inside[i] { 2.0 * self.format.rounding(line[i]).powi(2) } else { 0.0 };
+            }
+        }
+        let is_level = squares[1] <= LEVEL * LEVEL * rounded;
+        counts[1] >= counts[0]
+            && squares[0] > 0.0
+            && is_level
+            && squares[0] * counts[1] >= SHARPER * SHARPER * squares[1] * counts[0]
     }
 }
 

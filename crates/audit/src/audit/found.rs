@@ -219,7 +219,7 @@ impl Audit {
 
     /// Whether a channel only fills a pixel up, as blue or alpha beside two channels of a table do: it
     /// is 0 or 1 throughout, and what the others hold is the whole energy.
-    fn pads(&self, channel: &ChannelAudit) -> bool {
+    pub(super) fn pads(&self, channel: &ChannelAudit) -> bool {
         let held = |column| self.channels.iter().any(|c| c.column == Some(column));
         let whole = [Column::E, Column::Loss, Column::Inverse, Column::Excess, Column::RT, Column::LossRT];
         let halves = [[Column::A, Column::B], [Column::R, Column::T]];
@@ -244,7 +244,7 @@ impl Audit {
         let decides = match limit {
             Some(limit) => self.fit == Fit::Whole && self.worst() <= limit && plain.max > limit,
             None => {
-                self.fit == Fit::Whole && self.two_lobes.is_none() && !plain.is_of_another_lobe(self.best())
+                self.fit == Fit::Whole && self.two_lobes.is_none() && !plain.is_of_another_use(self.best())
             }
         };
         decides.then_some(plain)

@@ -1,7 +1,7 @@
-//! A row, column or slice that departs from all others of its axis: one that was not made again, or holds
-//! what its neighbour holds.
+//! A row, column or slice that departs from all others of its axis, as it was not made again, or holds what
+//! its neighbour holds.
 
-use super::defects::{Defect, Grain, SEEN, of_extent};
+use super::defects::{Defect, Grain, SEEN, of_extent, repeated_lines};
 use super::errors::Residuals;
 use super::extent::Extent;
 use super::table::place;
@@ -15,13 +15,45 @@ const APART_AT_END: f64 = 24.0;
 /// Fewest lines of an axis of which one may stand out.
 const LINES: usize = 5;
 
+/// Lines that hold what the next to them has of its own, though their truths differ: the first or last of a
+/// table that was padded.
+pub(super) fn copies(r: &Residuals, grain: Grain) -> Option<Defect> {
+    let (dims, least) = (r.sample.dims(), SEEN * r.spread());
+    repeated_lines(r).iter().enumerate().find_map(|(axis, repeated)| {
+        let lines = lines(r, axis);
+        let mut groups = (1..dims[axis]).filter(|k| repeated[*k] && !repeated[k - 1]).map(|k| {
+            let last = (k..dims[axis]).take_while(|k| repeated[*k]).last().unwrap_or(k);
+            k - 1..=last
+        });
+        groups.find_map(|group| {
+            let own = group.clone().min_by(|a, b| r.rms(&lines[*a]).total_cmp(&r.rms(&lines[*b])))?;
+            let is_off = |k: &usize| *k != own && group.contains(k);
+            let of = |off: bool| -> Vec<usize> {
+                let some = (0..dims[axis]).filter(|k| is_off(k) == off);
+                some.flat_map(|k| lines[k].iter().copied()).collect()
+            };
+            let (off, rest) = (of(true), r.rms(&of(false)));
+            let is_seen = off.iter().any(|i| r.errors[*i].abs() > least.max(grain.leaves(r, *i)));
+            let stands_out = r.rms(&off) > APART * rest && is_seen;
+            stands_out.then(|| of_extent(r, Extent::of(r.sample, &off), &off, rest))
+        })
+    })
+}
+
+/// The judged texels of every line of an axis.
+fn lines(r: &Residuals, axis: usize) -> Vec<Vec<usize>> {
+    let dims = r.sample.dims();
+    let mut lines = vec![Vec::new(); dims[axis]];
+    r.judged.iter().for_each(|i| lines[place(*i, &dims)[axis]].push(*i));
+    lines
+}
+
 /// The line that stands out so.
 pub(super) fn line(r: &Residuals, grain: Grain) -> Option<Defect> {
     let dims = r.sample.dims();
     let least = SEEN * r.spread();
     (0..dims.len()).filter(|axis| dims.len() > 1 && dims[*axis] >= LINES).find_map(|axis| {
-        let mut lines = vec![Vec::new(); dims[axis]];
-        r.judged.iter().for_each(|i| lines[place(*i, &dims)[axis]].push(*i));
+        let lines = lines(r, axis);
         let rms: Vec<f64> = lines.iter().map(|line| r.rms(line)).collect();
         let worst = (0..rms.len()).max_by(|a, b| rms[*a].total_cmp(&rms[*b]))?;
         let others = (0..rms.len()).filter(|k| *k != worst).map(|k| rms[k]).fold(0.0, f64::max);

@@ -2,7 +2,7 @@
 
 use super::axis::{AxisReading, Input, Registration};
 use super::table::{Source, flat, place};
-use super::verdict::{number, sentence};
+use super::verdict::{number, passed, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Tried};
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
@@ -34,7 +34,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         }),
         encoding: audit.encoding.map(|encoding| encoding.name.into()),
         limit,
-        passed: audit.passes(limit),
+        passed: passed(limit, audit.passes(limit)),
         margin: Some(audit.margin).filter(|m| m.is_finite()),
         truth_error: audit.truth_error,
         stated: false,

@@ -16,8 +16,8 @@ use super::lobe::Lobe;
 use super::sample::{Candidate, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
-use super::verdict::along;
-use lobefit::data::Place;
+use super::verdict::{along, number};
+use lobefit::data::{Place, Smith};
 
 /// Places along each of three axes at which a plain reading is judged of a table with more than
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
@@ -25,6 +25,9 @@ const PLACES: usize = 16;
 
 /// Channels in words.
 const PLACES_OF: [&str; 4] = ["first", "second", "third", "fourth"];
+
+/// What a clamp of an input is called.
+pub(super) const CLAMPED: &str = " clamped to ";
 
 /// The column of an error, and where it is.
 pub type Where = (Column, Place);
@@ -49,12 +52,12 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// Whether nothing but the lobe is another: files of such have a use of their own, and only a limit
-    /// fails them for it.
-    pub fn is_of_another_lobe(&self, best: &Convention) -> bool {
+    /// Whether nothing but the lobe is another, or the clamps of inputs: files of such have a use of their
+    /// own, and only a limit fails them for it.
+    pub fn is_of_another_use(&self, best: &Convention) -> bool {
         let own = &self.convention;
-        let same = own.axes == best.axes && own.columns == best.columns && self.encoding.is_none();
-        own.lobe != best.lobe && same
+        let axes = own.axes.iter().zip(&best.axes).all(|(own, best)| own.like(best));
+        axes && own.columns == best.columns && self.encoding.is_none()
     }
 }
 
@@ -149,6 +152,20 @@ pub(super) fn plain(
         options.push(format!("--as {}:'{}'", truth.quantity(), column.name()));
         *column = told;
     }
+    let is_of_another_use = untold.is_empty() || untold.len() == 1 && read.lobe != convention.lobe;
+    // Of what is misread otherwise clamps say nothing.
+    for (axis, n) in read.axes.iter_mut().zip(&table.size).filter(|_| is_of_another_use) {
+        let input = axis.scale.input();
+        let bare = AxisReading { floor: 0.0, ..*axis };
+        // What clamps one line alone, at an end, is no other use.
+        let lines = (0..*n).filter(|i| bare.node(*i, *n) <= axis.floor).count();
+        if fixed.floor(input).is_none() && lines > 1 {
+            let floor = number(axis.floor);
+            untold.push(format!("{}{CLAMPED}{floor}", input.name()));
+            options.push(format!("--clamp {}={floor}", input.name()));
+            *axis = bare;
+        }
+    }
     if untold.is_empty() {
         return Ok(None);
     }
@@ -185,14 +202,17 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
 pub(super) fn is_usual(name: &str, axis: &AxisReading) -> bool {
     let mut usual = *axis;
     scaled(name, Source::Function, &mut usual);
-    usual == *axis && (axis.scale.input() != Input::Mu || axis.scale == Scale::Mu)
+    let named_otherwise = axis.scale == Scale::Alpha && name.to_lowercase().contains("rough");
+    usual == *axis && !named_otherwise && (axis.scale.input() != Input::Mu || axis.scale == Scale::Mu)
 }
 
-/// The lobe that a quantity's name stands for, where the form of another has its own integrand.
+/// The lobe that a quantity's name stands for: height-correlated where it is of Smith's.
 fn usual_lobe(truth: &Truth, own: usize) -> usize {
     let lobes = truth.lobes();
-    let usual =
-        |l: &Lobe| l.form.integrand.is_none() && (l.side, l.both) == (lobes[own].side, lobes[own].both);
+    let usual = |l: &Lobe| {
+        let is_form = l.form.integrand.is_none() && l.form.smith != Some(Smith::Separable);
+        is_form && (l.side, l.both) == (lobes[own].side, lobes[own].both)
+    };
     if usual(&lobes[own]) { own } else { lobes.iter().position(usual).unwrap_or(own) }
 }
 

@@ -15,7 +15,7 @@ use super::plain::is_usual;
 use super::sample::{Candidate, Fitted, Sample};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
-use super::{CLEAR, LAST, Registration};
+use super::{LAST, Registration};
 
 /// How much worse the plain reading must rank for another to be right beyond doubt.
 const BEYOND_DOUBT: f64 = 3.0;
@@ -43,7 +43,7 @@ pub(super) fn plain_first(
     if table.source == Source::Function && fixed.axes.is_none() {
         let is_nearly = |c: &Candidate| {
             let Fitted { rank, columns, .. } = &found[0].fitted;
-            c.fitted.rank <= CLEAR * rank && c.fitted.columns == *columns
+            c.fitted.rank <= BEYOND_DOUBT * rank && c.fitted.columns == *columns
         };
         let usual = |c: &Candidate| table.axes.iter().zip(&c.axes).all(|(name, axis)| is_usual(name, axis));
         if let Some(k) = found.iter().position(|c| usual(c) && is_nearly(c)) {

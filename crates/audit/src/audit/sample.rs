@@ -10,6 +10,7 @@ use super::truth::{Beyond, Truth, Values};
 use super::{CLEAR, work};
 
 /// Texels of some places along every axis.
+#[derive(Clone)]
 pub(super) struct Sample {
     /// Size of the whole table.
     pub size: Vec<usize>,
@@ -21,6 +22,8 @@ pub(super) struct Sample {
     pub values: Vec<Vec<f64>>,
     /// Of every live channel whether it is of a function at an f0 of 1.
     pub at_one: Vec<bool>,
+    /// Of every texel whether it is not to be judged; nothing where all are.
+    pub left_out: Vec<bool>,
 }
 
 impl Sample {
@@ -38,7 +41,14 @@ impl Sample {
         let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
         let texels = alive(audited);
         let values = live.iter().map(of).collect();
-        Sample { size: audited.size.clone(), texels, values, at, at_one: at_one(audited, live) }
+        Sample {
+            size: audited.size.clone(),
+            texels,
+            values,
+            at,
+            at_one: at_one(audited, live),
+            left_out: Vec::new(),
+        }
     }
 
     /// Some of the rows of a table of two axes, and all of its columns, but for those that are dead.
@@ -50,7 +60,14 @@ impl Sample {
         let of = |c: &usize| texels().map(|texel| audited.channels[*c].values[texel]).collect();
         let values = live.iter().map(of).collect();
         let at_one = at_one(audited, live);
-        Sample { size: audited.size.clone(), texels: alive(audited), values, at, at_one }
+        Sample {
+            size: audited.size.clone(),
+            texels: alive(audited),
+            values,
+            at,
+            at_one,
+            left_out: Vec::new(),
+        }
     }
 
     /// One texel.
@@ -59,7 +76,14 @@ impl Sample {
         let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
         let at = texel.iter().map(|k| vec![*k]).collect();
         let at_one = at_one(audited, live);
-        Sample { size: audited.size.clone(), texels: alive(audited), values, at, at_one }
+        Sample {
+            size: audited.size.clone(),
+            texels: alive(audited),
+            values,
+            at,
+            at_one,
+            left_out: Vec::new(),
+        }
     }
 
     /// Index along every axis of the table.
@@ -155,7 +179,9 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
 pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe: usize) -> Vec<bool> {
     let of = |(axis, reading): (usize, &AxisReading)| judged_along(truth, sample, (axis, reading), lobe);
     let along: Vec<Vec<bool>> = axes.iter().enumerate().map(of).collect();
-    everywhere(along.iter().map(Vec::as_slice))
+    let mut judged = everywhere(along.iter().map(Vec::as_slice));
+    judged.iter_mut().zip(&sample.left_out).for_each(|(judged, out)| *judged &= !out);
+    judged
 }
 
 /// Which places of a sample along one axis lie where the truth can be had.

@@ -114,7 +114,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     let allowance = Allowance { limit: options.limit, loss: options.max_loss, one_way: options.one_way };
     let judgement = furnace::judgement(&format!("{} ({name})", function.name), &found, allowance);
     let is_limited = options.limit.is_some() || options.max_loss.is_some();
-    let passed = !is_limited || judgement.grade == Grade::Pass;
+    let passed = is_limited.then_some(judgement.grade == Grade::Pass);
     let found = FurnaceFindings {
         origin: origin(&bytes, &command(options, &name)),
         file: name.clone(),
@@ -134,7 +134,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     } else if !options.quiet {
         print(found.text().as_bytes())?;
     }
-    Ok(if passed { Outcome::Done } else { Outcome::Failed })
+    Ok(if passed == Some(false) { Outcome::Failed } else { Outcome::Done })
 }
 
 /// The function that is meant.

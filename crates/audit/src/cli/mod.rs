@@ -144,6 +144,9 @@ struct Options {
     /// Say nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
+    /// Whether a shader holds arrays alone, which are read as those of a text
+    #[arg(skip)]
+    pub is_of_arrays: bool,
 }
 
 /// A quantity, and the column that is asked for.
@@ -194,8 +197,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn verb(options: Options) -> Result<Outcome, CliError> {
-    other_kind(&options)?;
     let bytes = read(&options)?;
+    let holds_functions = || options.source.holds_functions(&bytes, &options.file.display().to_string());
+    let is_of_arrays = has_extension_of_shaders(&options) && !holds_functions();
+    let options = Options { is_of_arrays, ..options };
+    other_kind(&options)?;
     let wanted = tables::wanted(&options, &bytes)?;
     let options = &Asked { options, wanted };
     let Read { mut audited, inverse, function, holds, note, refused } =
@@ -269,7 +275,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let mut found = AuditFindings { cost, otherwise: beside, ..found };
     if let Some(said) = &said {
         let (verdict, figure) = (said.verdict(options.limit), said.figure(options.limit));
-        found = AuditFindings { passed: false, verdict, figure, ..found };
+        found = AuditFindings { passed: Some(false), verdict, figure, ..found };
     }
     publish(options, folder, &found)
 }
@@ -306,7 +312,7 @@ fn publish(
         let beside = found.otherwise.as_ref().map_or_else(String::new, AuditOtherwise::text);
         print(format!("{}\n{beside}{cost}", found.verdict).as_bytes())?;
     }
-    Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
+    Ok(if found.passed == Some(false) { Outcome::Failed } else { Outcome::Done })
 }
 
 /// Extensions of shaders.
@@ -317,13 +323,19 @@ const SHADERS: [&str; 14] = [
 
 const SCRIPTS: [&str; 4] = ["js", "mjs", "ts", "mts"];
 
+/// Whether a file is read as a shader's functions: also a header or a text of which one is named, and no shader
+/// that holds arrays alone.
 fn is_shader(options: &Options) -> bool {
+    options.source.function.is_some() || has_extension_of_shaders(options) && !options.is_of_arrays
+}
+
+fn has_extension_of_shaders(options: &Options) -> bool {
     // `chunk.glsl.js` is a shader in a script.
     let script = options.file.extension().is_some_and(|e| SCRIPTS.iter().any(|script| e == *script));
     let stem = options.file.file_stem().map(PathBuf::from).filter(|_| script);
     let extension = stem.as_ref().unwrap_or(&options.file).extension();
     let extension = extension.map(|e| e.to_string_lossy().to_ascii_lowercase());
-    options.source.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
+    extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
 }
 
 /// Refuses options that mean nothing for the kind of file.

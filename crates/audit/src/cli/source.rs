@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::origin::named;
 use super::words::setting;
-use crate::foreign::{ForeignError, LeftOut, ShaderFunction, Surroundings, read_functions};
+use crate::foreign::{ForeignError, LeftOut, ShaderFunction, Surroundings, holds_functions, read_functions};
 use lobefit::cli::output::say;
 use lobefit::report::words;
 
@@ -31,6 +31,12 @@ impl SourceOptions {
     pub fn read(&self, bytes: &[u8], file: &str) -> Result<Vec<ShaderFunction>, ForeignError> {
         let around = Surroundings { defines: self.define.clone(), includes: self.include.clone() };
         read_functions(bytes, file, self.function.as_deref(), &around)
+    }
+
+    /// Whether a file has functions of its own, as far as it can be read.
+    pub fn holds_functions(&self, bytes: &[u8], file: &str) -> bool {
+        let around = Surroundings { defines: self.define.clone(), includes: self.include.clone() };
+        holds_functions(bytes, file, &around)
     }
 
     /// The options as they are typed.

@@ -109,15 +109,14 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
     let name = name.replace("F0", "f0");
     if name.contains('=') {
         let (ranged, ends) = range(&name)?;
-        let Ranged::Input(input) = ranged else {
-            return Err("an axis that is even in roughness between two ends is not known; \
-                        state INPUT=LOW..HIGH of alpha, mu, ior or anisotropy"
-                .into());
-        };
         if ends.iter().any(|end| !end.is_finite()) {
             return Err("two finite ends are called for, as ior=1.1..2.2".into());
         }
-        return Ok((Scale::between(input, ends, true), reversed));
+        let scale = match ranged {
+            Ranged::Input(input) => Scale::between(input, ends, true),
+            Ranged::Roughness => Scale::between_roughnesses(ends),
+        };
+        return Ok((scale, reversed));
     }
     let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
     found.ok_or_else(|| {

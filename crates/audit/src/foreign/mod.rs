@@ -18,5 +18,5 @@ mod text;
 pub use error::ForeignError;
 use error::Spot;
 pub use recognise::read_table;
-pub use shader::{LeftOut, ShaderFunction, Surroundings, read_functions};
+pub use shader::{LeftOut, ShaderFunction, Surroundings, holds_functions, read_functions};
 pub use table::{Channel, ForeignTable, Hints, RawFormat, Step};

@@ -4,7 +4,7 @@ use lobefit::data::Place;
 use serde::Serialize;
 use std::f64::consts::PI;
 
-use super::roles::{HALF, LIGHT, NORMAL, Role, Roles, TANGENT, VIEW, roles};
+use super::roles::{HALF, LIGHT, NORMAL, Role, Roles, TANGENT, VIEW, is_f0, roles};
 use super::rule::{Nodes, Vector, direction, dot, half, lights};
 use crate::audit::AuditError;
 use crate::foreign::ShaderFunction;
@@ -100,6 +100,9 @@ pub struct Furnace {
 /// Cosines of the view.
 pub(super) const VIEWS: [f64; 8] = [0.02, 0.05, 0.1, 0.2, 0.35, 0.55, 0.8, 1.0];
 
+/// An F0 that a Fresnel term is seen at: at 1 it is 1 throughout.
+pub(super) const DARK: f32 = 0.04;
+
 /// A value of f that is none beside it: a hundredth of a white Lambert surface's has an energy of
 /// a hundredth.
 pub(super) const LEAST: f64 = 0.01 / PI;
@@ -194,7 +197,14 @@ pub fn furnace(function: &ShaderFunction, asked: &Asked) -> Result<Furnace, Audi
     }
     let most = brdf.extreme(&cells, &rough, 1.0, asked.tolerance)?;
     let least = brdf.extreme(&cells, &rough, -1.0, asked.tolerance)?;
-    let reciprocity = brdf.reciprocity(&rough)?;
+    let mut reciprocity = brdf.reciprocity(&rough)?;
+    if brdf.darken() {
+        let dark = brdf.reciprocity(&rough)?;
+        if dark.share > reciprocity.share {
+            let f0 = ("f0".to_string(), f64::from(DARK));
+            reciprocity = Broken { at: dark.at.into_iter().chain([f0]).collect(), ..dark };
+        }
+    }
     let channels = brdf.channels.iter().map(|k| brdf.name(*k)).collect();
     let Brdf { cosine, bad, .. } = brdf;
     Ok(Furnace { arguments, cosine, channels, cells, most, least, reciprocity, unusable: bad })
@@ -203,6 +213,13 @@ pub fn furnace(function: &ShaderFunction, asked: &Asked) -> Result<Furnace, Audi
 impl Brdf<'_> {
     fn has_roughness(&self) -> bool {
         self.roles.of.iter().any(|r| matches!(r, Role::Roughness | Role::Square))
+    }
+
+    /// Gives every F0 that was white the [`DARK`] one; whether there is any.
+    fn darken(&mut self) -> bool {
+        let white = |(name, role): &(&String, &mut Role)| **role == Role::White && is_f0(name);
+        let all = self.function.inputs.iter().zip(&mut self.roles.of).filter(white);
+        all.map(|(_, role)| *role = Role::Value(DARK)).count() > 0
     }
 
     fn name(&self, result: usize) -> String {

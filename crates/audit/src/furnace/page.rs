@@ -21,8 +21,9 @@ pub struct FurnaceFindings {
     /// What is allowed above 1, and of reciprocity.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
-    /// Whether the exit code is 0.
-    pub passed: bool,
+    /// Whether it is within what is allowed; absent where no limit is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passed: Option<bool>,
     /// The verdict.
     pub judgement: Judgement,
     /// The figures.

@@ -84,6 +84,14 @@ impl Role {
 const WHITE: [&str; 10] =
     ["f0", "f90", "specular", "color", "colour", "reflectance", "albedo", "diffuse", "tint", "rho"];
 
+/// In the names of reflectances at normal incidence; of `specular` and `reflectance` shaders compute one.
+const F0: [&str; 2] = ["f0", "specularcolor"];
+
+/// Whether an argument is a reflectance at normal incidence, by its name.
+pub(super) fn is_f0(name: &str) -> bool {
+    F0.iter().any(|word| name.to_ascii_lowercase().replace('_', "").contains(word))
+}
+
 /// What the scalars of a function are given. `stated` names arguments, or scalars, with their roles,
 /// `set` with values.
 ///

@@ -6,8 +6,8 @@ use lobefit::report::numbers::{brief, significant};
 use lobefit::report::words;
 use serde::Serialize;
 
-use super::measure::{Cell, Energy, Furnace};
-use super::roles::Role;
+use super::measure::{Cell, DARK, Energy, Furnace};
+use super::roles::{Role, is_f0};
 use crate::audit::{Grade, first_line, place};
 
 /// The verdict.
@@ -27,9 +27,6 @@ const ALLOWED: f64 = 5e-3;
 
 /// A difference of f(l, v) and f(v, l) that is rounding.
 const AGREES: f64 = 1e-4;
-
-/// In the names of reflectances at normal incidence; of `specular` and `reflectance` shaders compute one.
-const F0: [&str; 2] = ["f0", "specularcolor"];
 
 /// What a function may do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -174,13 +171,15 @@ fn points(found: &Furnace, gains: bool) -> Vec<String> {
     };
     let given: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name} = {role}")).collect();
     let white = Role::White.words();
-    let is_f0 = |name: &str| F0.iter().any(|word| name.to_ascii_lowercase().replace('_', "").contains(word));
-    let f0 = found.arguments.iter().find(|(name, role)| *role == white && is_f0(name));
-    let hidden = f0.map_or_else(String::new, |(name, _)| {
-        format!(
-            " A Fresnel term is 1 throughout where {name} is 1, and not judged: `--set {name}=0.04` shows what it does."
-        )
-    });
+    let f0 = found.arguments.iter().filter(|(name, role)| *role == white && is_f0(name));
+    let f0: Vec<&str> = f0.map(|(name, _)| name.as_str()).collect();
+    let hidden = match f0.is_empty() {
+        true => String::new(),
+        false => format!(
+            " Where {} is 1 a Fresnel term is 1 throughout: f(l, v) and f(v, l) are compared at {DARK} as well.",
+            f0.join(" or ")
+        ),
+    };
     let mut points = vec![
         format!("Energy: {} at most.{advice} {} at least.{lost}", of(&found.most), of(&found.least)),
         format!("Reciprocity: {swapped}"),

@@ -38,8 +38,9 @@ pub struct AuditFindings {
     /// Largest error that the user allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
-    /// Whether it fits, and within the limit.
-    pub passed: bool,
+    /// Whether it fits, and within the limit; absent without a limit, but where the exit code is 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passed: Option<bool>,
     /// How many times worse the next convention fits; none if there is no other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,

@@ -91,7 +91,7 @@ fn what_gains_energy_is_found_at_its_worst_place() {
     assert!(verdict.points.len() <= 5, "{:?}", verdict.points);
 }
 
-/// At a reflectance of 1 no Fresnel term shows, which is said.
+/// At a reflectance of 1 no Fresnel term shows: one that prefers a direction does at another.
 #[test]
 fn what_a_reflectance_of_one_hides_is_said() {
     for (argument, hides) in
@@ -100,8 +100,14 @@ fn what_a_reflectance_of_one_hides_is_said() {
         let glsl =
             format!("float f(vec3 l, vec3 v, vec3 n, float {argument}) {{ return 0.3 * {argument}; }}");
         let points = judgement("f", &measured(&glsl, "f.glsl", "f", &[]), within(None)).points.concat();
-        assert_eq!(points.contains(&format!("`--set {argument}=0.04`")), hides, "{points}");
+        let said = format!("Where {argument} is 1 a Fresnel term is 1 throughout");
+        assert_eq!(points.contains(&said), hides, "{points}");
     }
+    let one_sided = "float f(vec3 l, vec3 v, vec3 n, float f0) {
+        return 0.3 * (f0 + (1.0 - f0) * pow(1.0 - dot(n, v), 5.0)); }";
+    let verdict = judgement("f", &measured(one_sided, "f.glsl", "f", &[]), within(None));
+    assert!(verdict.line.starts_with("FAIL white furnace: f is not reciprocal"), "{}", verdict.line);
+    assert!(verdict.line.contains("f0 0.04"), "{}", verdict.line);
 }
 
 /// A factor that is counted twice or not at all is named: of a white Lambert surface.

@@ -3,7 +3,7 @@
 use super::{Declared, Held};
 use crate::audit::Fit;
 use crate::audit::table::place;
-use crate::audit::verdict::number;
+use crate::audit::verdict::{number, passed};
 use crate::report::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings, AuditHeld};
 use lobefit::report::{Field, Origin, Ruler};
 
@@ -44,7 +44,7 @@ pub fn findings(
         plain: None,
         encoding: None,
         limit,
-        passed: found.passes(limit),
+        passed: passed(limit, found.passes(limit)),
         margin: None,
         truth_error: found.truth_error,
         stated: true,

@@ -74,14 +74,15 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     if let Some(plain) = audit.misread(limit) {
         return Some(plainly(plain, column));
     }
-    let points = vec![of_another(audit), format!(" ({} points sampled)", worst.judged)];
+    let another = of_another(audit, worst.max);
+    let points = vec![format!(" ({} points sampled)", worst.judged)];
     if let (Some(error), Some(furnace)) = (audit.furnace_error(), &audit.furnace) {
         let found = format!(" leaves |E N - 1| of at most {} at {}", number(error), place(&furnace.at));
         let told = Told::new(Kind::Furnace, furnace.column.name(), (error, &furnace.at), found);
         return Some(Told { more: points, ..told });
     }
     if audit.source == Source::Function {
-        let told = Told::new(kind, &column, own, format!(" is off by at most {max} at {at}"));
+        let told = Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}"));
         return Some(Told { more: points, ..told });
     }
     if let Some(told) = damage(audit).filter(|_| limit.is_none() || audit.fit != Fit::Whole) {
@@ -89,17 +90,13 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     }
     let lookup = largest_lookup(audit).filter(|(_, lookup)| lookup.inner > worst.max);
     Some(lookup.map_or_else(
-        || {
-            let another = of_another(audit);
-            Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}"))
-        },
+        || Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}")),
         |lookup| match limit {
             // A limit is on the texels: the figure that is judged stands first.
             Some(_) => {
-                let told =
-                    Told::new(kind, &column, own, format!(" is off by at most {max} at texels ({at})"));
+                let texels = format!(" is off by at most {max} at texels{another} ({at})");
                 let (lookup, there) = of_lookup(audit, lookup);
-                Told { more: vec![of_another(audit), format!(", {lookup}{there}")], ..told }
+                Told { more: vec![format!(", {lookup}{there}")], ..Told::new(kind, &column, own, texels) }
             }
             None => between(audit, lookup, &max),
         },
@@ -114,7 +111,7 @@ fn of_lookup(audit: &Audit, (column, lookup): (&str, &LookupErrors)) -> (String,
 
 /// The figure of lookups, beside the largest error at texels.
 fn between(audit: &Audit, lookup: (&str, &LookupErrors), texels: &str) -> Told {
-    let another = of_another(audit);
+    let another = of_another(audit, lookup.1.inner);
     let (looked, there) = of_lookup(audit, lookup);
     let (there, more) = match another.is_empty() {
         true => (there, vec![format!(", {texels} at texels")]),

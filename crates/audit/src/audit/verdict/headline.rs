@@ -3,7 +3,8 @@
 use super::figure::{Told, figure};
 use super::first_line;
 use super::words::{listed, number};
-use crate::audit::{Audit, AxisReading, Fit, Scale, Source};
+use crate::audit::plain::CLAMPED;
+use crate::audit::{Audit, AxisReading, Fit, Form, Plain, Scale, Source};
 use lobefit::data::Smith;
 
 /// The end of a headline.
@@ -28,8 +29,7 @@ pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> St
 }
 
 /// Where alpha runs along an axis of a table, or an argument that is called a roughness is alpha: most
-/// shaders pass a roughness. And where the shadowing is another than the one that is meant where nothing is
-/// said.
+/// shaders pass a roughness. And where Smith's shadowing is the separable one.
 fn aside(audit: &Audit) -> String {
     let is_alpha = |axis: &AxisReading| axis.scale == Scale::Alpha && !axis.reversed;
     let axes = audit.axes.iter().zip(&audit.best().axes).filter(|(_, axis)| is_alpha(axis));
@@ -38,9 +38,14 @@ fn aside(audit: &Audit) -> String {
         Source::Function => name.to_lowercase().contains("rough").then(|| format!("{name} is alpha")),
     });
     let form = audit.best().lobe.form;
-    let is_other = form.smith == Some(Smith::Separable) && audit.form.is_none() && audit.two_lobes.is_none();
+    let is_other = is_separable(form) && audit.form.is_none() && audit.two_lobes.is_none();
     let said: Vec<String> = said.chain(is_other.then(|| form.words.into())).collect();
     if said.is_empty() || audit.fit == Fit::None { String::new() } else { format!(" ({})", said.join(", ")) }
+}
+
+/// Whether it is the other one of Smith's, which stands beside the quantity.
+fn is_separable(form: &Form) -> bool {
+    form.smith == Some(Smith::Separable)
 }
 
 /// Words without an explanation in brackets behind them: `theta along x`, `k = (r + 1)^2/8`.
@@ -60,12 +65,25 @@ pub(super) fn briefly(words: &str) -> String {
     explanation.map_or_else(|| words.into(), |[start, end]| format!("{}{}", &words[..start], &words[end..]))
 }
 
-/// How far off it is under the quantity's own shadowing, where it is of another.
-pub(super) fn of_another(audit: &Audit) -> String {
-    let plain = audit.plain.as_ref().filter(|plain| plain.is_of_another_lobe(audit.best()));
+/// How far off it is under the quantity's own shadowing, where it is of another, and without the clamps of its
+/// inputs, where that is more than what is `said`.
+pub(super) fn of_another(audit: &Audit, said: f64) -> String {
+    let counts = |plain: &&Plain| plain.convention.lobe != audit.best().lobe || plain.max > said;
+    let plain = audit.plain.as_ref().filter(|plain| plain.is_of_another_use(audit.best())).filter(counts);
     plain.map_or_else(String::new, |plain| {
-        let (own, other) = (audit.best().lobe.words(), plain.convention.lobe.words());
-        let max = number(plain.max);
-        format!(" as {}, and by {max} as {}", briefly(&own), briefly(&other))
+        let [own, other] = [audit.best().lobe.words(), plain.convention.lobe.words()];
+        let (mut as_it_is, mut plainly) = (String::new(), format!(", and by {}", number(plain.max)));
+        if own != other {
+            let is_said = is_separable(audit.best().lobe.form);
+            as_it_is = if is_said { String::new() } else { format!(" as {}", briefly(&own)) };
+            plainly += &format!(" as {}", briefly(&other));
+        }
+        let clamps: Vec<&str> =
+            plain.untold.iter().map(String::as_str).filter(|w| w.contains(CLAMPED)).collect();
+        if !clamps.is_empty() {
+            as_it_is += &format!(" with {}", clamps.join(", "));
+            plainly += " without";
+        }
+        as_it_is + &plainly
     })
 }

@@ -45,6 +45,12 @@ impl Grade {
     }
 }
 
+/// Whether a file passed, for scripts: without a limit nothing is asked of it unless it is not what it is said
+/// to be.
+pub(super) fn passed(limit: Option<f64>, passes: bool) -> Option<bool> {
+    (limit.is_some() || !passes).then_some(passes)
+}
+
 /// The figure that the verdict on an audit is on.
 pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure> {
     figure::figure(audit, limit).map(|told| told.figure)

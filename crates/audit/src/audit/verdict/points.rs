@@ -12,7 +12,7 @@ use crate::audit::defects::Defect;
 use crate::audit::errors::spread;
 use crate::audit::table::Source;
 use crate::audit::truth::Beyond;
-use crate::audit::{Audit, CLEAR, ChannelAudit, FITS, Fit, Other, Tried, TwoLobes};
+use crate::audit::{Audit, CLEAR, ChannelAudit, Column, FITS, Fit, Other, Tried, TwoLobes};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 pub(super) const SAME: f64 = 1e-6;
@@ -73,9 +73,14 @@ fn grade(audit: &Audit, limit: Option<f64>, remedy: &[String]) -> Grade {
     }
 }
 
-/// Whether a channel follows nothing that is known, and the user did not say which are meant.
+/// Whether a channel follows nothing that is known, or is constant where the other half of a split sum is
+/// called for, and the user did not say which are meant.
 pub(super) fn has_unknown(audit: &Audit) -> bool {
-    !audit.excused && audit.channels.iter().any(|c| c.other == Some(Other::Unknown))
+    let is_half = audit.channels.iter().filter_map(|c| c.column).any(Column::is_part);
+    let is_open = |c: &ChannelAudit| {
+        c.other == Some(Other::Unknown) || is_half && c.constant.is_some() && !audit.pads(c)
+    };
+    !audit.excused && audit.channels.iter().any(is_open)
 }
 
 /// What a function may be off by at most without a limit, of what its truth spans: published approximations
@@ -370,7 +375,7 @@ fn furnace(audit: &Audit) -> Option<String> {
         return None;
     }
     let another = audit.departure.is_some()
-        || audit.plain.as_ref().is_some_and(|plain| plain.is_of_another_lobe(audit.best()));
+        || audit.plain.as_ref().is_some_and(|plain| plain.convention.lobe != audit.best().lobe);
     let lobe = audit.best().lobe.words();
     let what = if another { format!("a white metal of {}", briefly(&lobe)) } else { "it".into() };
     Some(format!(

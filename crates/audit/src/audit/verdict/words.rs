@@ -91,6 +91,7 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
     }
     match parts.is_empty() {
         true if best == other => "as they are stored".into(),
+        true if other.axes.iter().all(|axis| axis.floor == 0.0) => "unclamped".into(),
         true => "other clamps".into(),
         false => parts.join(", "),
     }

@@ -1,4 +1,4 @@
-//! NumPy arrays (numpy.lib.format, versions 1 to 3): little-endian numbers in C order.
+//! NumPy arrays (numpy.lib.format, versions 1 to 3): little-endian numbers.
 
 use super::packed::Source;
 use crate::foreign::shape::{self, Values, grouped};
@@ -18,10 +18,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     };
     let kind = field("descr")?.split('\'').nth(1).unwrap_or_default();
     let format = number(source, kind, hints)?;
-    if !field("fortran_order")?.starts_with("False") {
-        let advice = "save numpy.ascontiguousarray(a)";
-        return Err(source.unsupported(PREFIX, "an array in Fortran's order", advice));
-    }
+    let is_of_columns = !field("fortran_order")?.starts_with("False");
     let shape = extents(source, field("shape")?)?;
     let found = (bytes.len() - start) as u128;
     let needed = shape.iter().try_fold(format.bytes() as u128, |n, &side| n.checked_mul(side as u128));
@@ -39,8 +36,23 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     };
     contradicted(source, &shape, size.as_ref(), hints)?;
     let list = Values::numbers(format!("NPY, {}", format.name()), format, &bytes[start..]);
-    let list = Values { size, channels, ..list };
+    let values = if is_of_columns { in_rows(&list.values, &shape) } else { list.values };
+    let list = Values { values, size, channels, ..list };
     Ok(vec![shape::table(file, list, hints)?])
+}
+
+/// Values that lie in Fortran's order, the first index fastest, with the last index fastest.
+fn in_rows(values: &[f64], shape: &[usize]) -> Vec<f64> {
+    let at = |i: usize| {
+        let (mut rest, mut at, mut step) = (i, 0, values.len());
+        for side in shape.iter().rev() {
+            step /= side;
+            at += rest % side * step;
+            rest /= side;
+        }
+        values[at]
+    };
+    (0..values.len()).map(at).collect()
 }
 
 /// Refuses a size that contradicts the array's own: a list may be laid out, and rows may be slices

@@ -125,6 +125,16 @@ pub fn read_functions(
     })
 }
 
+/// Whether a shader file has functions of its own but entry points; so has one that cannot be read.
+pub fn holds_functions(bytes: &[u8], file: &str, around: &Surroundings) -> bool {
+    std::thread::scope(|scope| {
+        let found =
+            || Source::new(bytes, file, around).map_or(true, |source| !source.functions(None).is_empty());
+        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, found);
+        thread.ok().and_then(|thread| thread.join().ok()).unwrap_or(true)
+    })
+}
+
 fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, ForeignError> {
     if let Some(entry) = entry {
         let (name, types) = entry.split_once('(').map_or((entry, None), |(name, types)| (name, Some(types)));

@@ -10,6 +10,8 @@
 //! | 9 | this tool's own files | `sidecars` |
 //! | 10, 15, 16 | shapes, the verdict, large files | `files` |
 //! | 11, 12 | shader files, functions that clamp | `shaders` |
+//!
+//! `uses` is what a later trial found: clamps, copies and halves that passed.
 
 mod contents;
 mod files;
@@ -19,6 +21,7 @@ mod readings;
 mod samples;
 mod shaders;
 mod sidecars;
+mod uses;
 
 use lobefit::data::Smith;
 

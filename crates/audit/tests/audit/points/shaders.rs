@@ -296,7 +296,7 @@ fn a_constant_factor_of_a_function_is_found() {
 /// A formula that follows a reading within what approximations leave on average, but not by far at its worst.
 #[test]
 fn a_formula_of_something_else_is_no_pass() {
-    let mixed = "fn own(n_dot_v: f32, roughness: f32) -> f32 { return mix(1.0, 0.4, roughness); }";
+    let mixed = "fn own(n_dot_v: f32, alpha: f32) -> f32 { return mix(1.0, 0.4, alpha); }";
     let said = printed(mixed, "own");
     assert!(said.starts_with("UNKNOWN ") && said.contains("it may be of something else"), "{said}");
 }

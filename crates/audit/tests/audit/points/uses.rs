@@ -1,0 +1,103 @@
+//! Sound tables of another use than the plain one, which a limit fails unless options say it, and what looked
+//! like such a use: copied lines, a half that is missing, energy.
+
+use lobefit::data::Smith;
+use lobefit_audit::audit::{AuditedTable, Column, Fixed, Form, Input};
+use lobefit_audit::foreign::Step;
+
+use super::{a, at, e, table};
+use crate::support::{both, half, plane, reflection_of, run, says};
+
+/// E of a table whose texels lie at other inputs: of alpha and mu.
+fn of(input: impl Fn(f64, f64) -> [f64; 2]) -> AuditedTable {
+    let value = |x: usize, y: usize| {
+        let [alpha, mu] = input(at(y) * at(y), at(x));
+        both(Smith::Correlated, alpha, mu).0
+    };
+    table(&[("R", &value)])
+}
+
+/// They passed a limit, without a word of how far off they are where they are clamped.
+#[test]
+fn clamps_and_shadowings_count_for_a_limit_unless_they_are_stated() {
+    let clamped = of(|alpha, mu| [alpha.max(0.1), mu]);
+    let separable = table(&[("R", &|x, y| both(Smith::Separable, at(y) * at(y), at(x)).0)]);
+    let floors = Fixed { floors: vec![(Input::Alpha, 0.1)], ..Fixed::default() };
+    let form = Fixed { form: Form::find("separable"), ..Fixed::default() };
+    let clamp = (clamped, floors, "with alpha clamped to 0.1, and by 0.1", "`--clamp alpha=0.1`");
+    let shadowing = (separable, form, ", and by 0.277 as height-correlated Smith", "`--smith separable`");
+    for (shipped, stated, line, option) in [clamp, shadowing] {
+        let found = reflection_of(&shipped);
+        let first = found.verdict(None).to_string().lines().next().unwrap_or_default().to_string();
+        assert!(first.starts_with("PASS ") && first.contains(line), "{first}");
+        says(&found.verdict(Some(0.01)), "FAIL", &["read plainly", option]);
+        says(&run(&shipped, "ggx-reflection", &stated).verdict(Some(0.01)), "PASS", &[]);
+    }
+}
+
+/// A first column or row that holds the next passed as a clamp at just that texel's centre.
+#[test]
+fn copied_lines_are_no_clamps() {
+    for (copy, line) in [
+        (table(&[("R", &|x, y| e(x.max(1), y))]), "at x = 0, "),
+        (table(&[("R", &|x, y| e(x.max(2), y))]), "at x = 0 to 1, "),
+        (table(&[("R", &|x, y| e(x, y.max(3)))]), "at y = 0 to 2, "),
+        (table(&[("R", &|x, y| e(x, y.min(14)))]), "at y = 15, "),
+    ] {
+        let found = reflection_of(&copy);
+        assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
+        says(&found.verdict(None), "FAIL", &[line]);
+    }
+    // A clamp between two centres is one.
+    let found = reflection_of(&of(|alpha, mu| [alpha.max(0.012), mu.max(0.1)]));
+    assert_eq!(found.best().axes.iter().filter(|axis| axis.floor > 0.0).count(), 2);
+}
+
+/// A beside a constant passed as A; beside E nothing is missing.
+#[test]
+fn half_of_a_split_sum_is_no_pass() {
+    for rest in [0.0, 0.04] {
+        let found = reflection_of(&table(&[("R", &a), ("G", &|_, _| rest)]));
+        says(&found.verdict(None), "UNKNOWN", &["channel G is constant"]);
+    }
+    says(&reflection_of(&table(&[("R", &e), ("G", &|_, _| 0.0)])).verdict(None), "PASS", &[]);
+    let meanings = Fixed { meanings: Some(vec![Some(Column::A)]), ..Fixed::default() };
+    let said = run(&table(&[("R", &a), ("G", &|_, _| 0.0)]), "ggx-reflection", &meanings);
+    says(&said.verdict(None), "PASS", &[]);
+}
+
+/// The error of a quadrature was told as energy that comes back, and two steps of halves were not.
+#[test]
+fn gains_are_told_from_the_errors_of_a_quadrature_and_of_formats() {
+    let off = |gain: f64| reflection_of(&table(&[("R", &|x, y| e(x, y) + gain)]));
+    says(&off(3e-5).verdict(None), "PASS", &[]);
+    says(&off(3e-3).verdict(None), "FAIL", &["gains energy"]);
+    let steps = |steps: f64| {
+        let value = |x: usize, y: usize| half(e(x, y)) + steps * 0.5 * f64::from(f32::EPSILON) * 8192.0;
+        reflection_of(&AuditedTable { step: Step::Half, ..table(&[("R", &|x, y| half(value(x, y)))]) })
+    };
+    says(&steps(0.0).verdict(None), "PASS", &[]);
+    says(&steps(4.0).verdict(None), "FAIL", &["gains energy: 1.00"]);
+}
+
+/// Bends at the knots of what was made larger are below a step of halves, but for their number.
+#[test]
+fn enlarged_tables_of_halves_are_named() {
+    let small: Vec<f64> = (0..256).map(|i| e(i % 16, i / 16)).collect();
+    let larger = |times: usize| {
+        let value = |x: usize, y: usize| {
+            let place = |i: usize| ((i as f64 + 0.5) / times as f64 - 0.5).clamp(0.0, 15.0);
+            let ([u, v], [i, j]) = ([place(x), place(y)], [x, y].map(|k| (place(k) as usize).min(14)));
+            let row = |j: usize| {
+                let s = u - i as f64;
+                small[16 * j + i] * (1.0 - s) + small[16 * j + i + 1] * s
+            };
+            half(row(j) * (1.0 - (v - j as f64)) + row(j + 1) * (v - j as f64))
+        };
+        plane([16 * times; 2], &[("R", &value)])
+    };
+    for times in [4, 8] {
+        let shipped = AuditedTable { step: Step::Half, ..larger(times) };
+        says(&reflection_of(&shipped).verdict(None), "FAIL", &["is of 16 x 16 texels enlarged"]);
+    }
+}
