@@ -208,7 +208,8 @@ impl<'a> Lines<'a> {
                 let (k, bend) = (usize::from(inside[i]), second(&line[i - 1..=i + 1]));
                 (squares[k], counts[k]) = (squares[k] + bend * bend, counts[k] + 1.0);
                 // A second difference of values that are off by up to so much, evenly.
-                rounded += if inside[i] { 2.0 * self.format.rounding(line[i]).powi(2) } else { 0.0 };
+                let half = if inside[i] { self.format.rounding(line[i]) } else { 0.0 };
+                rounded += 2.0 * half * half;
             }
         }
         let is_level = squares[1] <= LEVEL * LEVEL * rounded;

@@ -265,6 +265,29 @@ fn where_a_limit_is_judged_is_said() {
     assert!(out.contains("follows no reading of its arguments") && !out.contains("options"), "{out}");
 }
 
+/// A shader file of arrays alone was refused, as one without a function.
+#[test]
+fn arrays_of_a_shader_file_are_tables() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    let texel = |i: usize| {
+        let (e, b) = split(Smith::Correlated, at(i / 16) * at(i / 16), at(i % 16), &Effort::ladder()[1]);
+        format!("({:.6}, {b:.6})", e - b)
+    };
+    for (file, vector, before, after) in [
+        ("t.wgsl", "vec2<f32>", "const DFG = array<vec2<f32>, 256>(", ");"),
+        ("t.glsl", "vec2", "const vec2 DFG[256] = vec2[256](", ");"),
+        ("t.hlsl", "float2", "static const float2 DFG[256] = {", "};"),
+    ] {
+        let texels: Vec<String> = (0..256).map(|i| format!("{vector}{}", texel(i))).collect();
+        std::fs::write(folder.path().join(file), format!("{before}{}{after}\n", texels.join(", "))).unwrap();
+        let all = ["audit", file, "--as", "ggx-reflection", "--registration", "centre"];
+        let output = lobefit(folder.path(), &all, b"");
+        let said = String::from_utf8(output.stdout.clone()).unwrap();
+        assert!(said.starts_with("PASS ggx-reflection A and B"), "{said}{}", stderr(&output));
+    }
+}
+
 #[test]
 fn an_index_is_tried_both_ways() {
     let folder = tempfile::tempdir().unwrap();
@@ -298,6 +321,7 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         stderr(&huge)
     );
     std::fs::remove_file(folder.path().join("huge.exr")).unwrap();
+    std::fs::write(folder.path().join("f.wgsl"), "fn f(r: f32, mu: f32) -> f32 { return r * mu; }").unwrap();
     for (arguments, expected) in [
         (&["no-such.exr", "--as", "ggx-reflection"][..], "no-such.exr"),
         (&["tables.h"], "--as"),
@@ -316,7 +340,7 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         ),
         (&["tables.h", "--as", "parallax", "--limit", "1"], "no such quantity"),
         (&["tables.h", "--as", "ggx-reflection", "--set", "k=1"], "--set"),
-        (&["tables.wgsl", "--as", "ggx-reflection", "--size", "16x16"], "--size"),
+        (&["f.wgsl", "--as", "ggx-reflection", "--size", "16x16"], "--size"),
         (&["tables.h", "--as", "ggx-reflection", "--function", "f", "--symbol", "g"], "--symbol"),
     ] {
         let all = [&["audit", "--out", "report"], arguments].concat();
@@ -324,7 +348,7 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
         assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
         assert!(output.stdout.is_empty(), "{arguments:?}");
-        assert_eq!(names(folder.path()), ["tables.h"], "{arguments:?}");
+        assert_eq!(names(folder.path()), ["f.wgsl", "tables.h"], "{arguments:?}");
     }
 }
 
