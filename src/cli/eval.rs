@@ -2,6 +2,7 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::{Args, ValueEnum};
 
@@ -10,6 +11,7 @@ use super::input;
 use super::options::{ThreadsOption, draw, positive, quantity, sequence, smith};
 use super::output::{Outcome, print, say_each};
 use super::points::{self, Points, Row};
+use super::progress::Spinner;
 use crate::data::Smith;
 use crate::store;
 use lobefit_truth::integrate::IntegrateError;
@@ -127,7 +129,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         fix_kernel(&mut points, word, options.quantity)?;
     }
     points.variants().for_each(|variant| variant.smith = Some(options.smith));
-    let values = options.threads.install(|| evaluate(options, &points))?;
+    let progress = Spinner::new(options.quiet);
+    let values = options.threads.install(|| evaluate(options, &points, &progress))?;
+    drop(progress);
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
         Some(path) => store::write(path, &csv).map(drop)?,
@@ -238,13 +242,22 @@ fn outputs(options: &Options, Row { inputs, variant }: Row<'_>) -> Result<Vec<f6
 /// Rows that are computed at once: what each gives is kept beside the others without a list of its own.
 const BATCH: usize = 1 << 16;
 
+/// Times at most that progress is told.
+const STAGES: usize = 100;
+
 /// The outputs at every row, one after another.
-fn evaluate(options: &Options, points: &Points) -> Result<Vec<f64>, CliError> {
+fn evaluate(options: &Options, points: &Points, progress: &Spinner) -> Result<Vec<f64>, CliError> {
     let columns = options.quantity.outputs().len();
+    let (done, every) = (AtomicUsize::new(0), points.len().div_ceil(STAGES).max(1));
+    progress.stage(&format!("0 of {} rows", points.len()));
     let row = |i: usize| {
         let values = outputs(options, points.row(i)).map_err(|e| points.refuse(i, &e.to_string()))?;
         if values.len() != columns {
             return Err(points.refuse(i, &format!("{} values for {columns} columns", values.len())));
+        }
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        if done.is_multiple_of(every) {
+            progress.stage(&format!("{done} of {} rows", points.len()));
         }
         let error = values.last().copied().unwrap_or(f64::NAN);
         match options.tolerance {

@@ -172,7 +172,7 @@ fn half_precision_is_picked_and_certified_in_f16() {
 }
 
 /// Every formula that is not refused in half precision is finite at points of its own, and within
-/// its certificate but for what 2^18 other points find.
+/// its certificate but for what 2^20 other points find.
 #[test]
 fn formulas_in_half_precision_are_finite_over_their_domain_or_refused_with_the_place() {
     let text = String::from_utf8_lossy(&EVERY.files["fits/lobefit.wgsl"]).into_owned();
@@ -181,7 +181,7 @@ fn formulas_in_half_precision_are_finite_over_their_domain_or_refused_with_the_p
     for fit in manifest(&EVERY)["fits"].as_array().expect("fits") {
         let tape = source.tape(fit["function"].as_str().expect("a name"), 0).expect("a tape");
         let names: Vec<&str> = tape.inputs().iter().map(String::as_str).collect();
-        let columns = half_columns(&names);
+        let columns = half_columns(&names, &fit["certificate"]["domain"]);
         let value = |tape: &Tape| tape.evaluate(&columns, &[]).expect("values");
         let finite = value(&tape).iter().chain(&value(&tape.contracted())).all(|x| x.to_f32().is_finite());
         if fit["half"]["refused"].is_null() {
@@ -195,22 +195,16 @@ fn formulas_in_half_precision_are_finite_over_their_domain_or_refused_with_the_p
     assert!(measured > 10, "{measured} measured, {refused} refused");
 }
 
-/// 2^18 points of roughness [0.1, 1] and mu [0.01, 1] on a lattice of its own, rounded to f16.
-fn half_columns(names: &[&str]) -> Vec<Vec<Half>> {
-    let points = 1 << 18;
-    let at = |i: usize, step: f64| (i as f64 * step).fract();
-    let column = |name: &&str| -> Vec<Half> {
-        let value = |i: usize| match *name {
-            "mu" | "n_dot_v" => 0.01 + 0.99 * at(i, 0.754_877_666_246_693),
-            "alpha" => {
-                let roughness = 0.1 + 0.9 * at(i, 0.569_840_290_998_053);
-                roughness * roughness
-            }
-            _ => 0.1 + 0.9 * at(i, 0.569_840_290_998_053),
-        };
-        (0..points).map(|i| Half::nearest(value(i) as f32)).collect()
+/// 2^20 points of a certificate's domain, each input by the root of a prime, rounded to f16.
+fn half_columns(names: &[&str], domain: &serde_json::Value) -> Vec<Vec<Half>> {
+    let column = |(name, prime): (&&str, u32)| -> Vec<Half> {
+        let name = if *name == "n_dot_v" { "mu" } else { name };
+        let end = |k: usize| domain[name][k].as_f64().unwrap_or_else(|| panic!("{name} in {domain}"));
+        let ([low, high], step) = ([end(0), end(1)], f64::from(prime).sqrt());
+        let value = |i: u32| low + (high - low) * (f64::from(i) * step).fract();
+        (0..1 << 20).map(|i| Half::nearest(value(i) as f32)).collect()
     };
-    names.iter().map(column).collect()
+    names.iter().zip([2, 3, 5, 7]).map(column).collect()
 }
 
 #[test]

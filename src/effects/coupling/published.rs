@@ -115,7 +115,7 @@ pub const OWN_SPECULAR: [OwnSpecular; 15] = own_specular![
     "ue5" of "ggx_blend_ue5" ("roughness: f32, mu: f32", "roughness, mu")
         by "1 - own albedo, Unreal Engine 5, ShadingEnergyConservation",
     "ray_tracing_gems" of "ggx_blend_ray_tracing_gems" ("alpha: f32, mu: f32", "alpha, mu")
-        by "1 - own albedo, Ray Tracing Gems, ch. 32, 2019",
+        by "1 - own albedo, Ray Tracing Gems, ch. 32, 2019, for separable Smith",
     "tauray" of "ggx_blend_tauray" ("roughness: f32, alpha: f32, mu: f32", "roughness, alpha, mu")
         by "1 - own albedo, VGA group, Tauray",
 ];

@@ -15,7 +15,7 @@ pub const PUBLISHED: [Entry; 12] = published![
     "ggx_norm_pesce_iwanicki" by "Pesce and Iwanicki, Approximate Models for PBR, 2015",
     "ggx_norm_tauray" by "VGA group, Tauray",
     "ggx_norm_ue5" by "Unreal Engine 5, ShadingEnergyConservation",
-    "ggx_norm_ray_tracing_gems" by "Ray Tracing Gems, ch. 32, 2019",
+    "ggx_norm_ray_tracing_gems" by "Ray Tracing Gems, ch. 32, 2019, for separable Smith",
     "ggx_norm_materialx_m1" by "MaterialX, mx_microfacet_specular",
 ];
 
@@ -30,7 +30,7 @@ pub const PUBLISHED_BLENDS: [Entry; 12] = published![
     "ggx_blend_narkowicz_p1" by "K. Narkowicz, Analytical DFG Term for IBL, 2014",
     "ggx_blend_ross" by "NVIDIA MathLib and NRD, EnvironmentTerm_Ross",
     "ggx_blend_tauray" by "VGA group, Tauray",
-    "ggx_blend_ray_tracing_gems" by "Ray Tracing Gems, ch. 32, 2019",
+    "ggx_blend_ray_tracing_gems" by "Ray Tracing Gems, ch. 32, 2019, for separable Smith",
     "ggx_blend_ue5" by "Unreal Engine 5, ShadingEnergyConservation",
     "ggx_blend_materialx_m1" by "MaterialX, mx_microfacet_specular",
 ];
