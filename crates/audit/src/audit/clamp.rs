@@ -146,9 +146,12 @@ impl Search<'_> {
     /// copied from.
     fn is_at_a_line(&self, axis: usize, floor: f64) -> bool {
         let size = self.sample.size[axis];
-        let node = |k: usize| self.bare.axes[axis].node(k, size);
+        let reading = &self.bare.axes[axis];
+        let node = |k: usize| reading.node(k, size);
         let is_at = |k: usize| (floor - node(k)).abs() < AT_A_LINE * (node(k + 1) - node(k)).abs();
-        (0..size - 1).any(is_at)
+        // Who states a clamp states a round number.
+        let is_meant = |k: usize| is_round(node(k)) || is_round(reading.coordinate(k, size));
+        (0..size - 1).any(|k| is_at(k) && !is_meant(k))
     }
 
     /// A reading with the clamp of an axis that fits best.
@@ -157,7 +160,6 @@ impl Search<'_> {
         for floor in FLOORS.map(|floor| self.least(axis) + floor) {
             at = self.taken(at, &[(axis, floor)])?;
         }
-        let listed = at.clone();
         // Of those between two lines that explain something the nearest is taken, and looked about.
         let (mut width, mut nearest) = (seen.get(1).map_or(0.0, |next| next - seen[0]), None);
         let raised = |at: &Candidate, floor: f64| -> Result<Option<Candidate>, AuditError> {
@@ -182,7 +184,11 @@ impl Search<'_> {
             let beside = raised(&at, floor + seen[1] - seen[0])?;
             // Samples do not tell a clamp from another.
             if beside.is_none_or(|beside| beside.fitted.rank > CLEAR * at.fitted.rank) {
-                return Ok(listed);
+                let mut bare = at;
+                bare.axes[axis].floor = self.bare.axes[axis].floor;
+                let judged =
+                    rejudge(self.truth, self.sample, self.fixed, vec![bare.clone()], Truth::ranked)?.pop();
+                return Ok(judged.unwrap_or(bare));
             }
         }
         Ok(at)
@@ -309,6 +315,12 @@ impl<'a> Clampable<'a> {
         let [last, next] = [nodes[lines[same - 1]], nodes[lines[same]]];
         (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()
     }
+}
+
+/// Whether a number has two digits at most.
+fn is_round(x: f64) -> bool {
+    let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(f64::NAN);
+    (x - rounded).abs() <= SAME * x
 }
 
 /// Share of a clamp to which it is looked for between two lines.

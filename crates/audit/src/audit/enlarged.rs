@@ -28,6 +28,11 @@ const ROUNDED: f64 = 8.0;
 const LEVEL: f64 = 1.3;
 const SHARPER: f64 = 1.2;
 
+/// The same where few bends stand at knots, and fewest: of few, chance makes some sharper.
+const SHARPER_OF_FEW: f64 = 1.5;
+const MANY: f64 = 2048.0;
+const FEWEST: f64 = 256.0;
+
 /// The smaller table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enlarged {
@@ -128,8 +133,7 @@ struct Lines<'a> {
     first: Vec<usize>,
     /// The largest second difference.
     bend: f64,
-    /// What rounding leaves of a bend at most, and to what it is.
-    rounding: f64,
+    /// To what they are rounded.
     format: Step,
 }
 
@@ -139,18 +143,22 @@ impl<'a> Lines<'a> {
         let (n, step) = (size[axis], size[..axis].iter().product());
         let first = (0..values.len() / (n * step)).flat_map(|k| (0..step).map(move |i| k * n * step + i));
         let format = stored(table.step, values);
-        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, rounding: 0.0, format };
+        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, format };
         let bends = lines.each().map(|line| line.windows(3).map(second).fold(0.0, f64::max));
         let (sharpest, bend) =
             bends.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
         lines.first.swap(0, sharpest);
-        let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let rounding = ROUNDED * format.rounding(largest) + 1e-6 * largest;
-        Lines { bend, rounding, ..lines }
+        Lines { bend, ..lines }
     }
 
     fn each(&self) -> impl Iterator<Item = Vec<f64>> {
         self.first.iter().map(|first| (0..self.n).map(|k| self.values[first + k * self.step]).collect())
+    }
+
+    /// What rounding leaves of a bend between some values at most.
+    fn rounding(&self, values: &[f64]) -> f64 {
+        let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        ROUNDED * self.format.rounding(largest) + 1e-6 * largest
     }
 
     /// Whether texels stand in groups of equals.
@@ -161,30 +169,32 @@ impl<'a> Lines<'a> {
 
     /// Whether all between the knots are straight lines, which meet at the knots, and all beyond is level.
     fn are_straight(&self, knots: &Knots) -> bool {
-        let left = STRAIGHT * self.bend + self.rounding;
         let last = knots.count - 1;
         let (low, high) = (knots.at(0).ceil() as usize, knots.at(last).floor() as usize);
-        let level = |part: &[f64]| part.windows(2).all(|w| (w[0] - w[1]).abs() <= left);
-        let straight = |line: &[f64], k: usize| {
+        let level = |part: &[f64], left: f64| part.windows(2).all(|w| (w[0] - w[1]).abs() <= left);
+        let straight = |line: &[f64], k: usize, left: f64| {
             let inside = knots.at(k).ceil() as usize..=knots.at(k + 1).floor() as usize;
             line[inside].windows(3).all(|w| second(w) <= left)
         };
-        let meet = |line: &[f64], k: usize| {
+        let meet = |line: &[f64], k: usize, left: f64| {
             let at = knots.at(k);
             let (before, after) = (at.floor() as usize, at.ceil() as usize);
             let beyond = |a: usize, b: usize| line[a] + (line[a] - line[b]) * (at - a as f64).abs();
             before == after || (beyond(before, before - 1) - beyond(after, after + 1)).abs() <= left
         };
         // Texels beyond the outermost knots hold what stands at those.
-        let held = |line: &[f64], [end, a, b]: [usize; 3], knot: f64| {
+        let held = |line: &[f64], [end, a, b]: [usize; 3], knot: f64, left: f64| {
             (line[a] + (line[a] - line[b]) * (knot - a as f64).abs() - line[end]).abs() <= left
         };
         let is_made = |line: Vec<f64>| {
-            let ends = level(&line[..low]) && level(&line[high + 1..]);
+            let left = STRAIGHT * self.bend + self.rounding(&line);
+            let ends = level(&line[..low], left) && level(&line[high + 1..], left);
             let held = low == 0
-                || held(&line, [low - 1, low, low + 1], knots.at(0))
-                    && held(&line, [high + 1, high, high - 1], knots.at(last));
-            ends && held && (0..last).all(|k| straight(&line, k)) && (1..last).all(|k| meet(&line, k))
+                || held(&line, [low - 1, low, low + 1], knots.at(0), left)
+                    && held(&line, [high + 1, high, high - 1], knots.at(last), left);
+            ends && held
+                && (0..last).all(|k| straight(&line, k, left))
+                && (1..last).all(|k| meet(&line, k, left))
         };
         self.each().all(is_made)
     }
@@ -192,7 +202,7 @@ impl<'a> Lines<'a> {
     /// Whether lines bend at the knots and between them no more than rounding makes them: by far at the
     /// sharpest bend, or on average over all.
     fn bend_at(&self, knots: &Knots) -> bool {
-        if self.bend > ROUNDED * (STRAIGHT * self.bend + self.rounding) {
+        if self.bend > ROUNDED * (STRAIGHT * self.bend + self.rounding(self.values)) {
             return true;
         }
         // Of three texels in a row the outer two are on one side of every knot, or on both of one.
@@ -213,10 +223,10 @@ impl<'a> Lines<'a> {
             }
         }
         let is_level = squares[1] <= LEVEL * LEVEL * rounded;
-        counts[1] >= counts[0]
-            && squares[0] > 0.0
-            && is_level
-            && squares[0] * counts[1] >= SHARPER * SHARPER * squares[1] * counts[0]
+        let sharper = if counts[0] < MANY { SHARPER_OF_FEW } else { SHARPER };
+        let is_sharp =
+            squares[0] > 0.0 && squares[0] * counts[1] >= sharper * sharper * squares[1] * counts[0];
+        counts[0] >= FEWEST && counts[1] >= counts[0] && is_level && is_sharp
     }
 }
 

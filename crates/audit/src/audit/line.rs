@@ -34,7 +34,8 @@ pub(super) fn copies(r: &Residuals, grain: Grain) -> Option<Defect> {
             };
             let (off, rest) = (of(true), r.rms(&of(false)));
             let is_seen = off.iter().any(|i| r.errors[*i].abs() > least.max(grain.leaves(r, *i)));
-            let stands_out = r.rms(&off) > APART * rest && is_seen;
+            // Lines that a clamp makes one have the errors of the one.
+            let stands_out = r.rms(&off) > APART * rest.max(r.rms(&lines[own])) && is_seen;
             stands_out.then(|| of_extent(r, Extent::of(r.sample, &off), &off, rest))
         })
     })

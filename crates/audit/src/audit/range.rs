@@ -1,8 +1,7 @@
 //! The range of an index of refraction that a table does not state, as its slices show it.
 
 use super::axis::{AxisReading, Input, Registration, Scale};
-use super::best::{CLOSE, Case};
-use super::errors::spread;
+use super::best::Case;
 use super::judge::rejudge;
 use super::sample::{Candidate, Sample, View, steps};
 use super::screen::best;
@@ -29,8 +28,8 @@ const LEAST: f64 = 0.05;
 /// What ends are rounded to: whoever makes a table takes them round.
 const ROUND: [f64; 5] = [0.1, 0.05, 0.01, 1e-3, 1e-4];
 
-/// The conventions that were found, and before them those with the range that the slices show, where
-/// no usual one is near and that is clearly better.
+/// The conventions that were found, and before them those with the range that the slices show, where that is
+/// clearly better.
 pub(super) fn shown(
     truth: &Truth,
     case: &Case,
@@ -38,8 +37,7 @@ pub(super) fn shown(
     found: Vec<Candidate>,
 ) -> Result<Vec<Candidate>, AuditError> {
     let Case { table, live, fixed, progress } = *case;
-    let Some(first) = found.first().filter(|first| table.source == Source::Table && !fits(first, sample))
-    else {
+    let Some(first) = found.first().filter(|_| table.source == Source::Table) else {
         return Ok(found);
     };
     if fixed.axes.is_some() || axis_of(first).is_none() {
@@ -72,14 +70,6 @@ pub(super) fn shown(
     let tried = best(rejudge(truth, sample, fixed, tried, Truth::quick)?, CLOSELY * ROUND.len());
     let clear = tried.first().is_some_and(|t| CLEAR * t.fitted.rank < found[0].fitted.rank);
     Ok(if clear { best([tried, found].concat(), usize::MAX) } else { found })
-}
-
-/// Whether a reading leaves nothing to be explained.
-fn fits(candidate: &Candidate, sample: &Sample) -> bool {
-    let near = |(misfit, values): (&Option<super::Misfit>, &Vec<f64>)| {
-        misfit.is_none_or(|misfit| misfit.rms <= CLOSE * spread(values.iter().copied()))
-    };
-    candidate.fitted.misfits.iter().zip(&sample.values).all(near)
 }
 
 /// The axis that an index runs along.

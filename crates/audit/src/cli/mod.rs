@@ -199,7 +199,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn verb(options: Options) -> Result<Outcome, CliError> {
     let bytes = read(&options)?;
     let holds_functions = || options.source.holds_functions(&bytes, &options.file.display().to_string());
-    let is_of_arrays = has_extension_of_shaders(&options) && !holds_functions();
+    let is_of_arrays =
+        has_extension_of_shaders(&options) && !holds_functions() && foreign::holds_arrays(&bytes);
     let options = Options { is_of_arrays, ..options };
     other_kind(&options)?;
     let wanted = tables::wanted(&options, &bytes)?;

@@ -20,3 +20,4 @@ use error::Spot;
 pub use recognise::read_table;
 pub use shader::{LeftOut, ShaderFunction, Surroundings, holds_functions, read_functions};
 pub use table::{Channel, ForeignTable, Hints, RawFormat, Step};
+pub use text::holds_arrays;

@@ -82,7 +82,7 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
         return Some(Told { more: points, ..told });
     }
     if audit.source == Source::Function {
-        let told = Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}"));
+        let told = Told::new(kind, &column, own, format!(" is off by at most {max} at {at}{another}"));
         return Some(Told { more: points, ..told });
     }
     if let Some(told) = damage(audit).filter(|_| limit.is_none() || audit.fit != Fit::Whole) {
@@ -90,11 +90,11 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     }
     let lookup = largest_lookup(audit).filter(|(_, lookup)| lookup.inner > worst.max);
     Some(lookup.map_or_else(
-        || Told::new(kind, &column, own, format!(" is off by at most {max}{another} at {at}")),
+        || Told::new(kind, &column, own, format!(" is off by at most {max} at {at}{another}")),
         |lookup| match limit {
             // A limit is on the texels: the figure that is judged stands first.
             Some(_) => {
-                let texels = format!(" is off by at most {max} at texels{another} ({at})");
+                let texels = format!(" is off by at most {max} at texels ({at}){another}");
                 let (lookup, there) = of_lookup(audit, lookup);
                 Told { more: vec![format!(", {lookup}{there}")], ..Told::new(kind, &column, own, texels) }
             }

@@ -125,8 +125,12 @@ pub fn read_functions(
     })
 }
 
-/// Whether a shader file has functions of its own but entry points; so has one that cannot be read.
+/// Whether a shader file has functions of its own but entry points; so has one that cannot be read, unless it
+/// is larger than a shader may be.
 pub fn holds_functions(bytes: &[u8], file: &str, around: &Surroundings) -> bool {
+    if bytes.len() > limits::SHADER {
+        return false;
+    }
     std::thread::scope(|scope| {
         let found =
             || Source::new(bytes, file, around).map_or(true, |source| !source.functions(None).is_empty());

@@ -54,6 +54,12 @@ pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreig
     })
 }
 
+/// Whether a text has arrays that can be read.
+pub fn holds_arrays(bytes: &[u8]) -> bool {
+    let literals = std::str::from_utf8(bytes).ok().and_then(|text| scan::literals(text, "").ok());
+    literals.is_some_and(|literals| !literals.is_empty())
+}
+
 fn table(
     text: &str,
     file: &str,

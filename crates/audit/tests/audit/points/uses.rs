@@ -6,7 +6,8 @@ use lobefit_audit::audit::{AuditedTable, Column, Fixed, Form, Input};
 use lobefit_audit::foreign::Step;
 
 use super::{a, at, e, table};
-use crate::support::{both, half, plane, reflection_of, run, says};
+use crate::support::{both, half, plane, reflection_of, run, says, shipped};
+use lobefit_truth::quantity::{self, Variant};
 
 /// E of a table whose texels lie at other inputs: of alpha and mu.
 fn of(input: impl Fn(f64, f64) -> [f64; 2]) -> AuditedTable {
@@ -100,4 +101,33 @@ fn enlarged_tables_of_halves_are_named() {
         let shipped = AuditedTable { step: Step::Half, ..larger(times) };
         says(&reflection_of(&shipped).verdict(None), "FAIL", &["is of 16 x 16 texels enlarged"]);
     }
+}
+
+/// Of the few bends of a line some are sharper by chance, and those at knots of one of many smaller sizes.
+#[test]
+fn averages_that_are_rounded_are_not_enlarged() {
+    let average = quantity::find("ggx-average").unwrap();
+    let variant = Variant { smith: Some(Smith::Correlated), ..Variant::default() };
+    for n in [32, 64, 96] {
+        let value = |i: usize| {
+            let roughness = (i as f64 + 0.5) / n as f64;
+            let e = average.at(&variant, &[roughness * roughness], 1e-6).unwrap()[0];
+            (e * 255.0).round() / 255.0
+        };
+        let shipped =
+            AuditedTable { step: Step::Unorm(8), ..shipped(&[n], vec![("R", (0..n).map(value).collect())]) };
+        says(&run(&shipped, "ggx-average", &Fixed::default()).verdict(None), "PASS", &[]);
+    }
+}
+
+/// A clamp at a round number may stand at a line: at end points roughness 0.1 is the second of eleven.
+#[test]
+fn clamps_at_round_numbers_are_clamps() {
+    let end = |i: usize| i as f64 / 10.0;
+    let value = |x: usize, y: usize| {
+        let roughness = end(y).max(0.1);
+        both(Smith::Correlated, roughness * roughness, end(x).max(1e-4)).0
+    };
+    let found = reflection_of(&plane([11; 2], &[("R", &value)]));
+    says(&found.verdict(None), "PASS", &["alpha clamped to 0.01."]);
 }
