@@ -242,7 +242,7 @@ fn outputs(options: &Options, Row { inputs, variant }: Row<'_>) -> Result<Vec<f6
 /// Rows that are computed at once: what each gives is kept beside the others without a list of its own.
 const BATCH: usize = 1 << 16;
 
-/// Times at most that progress is told.
+/// Stages of progress at most.
 const STAGES: usize = 100;
 
 /// The outputs at every row, one after another.

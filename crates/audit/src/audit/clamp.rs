@@ -210,8 +210,8 @@ impl<'a> Clampable<'a> {
         Ok(Clampable { sample, truth: columns.map(of).collect() })
     }
 
-    /// Which texels hold the largest value of a channel, as others do that lie on no line which is the same as
-    /// the one before it, and have a truth beyond it; none of those that are left out already.
+    /// Which texels hold the largest value of a channel, as others do that lie on no line which is the same
+    /// as the one before it, and have a truth beyond it; none of those that are left out already.
     fn clipped(&self) -> Vec<bool> {
         let count = if self.sample.left_out.is_empty() { self.sample.values[0].len() } else { 0 };
         let dims = self.sample.dims();

@@ -102,8 +102,8 @@ fn comes_back(column: Column, value: f64) -> Option<f64> {
 }
 
 /// More energy than comes in: beyond what formats leave, of so many steps each, and what jumps from texel to
-/// texel, where the albedo is too high throughout if nearly all of the light comes back, as that of samples is
-/// not.
+/// texel, where the albedo is too high throughout if nearly all of the light comes back, as that of samples
+/// is not.
 fn gain(r: &Residuals, grain: Grain, steps: f64) -> Option<Defect> {
     let albedos = |i: usize| comes_back(r.column, r.values[i]).zip(comes_back(r.column, r.truth(i)));
     let (mut sums, mut worst) = ([0.0; 2], (0.0, 0, 1.0));

@@ -70,7 +70,7 @@ impl Enlarged {
 }
 
 impl Enlarged {
-    /// Where one axis was made larger by lines, the others by the same factor, though formats hide their bends.
+    /// Where one axis was made larger by lines, the others by the same factor, though formats hide bends.
     fn alike(&mut self, table: &AuditedTable, live: &[usize]) {
         let times = self.from.iter().zip(&table.size).map(|(from, n)| n / from).find(|times| *times >= TIMES);
         let Some(times) = times.filter(|_| self.linear) else { return };

@@ -39,16 +39,8 @@ impl Sample {
         };
         let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
         let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
-        let texels = alive(audited);
         let values = live.iter().map(of).collect();
-        Sample {
-            size: audited.size.clone(),
-            texels,
-            values,
-            at,
-            at_one: at_one(audited, live),
-            left_out: Vec::new(),
-        }
+        Sample::of(audited, live, at, values)
     }
 
     /// Some of the rows of a table of two axes, and all of its columns, but for those that are dead.
@@ -59,15 +51,7 @@ impl Sample {
         let texels = || at[1].iter().flat_map(|row| at[0].iter().map(move |column| row * width + column));
         let of = |c: &usize| texels().map(|texel| audited.channels[*c].values[texel]).collect();
         let values = live.iter().map(of).collect();
-        let at_one = at_one(audited, live);
-        Sample {
-            size: audited.size.clone(),
-            texels: alive(audited),
-            values,
-            at,
-            at_one,
-            left_out: Vec::new(),
-        }
+        Sample::of(audited, live, at, values)
     }
 
     /// One texel.
@@ -75,7 +59,12 @@ impl Sample {
         let i = flat(texel, &audited.size);
         let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
         let at = texel.iter().map(|k| vec![*k]).collect();
-        let at_one = at_one(audited, live);
+        Sample::of(audited, live, at, values)
+    }
+
+    /// The texels at these places, with the values of the live channels there.
+    fn of(audited: &AuditedTable, live: &[usize], at: Vec<Vec<usize>>, values: Vec<Vec<f64>>) -> Sample {
+        let at_one = live.iter().map(|k| audited.is_at_one(&audited.channels[*k])).collect();
         Sample {
             size: audited.size.clone(),
             texels: alive(audited),
@@ -113,11 +102,6 @@ impl Sample {
     pub(super) fn nodes(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         self.at[axis].iter().map(|i| reading.node(*i, self.size[axis])).collect()
     }
-}
-
-/// Of every live channel whether it is of a function at an f0 of 1.
-fn at_one(audited: &AuditedTable, live: &[usize]) -> Vec<bool> {
-    live.iter().map(|k| audited.is_at_one(&audited.channels[*k])).collect()
 }
 
 /// Texels that are not dead.

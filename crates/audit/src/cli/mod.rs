@@ -324,8 +324,8 @@ const SHADERS: [&str; 14] = [
 
 const SCRIPTS: [&str; 4] = ["js", "mjs", "ts", "mts"];
 
-/// Whether a file is read as a shader's functions: also a header or a text of which one is named, and no shader
-/// that holds arrays alone.
+/// Whether a file is read as a shader's functions: also a header or a text of which one is named, and not a
+/// shader that holds arrays alone.
 fn is_shader(options: &Options) -> bool {
     options.source.function.is_some() || has_extension_of_shaders(options) && !options.is_of_arrays
 }

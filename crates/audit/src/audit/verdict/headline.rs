@@ -65,8 +65,8 @@ pub(super) fn briefly(words: &str) -> String {
     explanation.map_or_else(|| words.into(), |[start, end]| format!("{}{}", &words[..start], &words[end..]))
 }
 
-/// How far off it is under the quantity's own shadowing, where it is of another, and without the clamps of its
-/// inputs, where that is more than what is `said`.
+/// How far off it is under the quantity's own shadowing, where it is of another, and without the clamps of
+/// its inputs, where that is more than what is `said`.
 pub(super) fn of_another(audit: &Audit, said: f64) -> String {
     let counts = |plain: &&Plain| plain.convention.lobe != audit.best().lobe || plain.max > said;
     let plain = audit.plain.as_ref().filter(|plain| plain.is_of_another_use(audit.best())).filter(counts);

@@ -45,8 +45,8 @@ impl Grade {
     }
 }
 
-/// Whether a file passed, for scripts: without a limit nothing is asked of it unless it is not what it is said
-/// to be.
+/// Whether a file passed, for scripts: without a limit nothing is asked of it unless it is not what it is
+/// said to be.
 pub(super) fn passed(limit: Option<f64>, passes: bool) -> Option<bool> {
     (limit.is_some() || !passes).then_some(passes)
 }
