@@ -16,12 +16,11 @@ use lobefit_truth::quantity::{QUANTITIES, Quantity};
 /// of A and B.
 pub(super) fn with_sum(mut table: AuditedTable, quantity: &dyn Quantity, fixed: &Fixed) -> AuditedTable {
     let splits = spec(quantity).is_some_and(|spec| spec.columns.contains(&Column::A));
-    let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
     let asked = fixed.column == Some(Column::E) && fixed.meanings.is_none();
     if !(asked && splits && table.source == Source::Table) {
         return table;
     }
-    if let [first, second, ..] = table.channels.iter().filter(varies).collect::<Vec<_>>()[..] {
+    if let [first, second, ..] = table.channels.iter().filter(|c| c.varies()).collect::<Vec<_>>()[..] {
         let values: Vec<f64> = first.values.iter().zip(&*second.values).map(|(a, b)| a + b).collect();
         let name = format!("{} + {}", first.name, second.name);
         table.channels.push(Channel { name, values: values.into() });

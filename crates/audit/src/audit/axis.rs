@@ -38,65 +38,74 @@ impl Input {
     }
 }
 
-/// What a coordinate x in [0, 1] means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scale {
-    /// alpha = x.
-    Alpha,
-    /// alpha = x^2.
-    Roughness,
-    /// alpha = x^3.
-    RoughnessThird,
-    /// alpha = x^4.
-    RoughnessFourth,
-    /// alpha = sqrt(x).
-    AlphaSquared,
-    /// mu = x.
-    Mu,
-    /// mu = x^2.
-    RootMu,
+/// Scales, of those of an input the usual ones first: the input that each is a coordinate of, the word in
+/// options and verdicts, the input at a coordinate in [0, 1].
+macro_rules! scales {
+    ($($(#[$doc:meta])* $name:ident: $input:ident, $word:literal, $at:expr;)*) => {
+        /// What a coordinate x in [0, 1] means.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Scale {
+            $(#[doc = concat!("x = ", $word, ".")] $(#[$doc])* $name,)*
+            /// An input between two ends, which the user states or its slices show.
+            Span(&'static Span),
+        }
+
+        /// Every scale; of those of an input the usual ones first.
+        pub const SCALES: [Scale; [$($word),*].len()] = [$(Scale::$name),*];
+
+        impl Scale {
+            /// The input that it is a coordinate of, the word in options and verdicts, the input at a
+            /// coordinate in [0, 1].
+            fn facts(self) -> (Input, &'static str, fn(f64) -> f64) {
+                match self {
+                    $(Scale::$name => (Input::$input, $word, $at),)*
+                    // The share of the way between its ends.
+                    Scale::Span(span) => (span.input, &span.name, |x| x),
+                }
+            }
+        }
+    };
+}
+
+scales! {
+    Roughness: Alpha, "roughness", |x| x * x;
+    Alpha: Alpha, "alpha", |x| x;
+    RoughnessThird: Alpha, "alpha^(1/3)", |x| x * x * x;
+    RoughnessFourth: Alpha, "alpha^(1/4)", |x| x * x * x * x;
+    AlphaSquared: Alpha, "alpha^2", f64::sqrt;
+    Mu: Mu, "mu", |x| x;
+    RootMu: Mu, "sqrt(mu)", |x| x * x;
+    // cos(pi/2) is 6e-17 in f64, the grazing view.
     /// mu = cos(x pi/2).
-    Theta,
-    /// mu = 1 - x^2.
-    RootOfOneMinusMu,
-    /// mu = sqrt(x).
-    MuSquared,
+    Theta: Mu, "theta", |x| if x == 1.0 { 0.0 } else { ops::cos(0.5 * std::f64::consts::PI * x) };
+    RootOfOneMinusMu: Mu, "sqrt(1-mu)", |x| (1.0 - x) * (1.0 + x);
+    MuSquared: Mu, "mu^2", f64::sqrt;
     /// The index itself, from 1 to 2: an argument of a function that is named for it.
-    Ior,
-    /// The index the other way round, eta = 1/ior, from 1/2 to 1 as ior falls from 2: an argument
-    /// of a function that is named for an index.
-    Eta,
-    /// ior = 1 + x.
-    IorUnit,
-    /// ior = 1 + 1.5 x.
-    IorOneAndHalf,
-    /// ior = 1 + 2 x.
-    IorTwo,
-    /// ior = 1.05 + 2 x: MoonRay's tables of transmission, as they are looked up.
-    IorFromTwo,
-    /// ior = 1.05 + 1.95 x: the same as their comment has it.
-    IorFromToThree,
+    Ior: Ior, "ior", |x| 1.0 + x;
+    /// The index the other way round, 1/ior, from 1/2 to 1 as ior falls from 2: an argument of a function
+    /// that is named for an index.
+    Eta: Ior, "eta", |x| 2.0 / (1.0 + x);
+    IorUnit: Ior, "ior-1", |x| 1.0 + x;
+    IorOneAndHalf: Ior, "(ior-1)/1.5", |x| 1.0 + 1.5 * x;
+    IorTwo: Ior, "(ior-1)/2", |x| 1.0 + 2.0 * x;
+    /// MoonRay's tables of transmission, as they are looked up.
+    IorFromTwo: Ior, "(ior-1.05)/2", |x| 1.05 + 2.0 * x;
+    /// The same as their comment has it.
+    IorFromToThree: Ior, "(ior-1.05)/1.95", |x| 1.05 + 1.95 * x;
     /// Two halves: from inside with ior falling from 2.5 to 1, then from outside with ior rising from
     /// 1 to 2.5 (Adobe's OpenPBR BSDF). Below 1 the input is 1/ior.
-    IorBothSides,
-    /// ior = (1 + sqrt(F0))/(1 - sqrt(F0)) with F0 = x.
-    F0,
-    /// The same with F0 = x^2.
-    RootF0,
-    /// The same with F0 = x^4.
-    FourthRootF0,
-    /// ior = 1/x, infinite at 0.
-    IorInverse,
-    /// ior = 2/(1 + x).
-    IorInverseTwo,
-    /// anisotropy = x.
-    Anisotropy,
-    /// anisotropy = sqrt(x).
-    AnisotropySquared,
-    /// sqrt(1 - 0.9 anisotropy) = x.
-    Aspect,
-    /// An input between two ends, which the user states or its slices show.
-    Span(&'static Span),
+    IorBothSides: Ior, "1/ior..ior", |x| if x < 0.5 { 1.0 / (2.5 - 3.0 * x) } else { 3.0 * x - 0.5 };
+    /// ior = (1 + sqrt(F0))/(1 - sqrt(F0)).
+    F0: Ior, "f0", |x| ior_of(x.sqrt());
+    RootF0: Ior, "sqrt(f0)", ior_of;
+    FourthRootF0: Ior, "f0^(1/4)", |x| ior_of(x * x);
+    /// Infinite at 0.
+    IorInverse: Ior, "1/ior", |x| 1.0 / x;
+    IorInverseTwo: Ior, "2/ior-1", |x| 2.0 / (1.0 + x);
+    Anisotropy: Anisotropy, "anisotropy", |x| x;
+    AnisotropySquared: Anisotropy, "anisotropy^2", f64::sqrt;
+    /// sqrt(1 - 0.9 anisotropy).
+    Aspect: Anisotropy, "aspect", |x| ((1.0 - x * x) / 0.9).clamp(0.0, 1.0);
 }
 
 /// An input that runs evenly between two ends.
@@ -129,36 +138,6 @@ impl PartialEq for Span {
 
 impl Eq for Span {}
 
-/// Every scale; of those of an input the usual ones first.
-pub const SCALES: [Scale; 26] = [
-    Scale::Roughness,
-    Scale::Alpha,
-    Scale::RoughnessThird,
-    Scale::RoughnessFourth,
-    Scale::AlphaSquared,
-    Scale::Mu,
-    Scale::RootMu,
-    Scale::Theta,
-    Scale::RootOfOneMinusMu,
-    Scale::MuSquared,
-    Scale::Ior,
-    Scale::Eta,
-    Scale::IorUnit,
-    Scale::IorOneAndHalf,
-    Scale::IorTwo,
-    Scale::IorFromTwo,
-    Scale::IorFromToThree,
-    Scale::IorBothSides,
-    Scale::F0,
-    Scale::RootF0,
-    Scale::FourthRootF0,
-    Scale::IorInverse,
-    Scale::IorInverseTwo,
-    Scale::Anisotropy,
-    Scale::AnisotropySquared,
-    Scale::Aspect,
-];
-
 impl Scale {
     /// Evenly between two ends of an input.
     pub fn between(input: Input, [low, high]: [f64; 2], is_stated: bool) -> Scale {
@@ -170,47 +149,6 @@ impl Scale {
     pub fn between_roughnesses([low, high]: [f64; 2]) -> Scale {
         let name = format!("{}={low}..{high}", Scale::Roughness.name());
         Span { input: Input::Alpha, ends: [low, high], name, is_stated: true, is_root: true }.scale()
-    }
-
-    /// The input that it is a coordinate of, the word in options and verdicts, the input at a
-    /// coordinate in [0, 1].
-    fn facts(self) -> (Input, &'static str, fn(f64) -> f64) {
-        use Input::{Alpha, Anisotropy, Ior, Mu};
-        match self {
-            Scale::Alpha => (Alpha, "alpha", |x| x),
-            Scale::Roughness => (Alpha, "roughness", |x| x * x),
-            Scale::RoughnessThird => (Alpha, "alpha^(1/3)", |x| x * x * x),
-            Scale::RoughnessFourth => (Alpha, "alpha^(1/4)", |x| x * x * x * x),
-            Scale::AlphaSquared => (Alpha, "alpha^2", f64::sqrt),
-            Scale::Mu => (Mu, "mu", |x| x),
-            Scale::RootMu => (Mu, "sqrt(mu)", |x| x * x),
-            // cos(pi/2) is 6e-17 in f64, the grazing view.
-            Scale::Theta => {
-                (Mu, "theta", |x| if x == 1.0 { 0.0 } else { ops::cos(0.5 * std::f64::consts::PI * x) })
-            }
-            Scale::RootOfOneMinusMu => (Mu, "sqrt(1-mu)", |x| (1.0 - x) * (1.0 + x)),
-            Scale::MuSquared => (Mu, "mu^2", f64::sqrt),
-            Scale::Ior => (Ior, "ior", |x| 1.0 + x),
-            Scale::Eta => (Ior, "eta", |x| 2.0 / (1.0 + x)),
-            Scale::IorUnit => (Ior, "ior-1", |x| 1.0 + x),
-            Scale::IorOneAndHalf => (Ior, "(ior-1)/1.5", |x| 1.0 + 1.5 * x),
-            Scale::IorTwo => (Ior, "(ior-1)/2", |x| 1.0 + 2.0 * x),
-            Scale::IorFromTwo => (Ior, "(ior-1.05)/2", |x| 1.05 + 2.0 * x),
-            Scale::IorFromToThree => (Ior, "(ior-1.05)/1.95", |x| 1.05 + 1.95 * x),
-            Scale::IorBothSides => {
-                (Ior, "1/ior..ior", |x| if x < 0.5 { 1.0 / (2.5 - 3.0 * x) } else { 3.0 * x - 0.5 })
-            }
-            Scale::F0 => (Ior, "f0", |x| ior_of(x.sqrt())),
-            Scale::RootF0 => (Ior, "sqrt(f0)", ior_of),
-            Scale::FourthRootF0 => (Ior, "f0^(1/4)", |x| ior_of(x * x)),
-            Scale::IorInverse => (Ior, "1/ior", |x| 1.0 / x),
-            Scale::IorInverseTwo => (Ior, "2/ior-1", |x| 2.0 / (1.0 + x)),
-            Scale::Anisotropy => (Anisotropy, "anisotropy", |x| x),
-            Scale::AnisotropySquared => (Anisotropy, "anisotropy^2", f64::sqrt),
-            // The share of the way between its ends.
-            Scale::Span(span) => (span.input, &span.name, |x| x),
-            Scale::Aspect => (Anisotropy, "aspect", |x| ((1.0 - x * x) / 0.9).clamp(0.0, 1.0)),
-        }
     }
 
     /// The input that it is a coordinate of.

@@ -40,7 +40,7 @@ impl Best<'_> {
     /// All that is to be known of it.
     pub fn audit(&self, case: &Case) -> Result<Audit, AuditError> {
         (case.progress)("errors under the best convention");
-        finish(&self.truth, case.table, case.live, case.fixed, &self.found, None)
+        finish(&self.truth, case, &self.found, None)
     }
 }
 
@@ -62,7 +62,7 @@ impl<'a> Search<'a> {
         let truth = truth_of(table, quantity, fixed, &own.collect::<Vec<_>>())?;
         check_axes(table, &truth)?;
         fixed.check(&truth, table.size.len(), live.len())?;
-        let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+        let role = |name: &String| arguments::role(name).filter(|role| truth.spec.inputs.contains(role));
         let mut roles: Vec<_> = table.axes.iter().map(role).collect();
         if fixed.swapped {
             roles.reverse();
@@ -86,9 +86,9 @@ impl<'a> Search<'a> {
     /// The conventions of others' shadowings.
     fn others(&self, table: &AuditedTable) -> Result<Sieved, AuditError> {
         let Search { quantity, forms, fixed, .. } = self;
-        let rough = Truth::rough(spec_of(table, *quantity)?, forms, &sides(fixed))?.within(&fixed.domain);
-        let foreign = |lobe: &usize| rough.lobes()[*lobe].form.integrand.is_some();
-        let lobes: Vec<usize> = (0..rough.lobes().len()).filter(foreign).collect();
+        let rough = Truth::new(spec_of(table, *quantity)?, forms, &sides(fixed), true)?.within(&fixed.domain);
+        let foreign = |lobe: &usize| rough.lobes[*lobe].form.integrand.is_some();
+        let lobes: Vec<usize> = (0..rough.lobes.len()).filter(foreign).collect();
         screen::screen(&rough, &self.few, fixed, &lobes)
     }
 }
@@ -178,7 +178,7 @@ pub(super) fn truth_of<'a>(
     fixed: &Fixed,
     forms: &[&'static Form],
 ) -> Result<Truth<'a>, AuditError> {
-    Ok(Truth::new(spec_of(table, quantity)?, forms, &sides(fixed))?.within(&fixed.domain))
+    Ok(Truth::new(spec_of(table, quantity)?, forms, &sides(fixed), false)?.within(&fixed.domain))
 }
 
 /// The sides that may be meant.

@@ -3,10 +3,9 @@
 use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
-use super::errors::spread;
+use super::errors::{rms, spread};
 use super::judge::{judge, rejudge};
 use super::sample::{Candidate, Fitted, Sample};
-use super::table::place;
 use super::truth::Truth;
 use super::{AuditError, CLEAR};
 
@@ -195,6 +194,9 @@ impl Search<'_> {
     }
 }
 
+/// A norm of some differences.
+type Norm = fn(&mut dyn Iterator<Item = f64>) -> f64;
+
 /// Lines of a sample along an axis, which a clamp makes one, and of its truth without a clamp.
 struct Clampable<'a> {
     sample: &'a Sample,
@@ -214,33 +216,17 @@ impl<'a> Clampable<'a> {
     /// as the one before it, and have a truth beyond it; none of those that are left out already.
     fn clipped(&self) -> Vec<bool> {
         let count = if self.sample.left_out.is_empty() { self.sample.values[0].len() } else { 0 };
-        let dims = self.sample.dims();
-        let repeated: Vec<Vec<bool>> = (0..dims.len()).map(|axis| self.repeated(axis)).collect();
-        let is_repeated = |i: &usize| place(*i, &dims).iter().zip(&repeated).any(|(k, lines)| lines[*k]);
+        let repeated = self.sample.repeated(&self.sample.values, 0.0);
         let mut clipped = vec![false; count];
         for (truth, own) in self.truth.iter().zip(&self.sample.values) {
             let high = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let beyond = high + APART * spread(own.iter().copied());
             let all: Vec<usize> = (0..count).filter(|i| own[*i] == high && truth[*i] > beyond).collect();
-            if all.iter().filter(|i| !is_repeated(i)).count() > 1 {
+            if all.iter().filter(|i| !self.sample.lies_on(**i, &repeated)).count() > 1 {
                 all.into_iter().for_each(|i| clipped[i] = true);
             }
         }
         clipped
-    }
-
-    /// Which lines of an axis are the same as the one before.
-    fn repeated(&self, axis: usize) -> Vec<bool> {
-        let dims = self.sample.dims();
-        let step: usize = dims[..axis].iter().product();
-        let mut repeated: Vec<bool> = (0..dims[axis]).map(|k| k > 0).collect();
-        for own in &self.sample.values {
-            for (i, value) in own.iter().enumerate() {
-                let at = i / step % dims[axis];
-                repeated[at] &= at > 0 && own[i - step] == *value;
-            }
-        }
-        repeated
     }
 
     /// Places along an axis at which an input is below a floor, the least first.
@@ -251,22 +237,9 @@ impl<'a> Clampable<'a> {
         places
     }
 
-    /// Root mean square of the differences of lines of the table or of its truth from the first of them,
-    /// beside what the values span; the largest of the channels. What stands at the largest value may be
-    /// clamped itself.
-    fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize]) -> f64 {
-        let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-        self.differences(of, axis, lines, rms)
-    }
-
-    /// The same of another norm, which is had of squares.
-    fn differences(
-        &self,
-        of: &[Vec<f64>],
-        axis: usize,
-        lines: &[usize],
-        norm: impl Fn(&[f64]) -> f64,
-    ) -> f64 {
+    /// A norm of the differences of lines of the table or of its truth from the first of them, beside what
+    /// the values span; the largest of the channels. What stands at the largest value may be clamped itself.
+    fn difference(&self, of: &[Vec<f64>], axis: usize, lines: &[usize], norm: Norm) -> f64 {
         let dims = self.sample.dims();
         let step: usize = dims[..axis].iter().product();
         let along = |i: usize| i / step % dims[axis];
@@ -274,8 +247,8 @@ impl<'a> Clampable<'a> {
             let high = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let first = |i: usize| i + lines[0] * step - along(i) * step;
             let counts = |i: &usize| lines.contains(&along(*i)) && own[*i] != high && own[first(*i)] != high;
-            let squares = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]).map(|d| d * d);
-            norm(&squares.collect::<Vec<f64>>()) / spread(own.iter().copied())
+            let mut differences = (0..own.len()).filter(counts).map(|i| values[i] - values[first(i)]);
+            norm(&mut differences) / spread(own.iter().copied())
         };
         of.iter().zip(&self.sample.values).map(channel).fold(0.0, f64::max)
     }
@@ -283,8 +256,8 @@ impl<'a> Clampable<'a> {
     /// Whether what a floor makes one differs nearly as much as without it.
     fn differ(&self, axis: usize, reading: &AxisReading, floor: f64) -> bool {
         let lines = self.below(axis, reading, floor);
-        let own = || self.difference(&self.sample.values, axis, &lines);
-        lines.len() > 1 && own() > SAME.max(ALIKE * self.difference(&self.truth, axis, &lines))
+        let rms_of = |of| self.difference(of, axis, &lines, |all| rms(all));
+        lines.len() > 1 && rms_of(&self.sample.values) > SAME.max(ALIKE * rms_of(&self.truth))
     }
 
     /// The input at the last of the first lines that are the same, though their truths differ by more than
@@ -293,8 +266,8 @@ impl<'a> Clampable<'a> {
         let nodes = self.sample.nodes(axis, reading);
         let last = self.held(axis, reading).first().copied().unwrap_or(0.0);
         let same = self.below(axis, reading, last * (1.0 + SAME));
-        let largest = |squares: &[f64]| squares.iter().copied().fold(0.0, f64::max).sqrt();
-        let is_plain = same.len() < 2 || self.differences(&self.truth, axis, &same, largest) < APART;
+        let largest: Norm = |all| all.fold(0.0, |most, difference| most.max(difference.abs()));
+        let is_plain = same.len() < 2 || self.difference(&self.truth, axis, &same, largest) < APART;
         if is_plain { 0.0 } else { same.iter().map(|k| nodes[*k]).fold(0.0, f64::max) }
     }
 
@@ -310,7 +283,8 @@ impl<'a> Clampable<'a> {
     fn held(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         let nodes = self.sample.nodes(axis, reading);
         let lines = self.below(axis, reading, f64::INFINITY);
-        let is_same = |n: &usize| self.difference(&self.sample.values, axis, &lines[..*n]) < SAME;
+        let is_same =
+            |n: &usize| self.difference(&self.sample.values, axis, &lines[..*n], |all| rms(all)) < SAME;
         let Some(same) = (2..lines.len()).take_while(is_same).last() else { return Vec::new() };
         let [last, next] = [nodes[lines[same - 1]], nodes[lines[same]]];
         (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()

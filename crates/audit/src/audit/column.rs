@@ -201,11 +201,6 @@ impl Column {
         }
     }
 
-    /// The truth of [`Column::albedo`].
-    pub fn true_albedo(self, base: Base) -> Option<f64> {
-        self.albedo(self.value(base))
-    }
-
     /// Whether a lobe is multiplied by it to be white.
     pub fn is_normalisation(self) -> bool {
         use Column::{AverageInverse, AverageInverseRT, Inverse, InverseRT};

@@ -105,12 +105,12 @@ impl Fixed {
                 return refuse("--axes", names, format!("the table has {axes} axes"));
             }
             let mut inputs: Vec<Input> = given.iter().map(|(s, _)| s.input()).collect();
-            let mut wanted = truth.inputs().to_vec();
+            let mut wanted = truth.spec.inputs.to_vec();
             inputs.sort();
             wanted.sort();
             if inputs != wanted {
                 let wanted: Vec<&str> = wanted.iter().map(|i| i.name()).collect();
-                let reason = format!("{} has the inputs {}", truth.quantity(), wanted.join(", "));
+                let reason = format!("{} has the inputs {}", truth.spec.quantity.name(), wanted.join(", "));
                 return refuse("--axes", names, reason);
             }
         }
@@ -135,15 +135,16 @@ impl Fixed {
         if let Some(given) = self.meanings.as_ref().filter(|given| given.iter().all(Option::is_none)) {
             return refuse("--meaning", meanings(given), "every channel is left out".into());
         }
-        if let Some((input, floor)) = self.floors.iter().find(|(input, _)| !truth.inputs().contains(input)) {
-            let reason = format!("{} has no such input", truth.quantity());
+        if let Some((input, floor)) = self.floors.iter().find(|(input, _)| !truth.spec.inputs.contains(input))
+        {
+            let reason = format!("{} has no such input", truth.spec.quantity.name());
             return refuse("--clamp", format!("{}={floor:?}", input.name()), reason);
         }
-        let unknown = |c: &&Column| !truth.columns().contains(c);
+        let unknown = |c: &&Column| !truth.spec.columns.contains(c);
         let asked = self.meanings.iter().flatten().flatten().chain(&self.column);
         if let Some(bad) = asked.into_iter().find(unknown) {
-            let names: Vec<&str> = truth.columns().iter().map(|c| c.name()).collect();
-            let reason = format!("{} has {}", truth.quantity(), names.join(", "));
+            let names: Vec<&str> = truth.spec.columns.iter().map(|c| c.name()).collect();
+            let reason = format!("{} has {}", truth.spec.quantity.name(), names.join(", "));
             return refuse("--meaning", bad.name().into(), reason);
         }
         Ok(())
@@ -182,7 +183,7 @@ impl Fixed {
             self.form.is_none_or(|form| l.form == form)
                 && self.side.is_none_or(|s| !l.both && l.side.is_none_or(|own| own == s))
         };
-        (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
+        (0..truth.lobes.len()).filter(|i| fits(&truth.lobes[*i])).collect()
     }
 }
 

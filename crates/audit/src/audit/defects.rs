@@ -336,7 +336,7 @@ pub(super) fn tight(r: &Residuals, texels: &[usize]) -> Extent {
 fn clamped(r: &Residuals) -> Option<Defect> {
     let ends = [r.judged.iter().map(|i| r.values[*i]).fold(f64::NEG_INFINITY, f64::max), 0.0];
     let least = (10.0 * r.median()).max(1e-3);
-    let (dims, repeated) = (r.sample.dims(), repeated_lines(r));
+    let repeated = repeated_lines(r);
     let mut told = None;
     for (end, upper) in ends.into_iter().zip([true, false]) {
         let beyond = |i: &&usize| {
@@ -344,9 +344,8 @@ fn clamped(r: &Residuals) -> Option<Defect> {
             r.values[**i] == end && past > least
         };
         // Lines that a clamp of an input makes one hold one value: the first of them is looked at.
-        let is_repeated = |i: usize| place(i, &dims).iter().zip(&repeated).any(|(k, lines)| lines[*k]);
-        let stuck: Vec<usize> =
-            r.judged.iter().filter(beyond).copied().filter(|i| !is_repeated(*i)).collect();
+        let is_first = |i: &usize| !r.sample.lies_on(*i, &repeated);
+        let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().filter(is_first).collect();
         if stuck.len() >= 2 && spread(stuck.iter().map(|i| r.truth(*i))) > 0.0 {
             let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
             let worst = stuck.iter().max_by(far).copied().unwrap_or(stuck[0]);
@@ -360,20 +359,10 @@ fn clamped(r: &Residuals) -> Option<Defect> {
 /// Values of lines are the same that differ by no more than this share of them: rounding of singles.
 const ALIKE: f64 = 1e-6;
 
-/// Which lines along every axis are the same as the one before them.
+/// Which lines along every axis are the same as the one before them; nothing of one axis, whose lines are
+/// its texels.
 pub(super) fn repeated_lines(r: &Residuals) -> Vec<Vec<bool>> {
-    let dims = r.sample.dims();
-    let mut repeated: Vec<Vec<bool>> =
-        dims.iter().map(|n| (0..*n).map(|k| k > 0 && dims.len() > 1).collect()).collect();
-    for (i, value) in r.values.iter().enumerate() {
-        let mut step = 1;
-        for (axis, n) in dims.iter().enumerate() {
-            let at = i / step % n;
-            repeated[axis][at] &= at > 0 && (r.values[i - step] - value).abs() <= ALIKE * value.abs();
-            step *= n;
-        }
-    }
-    repeated
+    if r.sample.at.len() > 1 { r.sample.repeated(&[r.values], ALIKE) } else { Vec::new() }
 }
 
 /// Root mean square of white noise that would make the second differences of the errors among some texels,
@@ -454,31 +443,22 @@ pub(super) fn stored(step: Step, values: &[f64]) -> Step {
     }
     let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     // A single holds a multiple of 1/n to 6e-8 of itself.
-    let multiples =
-        |n: f64| values.iter().all(|v| (v * n - (v * n).round()).abs() < (1.2e-7 * n * largest).min(0.15));
-    let halves = || values.iter().all(|v| half::f16::from_f64(*v).to_f64() == *v);
-    let decimals = |d: u32| (0..d).fold(1.0, |n, _| n * 10.0);
+    let is_multiple = |v: f64, n: f64| (v * n - (v * n).round()).abs() < (1.2e-7 * n * largest).min(0.15);
+    // A format with its steps from 0 to 1; halves have steps of many lengths.
     let formats = [
-        Step::Unorm(8),
-        Step::Decimals(3),
-        Step::Unorm(10),
-        Step::Half,
-        Step::Decimals(4),
-        Step::Unorm(16),
-        Step::Decimals(5),
-        Step::Decimals(6),
+        (Step::Unorm(8), Some(255.0)),
+        (Step::Decimals(3), Some(1e3)),
+        (Step::Unorm(10), Some(1023.0)),
+        (Step::Half, None),
+        (Step::Decimals(4), Some(1e4)),
+        (Step::Unorm(16), Some(65535.0)),
+        (Step::Decimals(5), Some(1e5)),
+        (Step::Decimals(6), Some(1e6)),
     ];
-    let fits = |format: &Step| match format {
-        Step::Unorm(8) => multiples(255.0),
-        Step::Unorm(10) => multiples(1023.0),
-        Step::Unorm(16) => multiples(65535.0),
-        Step::Decimals(d) => multiples(decimals(*d)),
-        _ => halves(),
+    let holds = |v: f64, n| match n {
+        Some(n) => is_multiple(v, n),
+        None => half::f16::from_f64(v).to_f64() == v,
     };
-    formats.into_iter().find(fits).unwrap_or(Step::None)
-}
-
-/// Whether a column is one of which a furnace can be made.
-pub(super) fn holds_albedo(column: Column) -> bool {
-    column.albedo(0.5).is_some()
+    let fits = |(_, n): &(Step, Option<f64>)| values.iter().all(|v| holds(*v, *n));
+    formats.into_iter().find(fits).map_or(Step::None, |(format, _)| format)
 }

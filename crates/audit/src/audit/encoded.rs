@@ -167,8 +167,7 @@ impl Encoding {
         let channels: Vec<Channel> = colours.map(decoded).collect();
         let finite = channels.iter().flat_map(|c| c.values.iter()).all(|v| v.is_finite());
         let unit = table.channels.iter().flat_map(|c| c.values.iter()).all(|v| (0.0..=1.0).contains(v));
-        let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
-        let first = table.channels.iter().find(varies).unwrap_or(&table.channels[0]);
+        let first = table.channels.iter().find(|c| c.varies()).unwrap_or(&table.channels[0]);
         let step = (self.step)(stored(table.step, &first.values));
         let decoded = AuditedTable { channels, step, scale: self.factor, ..table.clone() };
         // A Radiance picture is linear, and so is a function.
@@ -213,7 +212,7 @@ impl Encoding {
         untold.insert(0, format!("values {}", self.said("encoded as ")));
         options += &format!("--encoding {}", self.word);
         let truth = truth_of(stored.table, quantity, stored.fixed, &[convention.lobe.form])?;
-        let lobe = truth.lobes().iter().position(|lobe| *lobe == convention.lobe).unwrap_or(0);
+        let lobe = truth.lobes.iter().position(|lobe| *lobe == convention.lobe).unwrap_or(0);
         let held = |k: &usize| convention.columns.get(*k).is_some_and(Option::is_some);
         let live: Vec<usize> = stored.live.iter().copied().filter(held).collect();
         let (max, judged, at) = worst(&truth, stored.table, &live, lobe, &convention)?;

@@ -3,7 +3,7 @@
 use super::block::ONE_SIGN;
 use super::column::Column;
 use super::convention::Convention;
-use super::defects::{Defect, Grain, holds_albedo, is_of_rounding, noise};
+use super::defects::{Defect, Grain, is_of_rounding, noise};
 use super::errors::Residuals;
 use super::found::Furnace;
 use super::inputs_at;
@@ -41,14 +41,15 @@ pub(super) fn furnace(
     live: &[usize],
     sum: Option<&Sum>,
 ) -> Option<Furnace> {
-    let own = |k: usize| convention.columns[k].filter(|column| holds_albedo(*column));
+    let own = |k: usize| convention.columns[k].filter(|column| column.albedo(0.5).is_some());
     let albedo = live.iter().zip(&sample.values).find_map(|(k, values)| Some((own(*k)?, values)));
     let (column, values) = albedo.or_else(|| sum.map(|sum| (sum.column, &sum.values)))?;
     let mut out: Option<Furnace> = None;
     let mut dark = 0;
     let dims = sample.dims();
     for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
-        let (stored, truth) = (column.albedo(values[i])?, column.true_albedo(judgement.base[i])?);
+        let albedo = |value| column.albedo(value);
+        let (stored, truth) = (albedo(values[i])?, albedo(column.value(judgement.base[i]))?);
         // A lobe that gains of its own, and not by an error of the truth, is not compensated.
         if truth > 1.001 {
             return None;

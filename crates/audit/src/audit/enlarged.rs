@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::defects::stored;
 use super::table::{AuditedTable, Source};
-use crate::foreign::Step;
+use crate::foreign::{Step, words};
 
 /// Texels of smaller tables along an axis whose outermost stand at those of the larger one; with the
 /// centres of both aligned every divisor of its size from [`LEAST`] on is tried.
@@ -89,13 +89,8 @@ impl fmt::Display for Enlarged {
     /// `32 x 64 texels enlarged by linear interpolation`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let how = if self.linear { "linear interpolation" } else { "repeating them" };
-        write!(f, "{} texels enlarged by {how}", by(&self.from))
+        write!(f, "{} texels enlarged by {how}", words(&self.from))
     }
-}
-
-/// `32 x 64`.
-pub(super) fn by(size: &[usize]) -> String {
-    size.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ")
 }
 
 /// Where the texels of a smaller table stand among those of the larger one.

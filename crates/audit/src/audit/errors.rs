@@ -113,12 +113,8 @@ impl<'a> Residuals<'a> {
     /// Root mean square of the errors of some texels beside the spread of their truth; an error of an
     /// albedo above 1 counts as a share of it.
     pub(super) fn misfit(&self, texels: &[usize]) -> f64 {
-        let square = |i: &usize| {
-            let error = self.errors[*i] / if self.is_albedo() { self.truth(*i).max(1.0) } else { 1.0 };
-            error * error
-        };
-        let rms = (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt();
-        rms / self.bounded(texels)
+        let share = |i: &usize| if self.is_albedo() { self.truth(*i).max(1.0) } else { 1.0 };
+        rms(texels.iter().map(|i| self.errors[*i] / share(i))) / self.bounded(texels)
     }
 
     /// The same of all that are judged; infinite where there are no texels to judge.
@@ -153,8 +149,7 @@ impl<'a> Residuals<'a> {
 
     /// Root mean square of the errors of some texels; 0 of none.
     pub(super) fn rms(&self, texels: &[usize]) -> f64 {
-        let squares = texels.iter().fold(0.0, |sum, i| sum + self.errors[*i] * self.errors[*i]);
-        (squares / texels.len().max(1) as f64).sqrt()
+        rms(texels.iter().map(|i| self.errors[*i]))
     }
 
     /// At most `count` of the judged texels, by steps of the golden ratio through them: all of so few.
@@ -195,6 +190,12 @@ impl<'a> Residuals<'a> {
             unsampled: self.sample.texels.saturating_sub(self.values.len()),
         }
     }
+}
+
+/// Root mean square; 0 of none.
+pub(super) fn rms(errors: impl Iterator<Item = f64>) -> f64 {
+    let (squares, n) = errors.fold((0.0, 0_usize), |(sum, n), error| (sum + error * error, n + 1));
+    (squares / n.max(1) as f64).sqrt()
 }
 
 /// Median of a list; 0 of none.

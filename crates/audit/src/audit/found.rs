@@ -18,7 +18,7 @@ use lobefit::report::words;
 use serde::Serialize;
 
 /// How a table fits its best convention, the better first; in JSON `whole`, `part` or `none`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fit {
     /// Its errors are small beside the spread of the truth.
@@ -26,6 +26,7 @@ pub enum Fit {
     /// A part of it fits and the rest does not: stale or damaged.
     Part,
     /// It fits none.
+    #[default]
     None,
 }
 
@@ -65,7 +66,7 @@ pub enum Other {
 }
 
 /// A channel under the best convention.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ChannelAudit {
     /// Its name.
     pub name: String,

@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 
 use super::AuditError;
-use super::axis::{AxisReading, Input};
+use super::axis::AxisReading;
 use super::convention::Fixed;
-use super::sample::{self, Candidate, Sample, View, fit_columns, judged, shared, steps};
+use super::sample::{self, Candidate, Sample, Tensor, assigned, fit_columns, judged, nodes, shared};
 use super::screen::best;
 use super::truth::{Truth, Truths, Values};
 
@@ -26,22 +26,10 @@ pub(super) fn judge<'a>(
     lobe: usize,
     values: Truths<'a>,
 ) -> Result<Judgement, AuditError> {
-    let inputs = truth.inputs();
-    let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
-    let assigned: Vec<usize> = inputs.iter().map(along).collect();
-    let nodes: Vec<Vec<f64>> = assigned
-        .iter()
-        .zip(inputs)
-        .map(|(axis, input)| {
-            let [low, high] = truth.range(lobe, *input);
-            sample.nodes(*axis, &axes[*axis]).iter().map(|x| x.clamp(low, high)).collect()
-        })
-        .collect();
-    let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-    let values = values(truth, lobe, &at)?;
-    let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
-    let view = View { values: &values, steps: steps(&lengths, &assigned), start: 0 };
-    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes, lobe) })
+    let assigned = assigned(truth, axes);
+    let nodes = nodes(truth, lobe, &assigned, |axis| sample.nodes(axis, &axes[axis]));
+    let tensor = Tensor::new(truth, lobe, &nodes, &assigned, values)?;
+    Ok(Judgement { base: tensor.gathered(0, &sample.dims()), judged: judged(truth, sample, axes, lobe) })
 }
 
 /// A candidate with its figures by a judgement.
@@ -55,7 +43,7 @@ fn refit(
     let shared = shared(truth, sample, fixed, candidate.lobe);
     let judged = sample::ranked(judgement.judged, shared.as_ref());
     let values = (sample.values.as_slice(), sample.at_one.as_slice());
-    let fitted = fit_columns(values, &judgement.base, &judged, fixed, truth.columns())?;
+    let fitted = fit_columns(values, &judgement.base, &judged, fixed, truth.spec.columns)?;
     Some(Candidate { fitted, ..candidate })
 }
 

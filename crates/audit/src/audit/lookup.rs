@@ -9,6 +9,8 @@ use super::AuditError;
 use super::axis::{AxisReading, Registration};
 use super::column::Column;
 use super::convention::Convention;
+use super::errors::rms;
+use super::sample::{Tensor, assigned};
 use super::table::{AuditedTable, flat, place};
 use super::truth::{Truth, Values};
 use lobefit::data::Place;
@@ -114,7 +116,7 @@ impl<'a> Points<'a> {
             at,
             inner,
             inner_at,
-            rms: (errors.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt(),
+            rms: rms(errors.iter().map(|e| e.0)),
             mean: errors.iter().map(|e| e.0).sum::<f64>() / n,
         }))
     }
@@ -122,9 +124,8 @@ impl<'a> Points<'a> {
     /// Largest magnitude and root mean square at the even places alone.
     pub(super) fn even(&self, look: &Look) -> [f64; 2] {
         let errors = self.grid.errors(self.convention, look);
-        let squares: f64 = errors.iter().map(|e| e.0 * e.0).sum();
         let most = errors.iter().map(|e| e.0.abs()).fold(0.0, f64::max);
-        [most, (squares / errors.len().max(1) as f64).sqrt()]
+        [most, rms(errors.iter().map(|e| e.0))]
     }
 
     /// The largest magnitude, or the largest between the outermost texels, with its place; `errors` are
@@ -225,20 +226,13 @@ impl Grid {
             coordinates.push(kept.iter().map(|k| k.0).collect());
             inputs.push(kept.iter().map(|k| k.1).collect::<Vec<f64>>());
         }
-        let order: Vec<usize> = truth
-            .inputs()
-            .iter()
-            .map(|i| convention.axes.iter().position(|a| a.scale.input() == *i).unwrap_or(0))
-            .collect();
-        let at: Vec<&[f64]> = order.iter().map(|axis| inputs[*axis].as_slice()).collect();
-        let lengths: Vec<usize> = at.iter().map(|a| a.len()).collect();
-        if lengths.contains(&0) {
+        if inputs.iter().any(Vec::is_empty) {
             return Ok(Grid { coordinates, inputs, base: Vec::new() });
         }
-        let values = truth.ranked(lobe, &at)?;
-        let steps = super::sample::steps(&lengths, &order);
+        let assigned = assigned(truth, &convention.axes);
+        let at: Vec<&Vec<f64>> = assigned.iter().map(|axis| &inputs[*axis]).collect();
         let dims: Vec<usize> = inputs.iter().map(Vec::len).collect();
-        let base = super::sample::View { values: &values, steps, start: 0 }.gather(&dims);
+        let base = Tensor::new(truth, lobe, &at, &assigned, Truth::ranked)?.gathered(0, &dims);
         Ok(Grid { coordinates, inputs, base })
     }
 

@@ -64,6 +64,7 @@ pub use lookup::LookupErrors;
 pub use page::findings;
 pub use plain::Plain;
 pub use published::Published;
+pub(crate) use sample::everywhere;
 pub use table::{AuditedTable, MOST_TEXELS, Source};
 pub use truth::Beyond;
 pub use two_lobes::TwoLobes;
@@ -180,10 +181,8 @@ pub fn audit(
     let odd = uneven || done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
-        if let Some((found, parts)) =
-            of_two_lobes(&truth, &table, &live, fixed, [found, sieved.list.clone()])?
-        {
-            done = finish(&truth, &table, &live, fixed, &found, Some(parts))?;
+        if let Some((found, parts)) = of_two_lobes(&truth, &case, [found, sieved.list.clone()])? {
+            done = finish(&truth, &case, &found, Some(parts))?;
         }
     }
     scan::through(&truth, &case, &mut done)?;
@@ -199,7 +198,7 @@ pub fn audit(
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
-    let (axes, inputs) = (table.size.len(), truth.inputs().len());
+    let (axes, inputs) = (table.size.len(), truth.spec.inputs.len());
     if axes == inputs {
         return Ok(());
     }
@@ -209,8 +208,8 @@ fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
         (3, 2) => format!("--layer takes one of its slices, 0 to {}", table.size[2] - 1),
         _ => "give --size WxHxD as the table is laid out".into(),
     };
-    let names = truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", ");
-    let (size, quantity) = (&table.size, truth.quantity());
+    let names = truth.spec.inputs.iter().map(|i| i.name()).collect::<Vec<_>>().join(", ");
+    let (size, quantity) = (&table.size, truth.spec.quantity.name());
     let reason =
         format!("a table of {size:?} texels, but {quantity} has {inputs} inputs ({names}); {advice}");
     Err(AuditError::refused(&table.what, reason))
@@ -220,11 +219,10 @@ fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
 /// `found` and what the sieve let through.
 fn of_two_lobes(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
-    fixed: &Fixed,
+    case: &Case,
     [mut found, sieved]: [Vec<Candidate>; 2],
 ) -> Result<Option<(Vec<Candidate>, TwoLobes)>, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
     let class = usize::from(table.size.len() == 3);
     let some = Sample::new(table, live, QUICK_ROUND[class], false);
     let places = whole(truth, found[0].lobe, &table.size);
@@ -268,7 +266,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
         clamped.into_iter().partition(|c| c.fitted.rank <= far);
     let near = judge::rejudge(truth, &last, fixed, near, Truth::ranked)?;
     let found = distinct(screen::best([near, far].concat(), TOLD));
-    if found.is_empty() { Ok(found) } else { preferred::plain_first(truth, table, live, fixed, found) }
+    if found.is_empty() { Ok(found) } else { preferred::plain_first(truth, case, found) }
 }
 
 /// No two candidates that differ in clamps alone.
@@ -297,7 +295,7 @@ fn is_hopeless(truth: &Truth, sample: &Sample, first: &Candidate) -> Result<bool
 /// large for that.
 fn whole(truth: &Truth, lobe: usize, size: &[usize]) -> usize {
     let (most, places) = match size.len() {
-        _ if truth.is_costly(lobe) => (WHOLE[1] * WHOLE[1], WHOLE[1]),
+        _ if truth.specs[lobe].costly => (WHOLE[1] * WHOLE[1], WHOLE[1]),
         3 => (JUDGED_TEXELS, WHOLE[1]),
         _ => (HELD_TEXELS, HELD_SIDE),
     };
@@ -306,12 +304,11 @@ fn whole(truth: &Truth, lobe: usize, size: &[usize]) -> usize {
 
 fn finish(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
-    fixed: &Fixed,
+    case: &Case,
     found: &[Candidate],
     two_lobes: Option<TwoLobes>,
 ) -> Result<Audit, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
     let class = usize::from(table.size.len() == 3);
     let sample = Sample::new(table, live, whole(truth, found[0].lobe, &table.size), false);
     let shown =
@@ -331,11 +328,11 @@ fn finish(
         let place = live.iter().position(|l| *l == k);
         let column = convention.columns[k];
         let (Some(place), Some(column)) = (place, column) else {
-            let constant = place.is_none() && channel.values.iter().all(|v| *v == channel.values[0]);
-            let constant = constant.then_some(channel.values[0]);
+            let constant = (place.is_none() && !channel.varies()).then(|| channel.values[0]);
             let same = table.same(k).filter(|_| place.is_none() && constant.is_none());
             let other = same.map(|first| Other::Same(table.channels[first].name.clone()));
-            channels.push(ChannelAudit { constant, other, ..unjudged(&channel.name) });
+            let name = channel.name.clone();
+            channels.push(ChannelAudit { name, constant, other, ..ChannelAudit::default() });
             continue;
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
@@ -365,8 +362,6 @@ fn finish(
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
-            constant: None,
-            other: None,
             fit: if two_lobes.is_some() {
                 Fit::Part
             } else {
@@ -380,6 +375,7 @@ fn finish(
             defects,
             lookup: looked(None)?,
             plain_lookup: looked(Some(Registration::Centre))?,
+            ..ChannelAudit::default()
         });
     }
     if let Some(points) = &points {
@@ -388,14 +384,14 @@ fn finish(
     let blend = points.as_ref().map(|p| lookup::blended(p, table, &convention)).transpose()?.flatten();
     let furnace = energy::furnace((table, &convention), &sample, &judgement, live, sum.as_ref());
     let judged = channels.iter().filter(|c| c.column.is_some());
-    let plain = plain::plain(truth, table, live, fixed, best)?;
-    let departure = plain::departure(truth, table, live, best)?;
+    let plain = plain::plain(truth, case, best)?;
+    let departure = plain::departure(truth, case, best)?;
     Ok(Audit {
         plain,
         blend,
         departure,
         what: table.what.clone(),
-        quantity: truth.quantity(),
+        quantity: truth.spec.quantity.name(),
         source: table.source,
         size: table.size.clone(),
         axes: table.axes.clone(),
@@ -411,7 +407,7 @@ fn finish(
         furnace,
         two_lobes,
         beyond: sample::beyond(truth, &sample, &best.axes, best.lobe),
-        truth_error: truth.bound(best.lobe),
+        truth_error: truth.specs[best.lobe].bound,
         published: None,
         encoding: fixed.encoding,
         remarks: Vec::new(),
@@ -432,24 +428,6 @@ fn apart(found: &[Candidate], two_lobes: &TwoLobes) -> f64 {
 
 fn ranks(found: &[Candidate]) -> Vec<f64> {
     found.iter().map(|c| c.fitted.rank).collect()
-}
-
-fn unjudged(name: &str) -> ChannelAudit {
-    ChannelAudit {
-        name: name.into(),
-        column: None,
-        constant: None,
-        other: None,
-        errors: None,
-        left: 0.0,
-        points: Vec::new(),
-        fit: Fit::None,
-        map: Vec::new(),
-        truth: Vec::new(),
-        defects: Vec::new(),
-        lookup: None,
-        plain_lookup: None,
-    }
 }
 
 fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried {

@@ -1,6 +1,7 @@
 //! What an audit found out, for the report.
 
 use super::axis::{AxisReading, Input, Registration};
+use super::sample::spread;
 use super::table::{Source, flat, place};
 use super::verdict::{number, passed, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Tried};
@@ -131,7 +132,7 @@ fn maps(audit: &Audit, c: &ChannelAudit) -> Vec<Field> {
     let plane = dims[0] * dims[1];
     let slices = c.map.len() / plane.max(1);
     let worst = |k: usize| c.map[k * plane..(k + 1) * plane].iter().map(|e| e.abs()).fold(0.0, f64::max);
-    let mut shown: Vec<usize> = spread(slices, SLICES);
+    let mut shown: Vec<usize> = spread(slices, SLICES, false);
     if let Some(k) = (0..slices).max_by(|a, b| worst(*a).total_cmp(&worst(*b)).then(b.cmp(a)))
         && !shown.contains(&k)
     {
@@ -171,11 +172,6 @@ fn maps(audit: &Audit, c: &ChannelAudit) -> Vec<Field> {
         .collect()
 }
 
-/// At most `most` of 0..n, evenly spread.
-fn spread(n: usize, most: usize) -> Vec<usize> {
-    if n <= most { (0..n).collect() } else { (0..most).map(|k| k * (n - 1) / (most - 1)).collect() }
-}
-
 /// Channel and truth along the axis of mu (or the first), for some places along the others.
 fn curves(audit: &Audit, c: &ChannelAudit) -> Vec<AuditCurve> {
     let best = audit.best();
@@ -189,7 +185,7 @@ fn curves(audit: &Audit, c: &ChannelAudit) -> Vec<AuditCurve> {
     let lines: Vec<Vec<usize>> = match other {
         None => vec![fixed],
         Some(k) => {
-            let mut shown = spread(dims[k], CURVES);
+            let mut shown = spread(dims[k], CURVES, false);
             if !shown.contains(&fixed[k]) {
                 shown.push(fixed[k]);
                 shown.sort_unstable();

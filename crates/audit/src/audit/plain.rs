@@ -7,8 +7,9 @@
 use super::AuditError;
 use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
+use super::best::Case;
 use super::column::Column;
-use super::convention::{Convention, Fixed, meanings};
+use super::convention::{Convention, meanings};
 use super::encoded::Encoding;
 use super::errors::Residuals;
 use super::judge::judge;
@@ -62,13 +63,8 @@ impl Plain {
 }
 
 /// The plain reading of a table; none if the best one is plain, or what is not is said by the user.
-pub(super) fn plain(
-    truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
-    fixed: &Fixed,
-    best: &Candidate,
-) -> Result<Option<Plain>, AuditError> {
+pub(super) fn plain(truth: &Truth, case: &Case, best: &Candidate) -> Result<Option<Plain>, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
     let convention = best.convention(truth, live, table.channels.len());
     let mut read = convention.clone();
     let (mut said, mut options) = (Vec::new(), Vec::new());
@@ -97,7 +93,7 @@ pub(super) fn plain(
     let mut untold = along(&said);
     let lobe = usual_lobe(truth, best.lobe);
     if lobe != best.lobe && fixed.form.is_none() {
-        read.lobe = truth.lobes()[lobe];
+        read.lobe = truth.lobes[lobe];
         untold.push(convention.lobe.form.words.into());
         options.push(format!("--smith {}", convention.lobe.form.word));
     }
@@ -149,7 +145,7 @@ pub(super) fn plain(
             _ => continue,
         };
         untold.push(column.words());
-        options.push(format!("--as {}:'{}'", truth.quantity(), column.name()));
+        options.push(format!("--as {}:'{}'", truth.spec.quantity.name(), column.name()));
         *column = told;
     }
     let is_of_another_use = untold.is_empty() || untold.len() == 1 && read.lobe != convention.lobe;
@@ -208,7 +204,7 @@ pub(super) fn is_usual(name: &str, axis: &AxisReading) -> bool {
 
 /// The lobe that a quantity's name stands for: height-correlated where it is of Smith's.
 fn usual_lobe(truth: &Truth, own: usize) -> usize {
-    let lobes = truth.lobes();
+    let lobes = &truth.lobes;
     let usual = |l: &Lobe| {
         let is_form = l.form.integrand.is_none() && l.form.smith != Some(Smith::Separable);
         is_form && (l.side, l.both) == (lobes[own].side, lobes[own].both)
@@ -220,17 +216,17 @@ fn usual_lobe(truth: &Truth, own: usize) -> usize {
 /// name stands for, otherwise read as it is best read; none of any other table.
 pub(super) fn departure(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
+    case: &Case,
     best: &Candidate,
 ) -> Result<Option<(Lobe, f64)>, AuditError> {
+    let Case { table, live, .. } = *case;
     let lobe = usual_lobe(truth, best.lobe);
     if lobe == best.lobe {
         return Ok(None);
     }
     let convention = best.convention(truth, live, table.channels.len());
     let (max, ..) = worst(truth, table, live, lobe, &convention)?;
-    Ok(Some((truth.lobes()[lobe], max)))
+    Ok(Some((truth.lobes[lobe], max)))
 }
 
 /// Whether a table of two axes has the cosine along y: a split sum is looked up at (mu, roughness).

@@ -5,15 +5,15 @@
 
 use super::AuditError;
 use super::axis::AxisReading;
+use super::best::Case;
 use super::clamp::with_floors;
-use super::convention::Fixed;
 use super::defects::{Grain, stored};
 use super::errors::Residuals;
 use super::judge::{judge, rejudge};
 use super::lookup::{Look, Points};
 use super::plain::is_usual;
 use super::sample::{Candidate, Fitted, Sample};
-use super::table::{AuditedTable, Source};
+use super::table::Source;
 use super::truth::Truth;
 use super::{LAST, Registration};
 
@@ -35,11 +35,10 @@ const LIKELY: f64 = 1.2;
 /// centres, or all at end points; of a function those of the usual arguments.
 pub(super) fn plain_first(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
-    fixed: &Fixed,
+    case: &Case,
     mut found: Vec<Candidate>,
 ) -> Result<Vec<Candidate>, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
     if table.source == Source::Function && fixed.axes.is_none() {
         let is_nearly = |c: &Candidate| {
             let Fitted { rank, columns, .. } = &found[0].fitted;
@@ -64,7 +63,7 @@ pub(super) fn plain_first(
         let bare = rejudge(truth, &sample, fixed, vec![bare], Truth::ranked)?;
         bare.first().map(|bare| with_floors(truth, &sample, fixed, bare)).transpose()
     };
-    let quantised = |c: &Candidate| is_quantised(truth, table, (&sample, live), c);
+    let quantised = |c: &Candidate| is_quantised(truth, case, &sample, c);
     let (centres, ends) = (plain(Registration::Centre)?, plain(Registration::Endpoint)?);
     let likely =
         |centre: &Candidate| ends.as_ref().is_none_or(|ends| centre.fitted.rank <= LIKELY * ends.fitted.rank);
@@ -78,7 +77,7 @@ pub(super) fn plain_first(
     let gain = plain.fitted.rank / best.fitted.rank;
     let worthless = |gain: f64| -> Result<bool, AuditError> {
         let registration = plain.axes[0].registration;
-        Ok(gain < OVERWHELMING && !remedy_lessens(truth, table, live, (best, registration))?)
+        Ok(gain < OVERWHELMING && !remedy_lessens(truth, case, (best, registration))?)
     };
     if gain < BEYOND_DOUBT || worthless(gain)? || quantised(&plain)? {
         found.retain(|c| !c.like(&plain));
@@ -91,10 +90,10 @@ pub(super) fn plain_first(
 /// ones, for every channel.
 fn remedy_lessens(
     truth: &Truth,
-    table: &AuditedTable,
-    live: &[usize],
+    case: &Case,
     (best, plain): (&Candidate, Registration),
 ) -> Result<bool, AuditError> {
+    let Case { table, live, .. } = *case;
     let convention = best.convention(truth, live, table.channels.len());
     let points = Points::new(truth, &convention, best.lobe)?;
     let lessened = |k: &usize| -> Result<bool, AuditError> {
@@ -112,10 +111,11 @@ fn remedy_lessens(
 /// Whether a quantiser that rounds to one side explains all errors of a reading.
 fn is_quantised(
     truth: &Truth,
-    table: &AuditedTable,
-    (sample, live): (&Sample, &[usize]),
+    case: &Case,
+    sample: &Sample,
     candidate: &Candidate,
 ) -> Result<bool, AuditError> {
+    let Case { table, live, .. } = *case;
     let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::exact)?;
     let explained = |(place, k): (usize, &usize)| {
         let Some(column) = candidate.fitted.columns[place] else { return true };

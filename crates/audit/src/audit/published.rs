@@ -113,7 +113,6 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
         .map(|(zero, one)| [if inverse { 1.0 / one } else { one }, if blend { zero } else { f64::NAN }, 1.0])
         .collect();
     const COLUMNS: [Column; 5] = [Column::E, Column::B, Column::A, Column::Inverse, Column::Loss];
-    let varies = |values: &[f64]| values.iter().any(|v| *v != values[0]);
     let holds = |values: &[f64], column: &Column| {
         let off = |((i, _), base): (&(usize, [f64; 2]), &Base)| {
             let (own, known) = (values[*i], column.value(*base));
@@ -122,7 +121,7 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
         };
         points.iter().zip(&bases).map(off).all(|off| off <= SAME)
     };
-    let mut channels = table.channels.iter().filter(|channel| varies(&channel.values)).peekable();
+    let mut channels = table.channels.iter().filter(|channel| channel.varies()).peekable();
     channels.peek().is_some()
         && channels.all(|channel| COLUMNS.iter().any(|column| holds(&channel.values, column)))
 }

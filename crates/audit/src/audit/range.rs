@@ -3,7 +3,7 @@
 use super::axis::{AxisReading, Input, Registration, Scale};
 use super::best::Case;
 use super::judge::rejudge;
-use super::sample::{Candidate, Sample, View, steps};
+use super::sample::{Candidate, Sample, Tensor, assigned, nodes};
 use super::screen::best;
 use super::table::Source;
 use super::truth::Truth;
@@ -48,7 +48,7 @@ pub(super) fn shown(
     let few = Sample::new(table, live, PLACES, table.size.iter().all(|n| *n > PLACES / 2));
     let mut other: Vec<&Candidate> = Vec::new();
     for candidate in &found {
-        let is_new = !other.iter().any(|o| is_like(o, candidate)) && !truth.lobes()[candidate.lobe].both;
+        let is_new = !other.iter().any(|o| is_like(o, candidate)) && !truth.lobes[candidate.lobe].both;
         if is_new && other.len() < TRIED {
             other.push(candidate);
         }
@@ -116,29 +116,17 @@ impl<'a> Slices<'a> {
     /// Sums of the squares of the errors of every slice, if it is of each of these indices.
     fn squares(&self, indices: &[f64]) -> Result<Vec<Vec<f64>>, AuditError> {
         let Slices { truth, few, candidate } = self;
-        let along =
-            |input: &Input| candidate.axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
-        let assigned: Vec<usize> = truth.inputs().iter().map(along).collect();
-        let nodes = |(axis, input): (&usize, &Input)| -> Vec<f64> {
-            let [low, high] = truth.range(candidate.lobe, *input);
-            let own = if *input == Input::Ior {
-                indices.to_vec()
-            } else {
-                few.nodes(*axis, &candidate.axes[*axis])
-            };
-            own.into_iter().map(|x| x.clamp(low, high)).collect()
-        };
-        let nodes: Vec<Vec<f64>> = assigned.iter().zip(truth.inputs()).map(nodes).collect();
-        let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-        let values = truth.quick(candidate.lobe, &at)?;
-        let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
-        let (steps, mut dims) = (steps(&lengths, &assigned), few.dims());
-        let (axis, slices) = (self.axis(), dims[self.axis()]);
+        let (axis, mut dims) = (self.axis(), few.dims());
+        let slices = dims[axis];
+        let assigned = assigned(truth, &candidate.axes);
+        let own = |k: usize| if k == axis { indices.to_vec() } else { few.nodes(k, &candidate.axes[k]) };
+        let nodes = nodes(truth, candidate.lobe, &assigned, own);
+        let tensor = Tensor::new(truth, candidate.lobe, &nodes, &assigned, Truth::quick)?;
         let below: usize = dims[..axis].iter().product();
         dims[axis] = 1;
         let mut squares = vec![vec![0.0; indices.len()]; slices];
         for j in 0..indices.len() {
-            let plane = View { values: &values, steps: steps.clone(), start: j * steps[axis] }.gather(&dims);
+            let plane = tensor.gathered(j * tensor.steps[axis], &dims);
             for (channel, column) in few.values.iter().zip(&candidate.fitted.columns) {
                 let Some(column) = column else { continue };
                 let truths: Vec<f64> = plane.iter().map(|base| column.value(*base)).collect();

@@ -2,12 +2,12 @@
 
 use std::cell::OnceCell;
 
-use super::axis::AxisReading;
+use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Convention, Fixed, Misfit};
-use super::table::{AuditedTable, flat, place};
-use super::truth::{Beyond, Truth, Values};
-use super::{CLEAR, work};
+use super::table::{AuditedTable, place};
+use super::truth::{Beyond, Truth, Truths, Values};
+use super::{AuditError, CLEAR, work};
 
 /// Texels of some places along every axis.
 #[derive(Clone)]
@@ -32,47 +32,27 @@ impl Sample {
     pub(super) fn new(audited: &AuditedTable, live: &[usize], most: usize, inner: bool) -> Sample {
         let mut at: Vec<Vec<usize>> = audited.size.iter().map(|n| spread(*n, most, inner)).collect();
         at.iter_mut().zip(&audited.dead).for_each(|(at, dead)| at.retain(|k| !dead.contains(k)));
-        let dims: Vec<usize> = at.iter().map(Vec::len).collect();
-        let texel = |i: usize| -> usize {
-            let places: Vec<usize> = place(i, &dims).iter().zip(&at).map(|(k, at)| at[*k]).collect();
-            flat(&places, &audited.size)
-        };
-        let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
-        let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
-        let values = live.iter().map(of).collect();
-        Sample::of(audited, live, at, values)
+        Sample::at(audited, live, at)
     }
 
     /// Some of the rows of a table of two axes, and all of its columns, but for those that are dead.
     pub(super) fn rows(audited: &AuditedTable, live: &[usize], rows: std::ops::Range<usize>) -> Sample {
-        let width = audited.size[0];
-        let mut at: Vec<Vec<usize>> = vec![(0..width).collect(), rows.collect()];
+        let mut at: Vec<Vec<usize>> = vec![(0..audited.size[0]).collect(), rows.collect()];
         at.iter_mut().zip(&audited.dead).for_each(|(at, dead)| at.retain(|k| !dead.contains(k)));
-        let texels = || at[1].iter().flat_map(|row| at[0].iter().map(move |column| row * width + column));
-        let of = |c: &usize| texels().map(|texel| audited.channels[*c].values[texel]).collect();
-        let values = live.iter().map(of).collect();
-        Sample::of(audited, live, at, values)
+        Sample::at(audited, live, at)
     }
 
     /// One texel.
     pub(super) fn one(audited: &AuditedTable, live: &[usize], texel: &[usize]) -> Sample {
-        let i = flat(texel, &audited.size);
-        let values = live.iter().map(|c| vec![audited.channels[*c].values[i]]).collect();
-        let at = texel.iter().map(|k| vec![*k]).collect();
-        Sample::of(audited, live, at, values)
+        Sample::at(audited, live, texel.iter().map(|k| vec![*k]).collect())
     }
 
-    /// The texels at these places, with the values of the live channels there.
-    fn of(audited: &AuditedTable, live: &[usize], at: Vec<Vec<usize>>, values: Vec<Vec<f64>>) -> Sample {
+    /// The texels at these places along every axis.
+    fn at(audited: &AuditedTable, live: &[usize], at: Vec<Vec<usize>>) -> Sample {
+        let (size, steps) = (audited.size.clone(), strides(&audited.size));
+        let values = live.iter().map(|c| taken(&audited.channels[*c].values, 0, &steps, &at)).collect();
         let at_one = live.iter().map(|k| audited.is_at_one(&audited.channels[*k])).collect();
-        Sample {
-            size: audited.size.clone(),
-            texels: alive(audited),
-            values,
-            at,
-            at_one,
-            left_out: Vec::new(),
-        }
+        Sample { size, texels: alive(audited), at, values, at_one, left_out: Vec::new() }
     }
 
     /// Index along every axis of the table.
@@ -89,13 +69,36 @@ impl Sample {
     pub(super) fn thinned(&self, most: usize) -> (Vec<Vec<usize>>, Vec<usize>) {
         let dims = self.dims();
         let kept: Vec<Vec<usize>> = dims.iter().map(|n| spread(*n, most, false)).collect();
-        let lengths: Vec<usize> = kept.iter().map(Vec::len).collect();
-        let texel = |i: usize| {
-            let at: Vec<usize> = place(i, &lengths).iter().zip(&kept).map(|(k, kept)| kept[*k]).collect();
-            flat(&at, &dims)
-        };
         let places = kept.iter().zip(&self.at).map(|(kept, at)| kept.iter().map(|k| at[*k]).collect());
-        (places.collect(), (0..lengths.iter().product()).map(texel).collect())
+        (places.collect(), offsets(&kept, &strides(&dims)))
+    }
+
+    /// Which lines along every axis are the same in all of some channels as the one before, but for this
+    /// share of their values.
+    pub(super) fn repeated(&self, channels: &[impl AsRef<[f64]>], share: f64) -> Vec<Vec<bool>> {
+        let dims = self.dims();
+        let mut repeated: Vec<Vec<bool>> = dims.iter().map(|n| (0..*n).map(|k| k > 0).collect()).collect();
+        for own in channels.iter().map(AsRef::as_ref) {
+            for (i, value) in own.iter().enumerate() {
+                let mut step = 1;
+                for (lines, n) in repeated.iter_mut().zip(&dims) {
+                    let k = i / step % n;
+                    lines[k] &= k > 0 && (own[i - step] - value).abs() <= share * value.abs();
+                    step *= n;
+                }
+            }
+        }
+        repeated
+    }
+
+    /// Whether a texel lies on one of the lines that are marked along every axis.
+    pub(super) fn lies_on(&self, i: usize, marked: &[Vec<bool>]) -> bool {
+        let mut rest = i;
+        marked.iter().any(|lines| {
+            let k = rest % lines.len();
+            rest /= lines.len();
+            lines[k]
+        })
     }
 
     /// The inputs at the places of one axis.
@@ -111,7 +114,7 @@ fn alive(audited: &AuditedTable) -> usize {
 }
 
 /// At most `most` of 0..n, both ends among them or neither.
-fn spread(n: usize, most: usize, inner: bool) -> Vec<usize> {
+pub(super) fn spread(n: usize, most: usize, inner: bool) -> Vec<usize> {
     if inner {
         let count = most.min(n - 2);
         return (0..count).map(|k| 1 + k * (n - 2) / count).collect();
@@ -122,34 +125,55 @@ fn spread(n: usize, most: usize, inner: bool) -> Vec<usize> {
     (0..most).map(|k| k * (n - 1) / (most - 1)).collect()
 }
 
-/// Where the values of one convention lie in a tensor of truths.
-pub(super) struct View<'a> {
-    /// The tensor, the truth's first input fastest.
-    pub values: &'a Values,
-    /// Step along every axis of the table, and where it begins.
+/// Truths at every combination of the nodes along some axes, the truth's first input fastest.
+pub(super) struct Tensor {
+    pub values: Values,
+    /// Step along every axis of the table.
     pub steps: Vec<usize>,
-    /// First element.
-    pub start: usize,
 }
 
-impl View<'_> {
-    /// Base values at every texel of a sample, in the table's order.
-    pub(super) fn gather(&self, dims: &[usize]) -> Values {
-        let mut out = Vec::with_capacity(dims.iter().product());
-        let (dz, dy) = (dims.get(2).copied().unwrap_or(1), dims.get(1).copied().unwrap_or(1));
-        let step = |axis: usize| self.steps.get(axis).copied().unwrap_or(0);
-        for k in 0..dz {
-            for j in 0..dy {
-                let line = self.start + k * step(2) + j * step(1);
-                out.extend((0..dims[0]).map(|i| self.values[line + i * step(0)]));
-            }
-        }
-        out
+impl Tensor {
+    /// By `values`, at the nodes of every input, each of which runs along an axis as `assigned` has it.
+    pub(super) fn new<'a>(
+        truth: &Truth<'a>,
+        lobe: usize,
+        nodes: &[impl AsRef<[f64]>],
+        assigned: &[usize],
+        values: Truths<'a>,
+    ) -> Result<Tensor, AuditError> {
+        let at: Vec<&[f64]> = nodes.iter().map(AsRef::as_ref).collect();
+        let lengths: Vec<usize> = at.iter().map(|nodes| nodes.len()).collect();
+        Ok(Tensor { values: values(truth, lobe, &at)?, steps: steps(&lengths, assigned) })
+    }
+
+    /// The values at so many places along every axis of a table from an element on, in the table's order.
+    pub(super) fn gathered(&self, start: usize, dims: &[usize]) -> Values {
+        taken(&self.values, start, &self.steps, &every(dims))
     }
 }
 
+/// Axis along which each input of a truth runs.
+pub(super) fn assigned(truth: &Truth, axes: &[AxisReading]) -> Vec<usize> {
+    let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
+    truth.spec.inputs.iter().map(along).collect()
+}
+
+/// The nodes of every input, `own` of the axis that it runs along, moved into the range of a lobe.
+pub(super) fn nodes(
+    truth: &Truth,
+    lobe: usize,
+    assigned: &[usize],
+    own: impl Fn(usize) -> Vec<f64>,
+) -> Vec<Vec<f64>> {
+    let of = |(axis, input): (&usize, &Input)| {
+        let [low, high] = truth.range(lobe, *input);
+        own(*axis).into_iter().map(|x| x.clamp(low, high)).collect()
+    };
+    assigned.iter().zip(truth.spec.inputs).map(of).collect()
+}
+
 /// Steps along every axis of a tensor whose dimension k runs along axis `assigned[k]`.
-pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
+fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
     let mut steps = vec![0; assigned.len()];
     let mut step = 1;
     for (k, axis) in assigned.iter().enumerate() {
@@ -157,6 +181,32 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
         step *= dims[k];
     }
     steps
+}
+
+/// Steps along every axis of a table, the first of which is fastest.
+fn strides(size: &[usize]) -> Vec<usize> {
+    steps(size, &(0..size.len()).collect::<Vec<_>>())
+}
+
+/// Every place along every axis.
+pub(super) fn every(dims: &[usize]) -> Vec<Vec<usize>> {
+    dims.iter().map(|n| (0..*n).collect()).collect()
+}
+
+/// Where every combination of places lies, the first axis fastest.
+pub(super) fn offsets(places: &[Vec<usize>], steps: &[usize]) -> Vec<usize> {
+    places.iter().zip(steps).fold(vec![0], |faster, (places, step)| {
+        places.iter().flat_map(|k| faster.iter().map(move |offset| offset + k * step)).collect()
+    })
+}
+
+/// The elements there, from one on. A list of all offsets would be as long as the result.
+fn taken<T: Copy>(list: &[T], start: usize, steps: &[usize], places: &[Vec<usize>]) -> Vec<T> {
+    let mut out = Vec::with_capacity(places.iter().map(Vec::len).product());
+    for line in offsets(&places[1..], &steps[1..]) {
+        out.extend(places[0].iter().map(|k| list[start + line + k * steps[0]]));
+    }
+    out
 }
 
 /// Which texels of a sample lie where the truth can be had.
@@ -192,7 +242,7 @@ pub(super) fn beyond(truth: &Truth, sample: &Sample, axes: &[AxisReading], lobe:
 }
 
 /// At every texel whether all of its places along the axes are marked, the first axis fastest.
-pub(super) fn everywhere<'a>(along: impl Iterator<Item = &'a [bool]>) -> Vec<bool> {
+pub(crate) fn everywhere<'a>(along: impl Iterator<Item = &'a [bool]>) -> Vec<bool> {
     along.fold(vec![true], |faster, own| {
         own.iter().flat_map(|own| faster.iter().map(move |faster| *faster && *own)).collect()
     })
@@ -209,7 +259,7 @@ pub(super) fn shared(truth: &Truth, sample: &Sample, fixed: &Fixed, lobe: usize)
     fixed.roles.as_ref()?;
     let along = |axis: usize| -> Vec<bool> {
         let mut all = vec![true; sample.at[axis].len()];
-        for input in truth.inputs() {
+        for input in truth.spec.inputs {
             for reading in fixed.readings(axis, *input) {
                 let nodes = sample.nodes(axis, &reading);
                 let own: Vec<bool> = nodes.iter().map(|x| truth.judges(lobe, *input, *x)).collect();
@@ -356,7 +406,7 @@ impl Candidate {
         for (place, column) in live.iter().zip(&self.fitted.columns) {
             columns[*place] = *column;
         }
-        Convention { axes: self.axes.clone(), lobe: truth.lobes()[self.lobe], columns }
+        Convention { axes: self.axes.clone(), lobe: truth.lobes[self.lobe], columns }
     }
 
     /// Whether two differ in clamps alone.

@@ -97,8 +97,8 @@ pub(super) fn through(truth: &Truth, case: &Case, done: &mut Audit) -> Result<()
     let Case { table, live, fixed, .. } = *case;
     let texels: usize = table.size.iter().product();
     let convention = done.best().clone();
-    let lobe = truth.lobes().iter().position(|own| *own == convention.lobe).unwrap_or(0);
-    let large = table.size.len() == 2 && texels > HELD_TEXELS && !truth.is_costly(lobe);
+    let lobe = truth.lobes.iter().position(|own| *own == convention.lobe).unwrap_or(0);
+    let large = table.size.len() == 2 && texels > HELD_TEXELS && !truth.specs[lobe].costly;
     if !large || table.source != Source::Table {
         return Ok(());
     }

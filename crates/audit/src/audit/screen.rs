@@ -9,9 +9,9 @@ use super::convention::Fixed;
 use super::errors::Residuals;
 use super::judge::Judgement;
 use super::sample::{
-    Candidate, Sample, everywhere, fit_columns, judged, judged_along, ranked, shared, steps,
+    Candidate, Sample, Tensor, assigned, every, everywhere, fit_columns, judged, judged_along, offsets,
+    ranked, shared,
 };
-use super::table::place;
 use super::truth::{Truth, Values};
 use super::{AuditError, FITS};
 
@@ -80,13 +80,13 @@ pub(super) fn screen(
     let misfits = (0..sample.values.len()).map(|k| if asked(k) { f64::INFINITY } else { 0.0 }).collect();
     let mut sieved = Sieved { list: Vec::new(), misfits };
     let axes = sample.size.len();
-    let at_once = axes < 3 && lobes.iter().all(|lobe| truth.lobes()[*lobe].form.integrand.is_none());
+    let at_once = axes < 3 && lobes.iter().all(|lobe| truth.lobes[*lobe].form.integrand.is_none());
     let mut rough = Vec::new();
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
-            (0..axes).map(|k| fixed.readings(assigned[k], truth.inputs()[k])).collect();
+            (0..axes).map(|k| fixed.readings(assigned[k], truth.spec.inputs[k])).collect();
         for lobe in lobes {
-            let both = truth.lobes()[*lobe].both;
+            let both = truth.lobes[*lobe].both;
             let suits =
                 |r: &&AxisReading| r.scale.input() != Input::Ior || r.scale.is_of_both_sides() == both;
             let of_side = |list: &Vec<AxisReading>| list.iter().filter(suits).copied().collect();
@@ -126,14 +126,13 @@ fn sited(
     let kept = |i: usize, k: usize| i < COORDINATES || !lost && (i < COORDINATES_OF_ALL || k < COORDINATES);
     let chosen = chosen.filter(|(i, (k, _))| kept(*i, *k)).map(|(_, (_, c))| c);
     for Candidate { axes, lobe, .. } in chosen {
-        let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
-        let assigned: Vec<usize> = truth.inputs().iter().map(along).collect();
+        let assigned = assigned(truth, &axes);
         let readings = |(axis, input): (&usize, &Input)| -> Vec<AxisReading> {
             let own = (axes[*axis].scale, axes[*axis].reversed);
             let all = fixed.readings(*axis, *input);
             all.into_iter().filter(|r| (r.scale, r.reversed) == own).collect()
         };
-        let readings: Vec<Vec<AxisReading>> = assigned.iter().zip(truth.inputs()).map(readings).collect();
+        let readings: Vec<Vec<AxisReading>> = assigned.iter().zip(truth.spec.inputs).map(readings).collect();
         let task = Task { truth, sample, fixed, assigned: &assigned, lobe };
         task.product(&readings, KEPT / 10, sieved)?;
     }
@@ -180,14 +179,10 @@ impl Task<'_> {
             .zip(self.assigned)
             .map(|(list, axis)| list.iter().flat_map(|r| self.sample.nodes(*axis, r)).collect())
             .collect();
-        let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-        let values = self.truth.quick(self.lobe, &at)?;
-        let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
-        let count = dims.iter().product();
-        let steps = steps(&lengths, self.assigned);
-        let offset = |i: usize| place(i, &dims).iter().zip(&steps).map(|(k, step)| k * step).sum();
-        let offsets = (0..count).map(offset).collect();
-        let all = All { task: self, readings, values, offsets, steps, dims };
+        let tensor = Tensor::new(self.truth, self.lobe, &nodes, self.assigned, Truth::quick)?;
+        let offsets = offsets(&every(&dims), &tensor.steps);
+        let count = offsets.len();
+        let all = All { task: self, readings, tensor, offsets, dims };
         let combinations: Vec<usize> = (0..readings.iter().map(Vec::len).product()).collect();
         let kept = match combinations.len() {
             n if n > MANY => {
@@ -248,10 +243,9 @@ struct All<'a> {
     /// By input.
     readings: &'a [Vec<AxisReading>],
     /// Truths at the nodes of all readings.
-    values: Values,
+    tensor: Tensor,
     /// Where the texels of the sample lie in them under the first combination.
     offsets: Vec<usize>,
-    steps: Vec<usize>,
     dims: Vec<usize>,
 }
 
@@ -277,9 +271,9 @@ impl All<'_> {
 
     /// Base values under a combination at every `stride`th texel.
     fn base(&self, guesses: &[usize], stride: usize) -> Values {
-        let along = |(guess, axis): (&usize, &usize)| self.steps[*axis] * guess * self.dims[*axis];
+        let along = |(guess, axis): (&usize, &usize)| self.tensor.steps[*axis] * guess * self.dims[*axis];
         let start: usize = guesses.iter().zip(self.task.assigned).map(along).sum();
-        self.offsets.iter().step_by(stride).map(|offset| self.values[start + offset]).collect()
+        self.offsets.iter().step_by(stride).map(|offset| self.tensor.values[start + offset]).collect()
     }
 
     /// Combinations with their figures at every `stride`th texel, in their order.
@@ -304,7 +298,7 @@ impl All<'_> {
             let judged = ranked(everywhere(own.into_iter()), shared.as_ref());
             let judged: Vec<bool> = judged.into_iter().step_by(stride).collect();
             let base = self.base(&guesses, stride);
-            let fitted = fit_columns((&values, &sample.at_one), &base, &judged, fixed, truth.columns())?;
+            let fitted = fit_columns((&values, &sample.at_one), &base, &judged, fixed, truth.spec.columns)?;
             Some(Candidate { axes, lobe, fitted })
         };
         combinations.par_iter().filter_map(one).collect()

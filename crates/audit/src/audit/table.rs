@@ -2,6 +2,7 @@
 
 use super::AuditError;
 use super::function::AT_ONE;
+pub(super) use crate::foreign::place;
 use crate::foreign::{Channel, ForeignTable, Step};
 
 /// Most texels that an audit takes: 256^3.
@@ -117,8 +118,7 @@ impl AuditedTable {
     /// First and last lines along every axis that hold one value throughout, far from what lies beside
     /// them: they were never filled.
     fn dead(&self) -> Vec<Vec<usize>> {
-        let varies = |c: &&Channel| c.values.iter().any(|v| *v != c.values[0]);
-        let live: Vec<&Channel> = self.channels.iter().filter(varies).collect();
+        let live: Vec<&Channel> = self.channels.iter().filter(|c| c.varies()).collect();
         let ends = |(axis, n): (usize, &usize)| {
             let is_dead = |(end, beside): &(usize, usize)| {
                 let lines: Vec<_> =
@@ -147,12 +147,11 @@ impl AuditedTable {
     /// Channels that vary and are not the same as one before, by their place; all of them where a meaning
     /// is `given` for each. Of a function of f0 E may be constant where B varies.
     pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
-        let varies = |c: &Channel| c.values.iter().any(|v| *v != c.values[0]);
-        if given == Some(self.channels.len()) && self.channels.iter().any(varies) {
+        let some = self.channels.iter().any(Channel::varies);
+        if given == Some(self.channels.len()) && some {
             return Ok((0..self.channels.len()).collect());
         }
-        let some = self.channels.iter().any(varies);
-        let lives = |i: &usize| varies(&self.channels[*i]) || some && self.is_at_one(&self.channels[*i]);
+        let lives = |i: &usize| self.channels[*i].varies() || some && self.is_at_one(&self.channels[*i]);
         let mut live: Vec<usize> = (0..self.channels.len()).filter(lives).collect();
         let first = |i: &usize| self.source == Source::Function || self.same(*i).is_none();
         let distinct: Vec<usize> = live.iter().copied().filter(first).collect();
@@ -193,18 +192,6 @@ impl Line {
         }
         Line { constant: range[0] == range[1], jumps: apart / f64::from(count) > 0.5 * (rest[1] - rest[0]) }
     }
-}
-
-/// Index along every axis of a flat index, the first axis fastest.
-pub(super) fn place(flat: usize, size: &[usize]) -> Vec<usize> {
-    let mut rest = flat;
-    size.iter()
-        .map(|n| {
-            let i = rest % n;
-            rest /= n;
-            i
-        })
-        .collect()
 }
 
 /// Flat index of an index along every axis.

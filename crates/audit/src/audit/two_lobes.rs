@@ -82,9 +82,9 @@ pub(super) fn found<'a>(
     }
     let smaller = usize::from(sides[1].len() <= sides[0].len());
     let counts = [sides[1 - smaller].len(), sides[smaller].len(), parts.texels.len()];
-    let max = sides[smaller].iter().map(|i| parts.error(smaller, *i)).fold(0.0, f64::max);
+    let max = sides[smaller].iter().map(|i| parts.errors[smaller][*i]).fold(0.0, f64::max);
     let two_lobes = TwoLobes {
-        lobe: truth.lobes()[both[smaller]],
+        lobe: truth.lobes[both[smaller]],
         texels: counts,
         extent: Extent::of(all, &sides[smaller]),
         max,
@@ -96,7 +96,7 @@ pub(super) fn found<'a>(
 /// Whether two lobes are of one side and of the quantity's own forms: nobody changes Schlick's for
 /// another.
 fn may_change(truth: &Truth, a: usize, b: usize) -> bool {
-    let [a, b] = [a, b].map(|lobe| truth.lobes()[lobe]);
+    let [a, b] = [a, b].map(|lobe| truth.lobes[lobe]);
     (a.side, a.both) == (b.side, b.both) && a.form.integrand.is_none() && b.form.integrand.is_none()
 }
 
@@ -138,19 +138,16 @@ impl Parts {
         rms * BETTER <= slack * best && rms <= slack * FITS * self.spread
     }
 
-    fn error(&self, lobe: usize, i: usize) -> f64 {
-        self.errors[lobe][i]
-    }
-
     /// Of the lobe that suits each texel.
     fn misfit(&self) -> Misfit {
-        let least = |i: &usize| self.error(0, *i).min(self.error(1, *i));
+        let least = |i: &usize| self.errors[0][*i].min(self.errors[1][*i]);
         Misfit::of(&self.texels.iter().map(least).collect::<Vec<f64>>())
     }
 
     /// Texels that are of one lobe and not of the other.
     fn of(&self, lobe: usize, rms: f64) -> Vec<usize> {
-        let apart = |i: &&usize| self.error(1 - lobe, **i) - self.error(lobe, **i) > (APART * rms).max(1e-9);
+        let [own, other] = [lobe, 1 - lobe].map(|lobe| &self.errors[lobe]);
+        let apart = |i: &&usize| other[**i] - own[**i] > (APART * rms).max(1e-9);
         self.texels.iter().filter(apart).copied().collect()
     }
 }

@@ -28,8 +28,8 @@ const MAKER: &[u8] = b"\"tool\": \"lobefit";
 
 /// A sidecar with its name.
 pub(super) struct Beside {
-    name: String,
-    said: Sidecar,
+    pub name: String,
+    pub said: Sidecar,
 }
 
 /// The sidecar beside the file, if there is one.
@@ -165,16 +165,6 @@ fn checked(said: Sidecar, container: Container, length: usize) -> Result<Sidecar
 }
 
 impl Beside {
-    /// The sidecar's name.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// The quantity of the file.
-    pub fn quantity(&self) -> &str {
-        &self.said.quantity
-    }
-
     /// What a file without a header is read by, and integers in one with a header; an option has the last
     /// word.
     pub fn hints(&self, given: Hints) -> Hints {

@@ -27,7 +27,7 @@ pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError
 /// The quantity that the file's sidecar or its header names; none of another's file.
 fn stated(options: &Options, bytes: &[u8]) -> Result<Option<String>, CliError> {
     if let Ok(Some(beside)) = sidecar::beside(options, bytes.len()) {
-        return Ok(Some(beside.quantity().to_string()));
+        return Ok(Some(beside.said.quantity));
     }
     let file = options.file.display().to_string();
     let tables = read(options, bytes, &Hints { layer: None, ..hints(options) })?;
@@ -71,7 +71,7 @@ fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
     let tables = read(options, bytes, &hints)?;
     let with = |table: foreign::ForeignTable| {
         let what = named(options, &table.name);
-        match beside.as_ref().map(|beside| (beside.name(), beside.named(&table))) {
+        match beside.as_ref().map(|beside| (&beside.name, beside.named(&table))) {
             None => (table, what, refused.clone()),
             Some((_, Ok(said))) => (said, format!("{what} with its sidecar"), None),
             Some((name, Err(reason))) => (table, what, Some(sidecar::refused(options, name, &reason))),
@@ -110,7 +110,6 @@ fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliErro
     match (fitting.as_slice(), tables) {
         ([one], _) => Ok(one),
         ([], [one, ..]) => Ok(one),
-        ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
         (several, _) => {
             let names: Vec<&str> = several.iter().map(|(t, ..)| t.name.as_str()).collect();
             let names = names.join("`, `");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::audit::{Audit, Column};
+use crate::audit::{Audit, Column, everywhere};
 
 /// A use of a quantity that we have formulas for.
 pub(super) struct Served {
@@ -81,17 +81,10 @@ impl Use {
             let within = |x: f64| range.is_none_or(|[low, high]| (*low..=*high).contains(&x));
             places.iter().map(|i| within(axis.node(*i, *size))).collect()
         });
-        let inside: Vec<Vec<bool>> = along.collect();
-        let places = inside.iter().map(Vec::len).product::<usize>();
-        let within = |place: &usize| {
-            let mut rest = *place;
-            inside.iter().all(|along| {
-                let i = rest % along.len();
-                rest /= along.len();
-                along[i]
-            })
-        };
-        let errors = (0..places).filter(within).map(|place| self.error(audit, place));
+        let along: Vec<Vec<bool>> = along.collect();
+        let inside = everywhere(along.iter().map(Vec::as_slice));
+        let places = (0..inside.len()).filter(|place| inside[*place]);
+        let errors = places.map(|place| self.error(audit, place));
         errors.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
     }
 

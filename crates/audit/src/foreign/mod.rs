@@ -19,5 +19,6 @@ pub use error::ForeignError;
 use error::Spot;
 pub use recognise::read_table;
 pub use shader::{LeftOut, ShaderFunction, Surroundings, holds_functions, read_functions};
+pub(crate) use shape::{place, words};
 pub use table::{Channel, ForeignTable, Hints, RawFormat, Step};
 pub use text::holds_arrays;

@@ -18,8 +18,6 @@ pub(super) struct Values {
     pub channels: Option<usize>,
     /// Values on each line of the text and lines, where all lines hold as many.
     pub lines: Option<(usize, usize)>,
-    /// Names of channels; numbers where there are none.
-    pub names: Vec<String>,
     /// What the format rounds to.
     pub step: Step,
 }
@@ -34,7 +32,6 @@ impl Values {
             size: None,
             channels: None,
             lines: None,
-            names: Vec::new(),
             step: format.step(),
         }
     }
@@ -44,11 +41,10 @@ impl Values {
 pub(super) fn table(file: &str, list: Values, hints: &Hints) -> Result<ForeignTable, ForeignError> {
     let (size, channels) = size(file, &list, hints)?;
     let texels = list.values.len() / channels;
-    let name = |c: usize| list.names.get(c).cloned().unwrap_or_else(|| c.to_string());
     let channels: Vec<Channel> = (0..channels)
         .map(|c| {
             let values = (0..texels).map(|t| list.values[t * channels + c]).collect::<Vec<_>>();
-            Channel { name: name(c), values: values.into() }
+            Channel { name: c.to_string(), values: values.into() }
         })
         .collect();
     finish(file, list.name, &list.kind, size, channels, list.step)
@@ -115,13 +111,7 @@ fn finite(table: &ForeignTable) -> Result<(), ForeignError> {
     let count: usize = table.channels.iter().map(bad).sum();
     for channel in &table.channels {
         if let Some(index) = channel.values.iter().position(|v| !v.is_finite()) {
-            let mut rest = index;
-            let texel = table.size.iter().map(|&n| {
-                let i = rest % n;
-                rest /= n;
-                i
-            });
-            let (texel, name, value) = (texel.collect::<Vec<_>>(), &channel.name, channel.values[index]);
+            let (texel, name, value) = (place(index, &table.size), &channel.name, channel.values[index]);
             let total = table.channels.len() * table.texels();
             let others = match count - 1 {
                 0 => ", the only one".into(),
@@ -137,8 +127,20 @@ fn finite(table: &ForeignTable) -> Result<(), ForeignError> {
     Ok(())
 }
 
+/// Index along every axis of a flat index, the first axis fastest.
+pub(crate) fn place(flat: usize, size: &[usize]) -> Vec<usize> {
+    let mut rest = flat;
+    size.iter()
+        .map(|n| {
+            let i = rest % n;
+            rest /= n;
+            i
+        })
+        .collect()
+}
+
 /// `64 x 64`.
-pub(super) fn words(size: &[usize]) -> String {
+pub(crate) fn words(size: &[usize]) -> String {
     size.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ")
 }
 

@@ -81,6 +81,13 @@ pub struct Channel {
     pub values: Arc<Vec<f64>>,
 }
 
+impl Channel {
+    /// Whether its values are not all the same.
+    pub(crate) fn varies(&self) -> bool {
+        self.values.iter().any(|v| *v != self.values[0])
+    }
+}
+
 /// A table as a file holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForeignTable {

@@ -32,9 +32,9 @@ impl Domain {
     /// Errors: an input of which the statement gives no range, or one that is empty or a single
     /// value where the truth is had.
     pub fn new(truth: &Truth, own: usize, said: &Statement) -> Result<Domain, String> {
-        let count = PLACES[truth.inputs().len().clamp(2, 4) - 2];
+        let count = PLACES[truth.spec.inputs.len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
-        for input in truth.inputs() {
+        for input in truth.spec.inputs {
             let name = input.name();
             let [low, high] = truth.range(own, *input);
             // A table of the azimuth is of all of them.

@@ -2,6 +2,7 @@
 
 use super::{Declared, Held};
 use crate::audit::Fit;
+use crate::audit::sample::spread;
 use crate::audit::table::place;
 use crate::audit::verdict::{number, passed};
 use crate::report::{AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditFindings, AuditHeld};
@@ -81,8 +82,6 @@ fn maps(found: &Declared, held: &Held) -> Vec<Field> {
     let [(x, xs), (y, ys), ..] = found.places.as_slice() else { return Vec::new() };
     let plane = xs.len() * ys.len();
     let slices = held.errors.len() / plane.max(1);
-    let count = slices.min(SLICES);
-    let shown = (0..count).map(|k| k * (slices - 1) / (count - 1).max(1));
     let field = |k: usize| Field {
         name: slice(found, held, k),
         unit: String::new(),
@@ -91,7 +90,7 @@ fn maps(found: &Declared, held: &Held) -> Vec<Field> {
         y: Ruler { name: (*y).into(), values: ys.clone() },
         values: held.errors[k * plane..][..plane].iter().map(|e| *e as f32).collect(),
     };
-    shown.map(field).collect()
+    spread(slices, SLICES, false).into_iter().map(field).collect()
 }
 
 /// Name of a slice: its places along the inputs after the second.
@@ -121,5 +120,5 @@ fn curves(found: &Declared, held: &Held) -> Vec<AuditCurve> {
             held: line.iter().map(|k| held.truths[*k] + held.errors[*k]).collect(),
         }
     };
-    (0..CURVES).map(|k| one(k * (xs.len() - 1) / (CURVES - 1))).collect()
+    spread(xs.len(), CURVES, false).into_iter().map(one).collect()
 }

@@ -12,7 +12,7 @@ mod words;
 pub use findings::findings as declared_findings;
 
 use super::column::Column;
-use super::errors::{TexelErrors, median, spread};
+use super::errors::{TexelErrors, median, rms, spread};
 use super::lobe::Form;
 use super::lookup::fetch;
 use super::table::AuditedTable;
@@ -167,7 +167,7 @@ pub fn declared(
     let fixed = super::Fixed { side: said.side, form: Some(form), ..super::Fixed::default() };
     let no_azimuth = || odd(format!("{} does not depend on the azimuth of the view", quantity.name()));
     let truth = &if said.azimuth {
-        Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &[form], &[])?
+        Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &[form], &[], false)?
     } else {
         super::truth_of(&audited, quantity, &fixed, &[form])?
     };
@@ -194,13 +194,13 @@ pub fn declared(
     }
     Ok(Declared {
         what: audited.what.clone(),
-        quantity: truth.quantity(),
-        lobe: truth.lobes()[OWN].words(),
+        quantity: truth.spec.quantity.name(),
+        lobe: truth.lobes[OWN].words(),
         axes: said.axes.iter().zip(&audited.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
         size: audited.size.clone(),
         held,
         claimed: said.claimed,
-        truth_error: truth.bound(OWN),
+        truth_error: truth.specs[OWN].bound,
         texels,
         places: domain.places,
         beyond: domain.beyond,
@@ -263,7 +263,7 @@ impl Look<'_> {
             let at = (self.at)(worst).into_iter().map(|(name, x)| (name.to_string(), x));
             let figures = TexelErrors {
                 max: errors[worst].abs(),
-                rms: (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt(),
+                rms: rms(errors.iter().copied()),
                 mean: errors.iter().sum::<f64>() / n,
                 median: median(errors.iter().map(|e| e.abs()).collect()),
                 texel: Vec::new(),
@@ -281,7 +281,7 @@ impl Look<'_> {
 
     /// The columns that are asked for, with their places in `decode`.
     fn columns(&self, truth: &Truth) -> Result<Vec<(Column, usize)>, String> {
-        let column = |name: &str| truth.columns().iter().copied().find(|c| c.name() == name);
+        let column = |name: &str| truth.spec.columns.iter().copied().find(|c| c.name() == name);
         let all = self.said.decode.iter().enumerate().filter_map(|(k, (name, _))| Some((column(name)?, k)));
         let found: Vec<(Column, usize)> = all.filter(|(c, _)| self.wanted.is_none_or(|w| w == *c)).collect();
         if found.is_empty() { Err("it decodes to no column that is asked for".into()) } else { Ok(found) }

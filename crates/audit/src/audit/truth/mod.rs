@@ -11,7 +11,7 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use rayon::prelude::*;
 
 use super::axis::Input;
-use super::column::{Base, Column};
+use super::column::Base;
 use super::lobe::{Form, Lobe};
 use super::{AuditError, work};
 pub use beyond::Beyond;
@@ -56,10 +56,12 @@ const OUTER: usize = 1 << 16;
 
 /// A quantity's truth.
 pub(super) struct Truth<'a> {
-    spec: Spec<'a>,
-    lobes: Vec<Lobe>,
+    /// How the quantity's own lobe is integrated.
+    pub spec: Spec<'a>,
+    /// The lobes to be tried.
+    pub lobes: Vec<Lobe>,
     /// How each of the lobes is integrated.
-    specs: Vec<Spec<'a>>,
+    pub specs: Vec<Spec<'a>>,
     /// What is known of each lobe; nothing of a quantity without knots.
     known: Vec<Arc<Known>>,
     /// Ranges of inputs that are asked for.
@@ -67,33 +69,17 @@ pub(super) struct Truth<'a> {
 }
 
 impl<'a> Truth<'a> {
-    /// The truth of the lobes of these forms and sides.
+    /// The truth of the lobes of these forms and sides; a rough one has few knots, for a sieve of lobes of
+    /// which most are not meant: its quick values alone are of use.
     pub(super) fn new(
         spec: Spec<'a>,
         forms: &[&'static Form],
         sides: &[Side],
-    ) -> Result<Truth<'a>, AuditError> {
-        Truth::by(spec, forms, sides, |spec| spec)
-    }
-
-    /// The same with few knots, for a sieve of lobes of which most are not meant: its quick values alone
-    /// are of use.
-    pub(super) fn rough(
-        spec: Spec<'a>,
-        forms: &[&'static Form],
-        sides: &[Side],
-    ) -> Result<Truth<'a>, AuditError> {
-        Truth::by(spec, forms, sides, Spec::rough)
-    }
-
-    fn by(
-        spec: Spec<'a>,
-        forms: &[&'static Form],
-        sides: &[Side],
-        changed: fn(Spec<'a>) -> Spec<'a>,
+        is_rough: bool,
     ) -> Result<Truth<'a>, AuditError> {
         let lobes = Lobe::of(spec.quantity, forms, sides);
-        let specs = lobes.iter().map(|lobe| changed(spec.of_form(lobe.form))).collect();
+        let of = |lobe: &Lobe| spec.of_form(lobe.form);
+        let specs = lobes.iter().map(|l| if is_rough { of(l).rough() } else { of(l) }).collect();
         let mut truth = Truth { spec, lobes, specs, known: Vec::new(), domain: Vec::new() };
         if !spec.knots.is_empty() {
             let of =
@@ -107,7 +93,7 @@ impl<'a> Truth<'a> {
     /// others in it may be given another audit.
     fn at_knots(&self, lobe: usize) -> Result<Arc<Known>, AuditError> {
         let count = self.specs[lobe].knots.iter().map(|knots| knots.count).sum();
-        let key = (self.quantity(), self.spec.averaged, count, self.lobes[lobe]);
+        let key = (self.spec.quantity.name(), self.spec.averaged, count, self.lobes[lobe]);
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known().iter().find(|(known, _)| *known == key).map(|(_, known)| known.clone());
         if let Some(known) = found {
@@ -120,26 +106,6 @@ impl<'a> Truth<'a> {
         let own = Arc::new(Known { at_knots, outer: Mutex::default() });
         known().push((key, own.clone()));
         Ok(own)
-    }
-
-    /// Name of the quantity.
-    pub(super) fn quantity(&self) -> &'static str {
-        self.spec.quantity.name()
-    }
-
-    /// Its inputs; tensors are given in this order.
-    pub(super) fn inputs(&self) -> &'static [Input] {
-        self.spec.inputs
-    }
-
-    /// The lobes to be tried.
-    pub(super) fn lobes(&self) -> &[Lobe] {
-        &self.lobes
-    }
-
-    /// What its channels may hold.
-    pub(super) fn columns(&self) -> &'static [Column] {
-        self.spec.columns
     }
 
     /// Range of an input of a lobe; texels outside are not judged. From both sides an index below 1 is
@@ -175,11 +141,6 @@ impl<'a> Truth<'a> {
         causes.into_iter().find(|(holds, _)| *holds).map(|(_, cause)| cause)
     }
 
-    /// Largest error of an exact value of a lobe.
-    pub(super) fn bound(&self, lobe: usize) -> f64 {
-        self.specs[lobe].bound
-    }
-
     /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
     pub(super) fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
         if let Some(halves) = self.halves(lobe, at, Truth::quick) {
@@ -195,17 +156,12 @@ impl<'a> Truth<'a> {
         Ok(values)
     }
 
-    /// Whether an exact value of a lobe costs so much that few are taken.
-    pub(super) fn is_costly(&self, lobe: usize) -> bool {
-        self.specs[lobe].costly
-    }
-
     /// Values to rank conventions and judge lookups by: exact ones, where these cost little.
     pub(super) fn ranked(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
-        if self.is_costly(lobe) { self.quick(lobe, at) } else { self.exact(lobe, at) }
+        if self.specs[lobe].costly { self.quick(lobe, at) } else { self.exact(lobe, at) }
     }
 
-    /// Values within [`Truth::bound`]; inputs lie in the range.
+    /// Values within the bound of a lobe; inputs lie in the range.
     pub(super) fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
         if let Some(halves) = self.halves(lobe, at, Truth::exact) {
             return halves;
@@ -243,7 +199,7 @@ impl<'a> Truth<'a> {
         Ok(values)
     }
 
-    /// The same at single points, whose inputs are in the order of [`Truth::inputs`].
+    /// The same at single points, whose inputs are in the order of its specification.
     pub(super) fn at(&self, lobe: usize, points: &[Vec<(&'static str, f64)>]) -> Result<Values, AuditError> {
         let column = |k: usize| points.iter().map(|point| point[k].1).collect::<Vec<f64>>();
         if self.specs[lobe].interpolated {
@@ -253,7 +209,7 @@ impl<'a> Truth<'a> {
             };
             return points.iter().map(one).collect();
         }
-        let columns = self.inputs().iter().enumerate().map(|(k, input)| (input.name(), column(k)));
+        let columns = self.spec.inputs.iter().enumerate().map(|(k, input)| (input.name(), column(k)));
         self.integrated(lobe, Points::new(columns), self.specs[lobe].tolerances[1])
     }
 
@@ -285,7 +241,7 @@ impl<'a> Truth<'a> {
     /// Every combination of inputs, by the audit's names.
     fn product(&self, at: &[&[f64]]) -> Points {
         let named: Vec<(&str, &[f64])> =
-            self.inputs().iter().zip(at).map(|(input, at)| (input.name(), *at)).collect();
+            self.spec.inputs.iter().zip(at).map(|(input, at)| (input.name(), *at)).collect();
         Points::product(&named)
     }
 

@@ -8,10 +8,11 @@ use super::points::{LIKELY, SAME, is_loose};
 use super::words::{excluded, listed, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::convention::NAMES;
-use crate::audit::enlarged::{Enlarged, by};
+use crate::audit::enlarged::Enlarged;
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
 use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
+use crate::foreign::words;
 
 /// The steps that mend it; none where there is nothing to mend.
 pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
@@ -121,7 +122,7 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
             ));
         }
         Defect::Enlarged(Enlarged { from, .. }) => {
-            let from = by(from);
+            let from = words(from);
             return Some(format!(
                 "store the {from} texels that it was made from, or make it at its own size"
             ));

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use super::items::Item;
-use super::rewrite::{ENTRY, Span};
+use super::rewrite::{ENTRY, Span, closing};
 use super::text::{Origin, Text};
 use crate::foreign::text::Token;
 
@@ -187,20 +187,8 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// The token that closes the bracket at a token, or the end.
     fn closing(&self, open: usize, end: usize) -> usize {
-        let mut depth = 0_usize;
-        for k in open..end {
-            match self.token(k) {
-                Some(Token::Open(_)) => depth += 1,
-                Some(Token::Close(_)) => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            if depth == 0 {
-                return k;
-            }
-        }
-        end
+        closing(&self.spans[..end], open)
     }
 
     /// The end of an expression: the next semicolon, comma or closing bracket outside of its own.

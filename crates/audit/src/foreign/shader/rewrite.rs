@@ -23,9 +23,8 @@ impl<'a> Span<'a> {
     }
 }
 
-/// The tokens of an item.
-pub(super) fn spans<'a>(text: &'a str, item: &Item) -> Vec<Span<'a>> {
-    let [start, end] = item.range;
+/// The tokens of a part of a text.
+pub(super) fn spans(text: &str, [start, end]: [usize; 2]) -> Vec<Span<'_>> {
     let mut lexer = Lexer::new(&text[start..end], "");
     let mut found: Vec<Span> = Vec::new();
     while let Some((at, token)) = lexer.next() {
@@ -37,9 +36,25 @@ pub(super) fn spans<'a>(text: &'a str, item: &Item) -> Vec<Span<'a>> {
     found
 }
 
+/// The token that closes the bracket at a token, or the end.
+pub(super) fn closing(spans: &[Span], open: usize) -> usize {
+    let mut depth = 0_usize;
+    for (k, span) in spans.iter().enumerate().skip(open) {
+        match span.token {
+            Token::Open(_) => depth += 1,
+            Token::Close(_) => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 0 {
+            return k;
+        }
+    }
+    spans.len()
+}
+
 /// Adds an item to what the front end is given.
 pub(super) fn rewrite(text: &Text, item: &Item, entry: bool, language: ShaderLanguage, out: &mut Text) {
-    let mut spans = spans(text.as_str(), item);
+    let mut spans = spans(text.as_str(), item.range);
     // A path to a name: names are not kept apart by module.
     let qualified: Vec<bool> = (0..spans.len())
         .map(|k| {

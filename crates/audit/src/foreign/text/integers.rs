@@ -33,7 +33,7 @@ pub(super) fn read(
         if negative || largest > limit {
             return refuse(format!(
                 "integers from {} to {largest} are no {}",
-                smallest(&values),
+                values.iter().copied().fold(f64::INFINITY, f64::min),
                 format.name()
             ));
         }
@@ -49,10 +49,6 @@ pub(super) fn read(
         return Ok(("array of hexadecimal halves".into(), values, Step::Half));
     }
     refuse(format!("integers up to {largest} may be bits of halves or singles, or fractions of a whole"))
-}
-
-fn smallest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// The number that an integer in the format's range stands for.

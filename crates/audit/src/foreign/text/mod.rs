@@ -85,7 +85,7 @@ fn table(
         let decimals = literal.decimals.unwrap_or(0);
         ("array of decimals".into(), literal.values, Step::Decimals(decimals))
     };
-    let list = Values { name: lead.name, kind, values, size, channels, lines, names: Vec::new(), step };
+    let list = Values { name: lead.name, kind, values, size, channels, lines, step };
     shape::table(file, list, hints)
 }
 

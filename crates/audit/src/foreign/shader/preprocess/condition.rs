@@ -26,7 +26,7 @@ fn without_defined(line: &[Token], macros: &Macros) -> Vec<Token> {
         let name = solid.get(k + 1 + usize::from(bracket)).filter(|t| t.kind == Kind::Name);
         match name {
             Some(name) if token.is("defined") => {
-                let text = if macros.holds(&name.text) { "1" } else { "0" };
+                let text = if macros.known.contains_key(&name.text) { "1" } else { "0" };
                 out.push(Token { kind: Kind::Number, text: text.into(), ..(*token).clone() });
                 k += if bracket { 4 } else { 2 };
             }

@@ -18,7 +18,7 @@ pub(super) struct Macro {
 
 /// The macros by name, and how many tokens they may still make.
 pub(super) struct Macros {
-    known: BTreeMap<String, Macro>,
+    pub known: BTreeMap<String, Macro>,
     left: usize,
 }
 
@@ -35,14 +35,6 @@ struct Live {
 impl Macros {
     pub fn new() -> Macros {
         Macros { known: BTreeMap::new(), left: limits::MACRO_TOKENS }
-    }
-
-    pub fn holds(&self, name: &str) -> bool {
-        self.known.contains_key(name)
-    }
-
-    pub fn remove(&mut self, name: &str) {
-        self.known.remove(name);
     }
 
     /// Defines a macro by what follows `#define`; false if no name follows.

@@ -295,7 +295,7 @@ impl Preprocessor {
             }
             "undef" => {
                 for token in rest.iter().filter(|t| t.kind == Kind::Name) {
-                    self.macros.remove(&token.text);
+                    self.macros.known.remove(&token.text);
                 }
             }
             "pragma" if rest.iter().any(|t| t.is("once")) => {
@@ -310,7 +310,11 @@ impl Preprocessor {
     }
 
     fn holds(&mut self, test: &str, rest: &[Token], from: Origin) -> Result<bool, Bad> {
-        let known = || rest.iter().find(|t| t.kind == Kind::Name).is_some_and(|t| self.macros.holds(&t.text));
+        let known = || {
+            rest.iter()
+                .find(|t| t.kind == Kind::Name)
+                .is_some_and(|t| self.macros.known.contains_key(&t.text))
+        };
         match test {
             "ifdef" | "def" => Ok(known()),
             "ifndef" | "ndef" => Ok(!known()),
