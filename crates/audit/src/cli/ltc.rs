@@ -126,9 +126,5 @@ fn read(options: &Options, file: &Path) -> Result<Vec<ForeignTable>, CliError> {
     let size = options.size.clone().map(|size| size.0);
     let Options { channels, raw_format: format, symbol, .. } = options;
     let hints = Hints { size, channels: *channels, format: *format, symbol: symbol.clone(), layer: None };
-    let tables = foreign::read_table(&bytes, &file.display().to_string(), &hints)?;
-    if tables.is_empty() {
-        return Err(CliError::Usage(format!("{}: holds no table", file.display())));
-    }
-    Ok(tables)
+    Ok(foreign::read_table(&bytes, &file.display().to_string(), &hints)?)
 }

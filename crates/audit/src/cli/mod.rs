@@ -12,7 +12,6 @@ mod words;
 
 use std::ffi::OsString;
 use std::num::NonZero;
-use std::ops::Deref;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -144,27 +143,10 @@ struct Options {
     /// Say nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
-    /// Whether a shader holds arrays alone, which are read as those of a text
-    #[arg(skip)]
-    pub is_of_arrays: bool,
 }
 
 /// A quantity, and the column that is asked for.
 type Wanted = (&'static dyn Quantity, Option<Column>);
-
-/// The options, with what the file is measured as.
-struct Asked {
-    options: Options,
-    wanted: Wanted,
-}
-
-impl Deref for Asked {
-    type Target = Options;
-
-    fn deref(&self) -> &Options {
-        &self.options
-    }
-}
 
 /// What was read of the file.
 struct Read {
@@ -198,19 +180,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 fn verb(options: Options) -> Result<Outcome, CliError> {
     let bytes = read(&options)?;
-    let holds_functions = || options.source.holds_functions(&bytes, &options.file.display().to_string());
-    let is_of_arrays =
-        has_extension_of_shaders(&options) && !holds_functions() && foreign::holds_arrays(&bytes);
-    let options = Options { is_of_arrays, ..options };
-    other_kind(&options)?;
-    let wanted = tables::wanted(&options, &bytes)?;
-    let options = &Asked { options, wanted };
-    let Read { mut audited, inverse, function, holds, note, refused } =
-        if is_shader(options) { shader(options, &bytes)? } else { tables::table(options, &bytes)? };
+    let options = &options;
+    let is_shader = is_shader(options, &bytes);
+    other_kind(options, is_shader)?;
+    let wanted = tables::wanted(options, &bytes, is_shader)?;
+    let read = if is_shader { shader } else { tables::table };
+    let Read { mut audited, inverse, function, holds, note, refused } = read(options, wanted, &bytes)?;
     // A folder that cannot be written is an error before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let own = fixed(options, wanted)?;
     let progress = Spinner::new(options.quiet || options.json);
-    let (said, refused) = match stated::stated(options, &audited, &note, &progress)? {
+    let (said, refused) = match stated::stated(options, wanted, &own, &audited, &note, &progress)? {
         Ok(said) => (said, refused),
         Err(refused) => (None, Some(refused)),
     };
@@ -223,18 +203,17 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
         drop(progress);
         let found = audit::declared_findings(
             said,
-            origin::origin(&bytes, &origin::audit(options)),
+            origin::origin(&bytes, &origin::audit(options, wanted)),
             &file_name(options),
             &holds,
             options.limit,
         );
         return publish(options, folder, &found);
     }
-    let (own, quantity) = (fixed(options)?, options.wanted.0);
     let judge = |fixed: &Fixed| {
         options
             .threads
-            .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
+            .install(|| Ok(judged::judged(&audited, inverse.as_ref(), wanted.0, fixed, &progress)?))
     };
     let mut done = judge(&own)?;
     let is_understood = done.fit == audit::Fit::Whole;
@@ -271,7 +250,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));
     let cost = priced.map(price).transpose()?;
     drop(progress);
-    let origin = origin::origin(&bytes, &origin::audit(options));
+    let origin = origin::origin(&bytes, &origin::audit(options, wanted));
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
     let mut found = AuditFindings { cost, otherwise: beside, ..found };
     if let Some(said) = &said {
@@ -325,9 +304,11 @@ const SHADERS: [&str; 14] = [
 const SCRIPTS: [&str; 4] = ["js", "mjs", "ts", "mts"];
 
 /// Whether a file is read as a shader's functions: also a header or a text of which one is named, and not a
-/// shader that holds arrays alone.
-fn is_shader(options: &Options) -> bool {
-    options.source.function.is_some() || has_extension_of_shaders(options) && !options.is_of_arrays
+/// shader that holds arrays alone, which are read as those of a text; only one with arrays is parsed for that.
+fn is_shader(options: &Options, bytes: &[u8]) -> bool {
+    let holds_functions = || options.source.holds_functions(bytes, &options.file.display().to_string());
+    let is_of_arrays = || foreign::holds_arrays(bytes) && !holds_functions();
+    options.source.function.is_some() || has_extension_of_shaders(options) && !is_of_arrays()
 }
 
 fn has_extension_of_shaders(options: &Options) -> bool {
@@ -340,8 +321,7 @@ fn has_extension_of_shaders(options: &Options) -> bool {
 }
 
 /// Refuses options that mean nothing for the kind of file.
-fn other_kind(options: &Options) -> Result<(), CliError> {
-    let shader = is_shader(options);
+fn other_kind(options: &Options, shader: bool) -> Result<(), CliError> {
     let (kind, given) = if shader {
         let given = [
             ("--registration", !options.registration.is_empty()),
@@ -372,16 +352,16 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
 }
 
 /// The function that is meant as a table, and what the file is.
-fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
+fn shader(options: &Options, wanted: Wanted, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
     let functions = options.source.read(bytes, &file)?;
     let mut left_out = functions.first().map_or_else(Vec::new, |function| function.left_out.clone());
-    let inputs = audit::inputs_of(options.wanted.0);
+    let inputs = audit::inputs_of(wanted.0);
     let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
     let mut found = Vec::new();
     let mut refused = None;
     for function in &functions {
-        match audit::sampled(function, options.wanted.0, &options.source.set, &scales) {
+        match audit::sampled(function, wanted.0, &options.source.set, &scales) {
             Ok(sampled) => found.push((sampled, function)),
             Err(error) => {
                 left_out.push(foreign::LeftOut::new(&function.signature, &error.reason()));
@@ -409,7 +389,7 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
             let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
             let what = format!("{} ({})", function.what, file_name(options));
             let inverse = match scales.is_empty() {
-                true => audit::sampled_inverse(source, options.wanted.0, &options.source.set)?,
+                true => audit::sampled_inverse(source, wanted.0, &options.source.set)?,
                 false => None,
             };
             let inverse = inverse.map(|inverse| AuditedTable { what: what.clone(), ..inverse });
@@ -429,10 +409,10 @@ fn shader(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
     }
 }
 
-fn fixed(options: &Asked) -> Result<Fixed, CliError> {
+fn fixed(options: &Options, wanted: Wanted) -> Result<Fixed, CliError> {
     let meaning = |word: &String| match word.as_str() {
         LEFT_OUT => Ok(None),
-        word => column(options.wanted.0, word).map(Some),
+        word => column(wanted.0, word).map(Some),
     };
     let meanings: Vec<Option<Column>> =
         options.meaning.iter().map(meaning).collect::<Result<_, String>>().map_err(CliError::Usage)?;
@@ -442,15 +422,13 @@ fn fixed(options: &Asked) -> Result<Fixed, CliError> {
         form: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
-        column: options.wanted.1,
+        column: wanted.1,
         floors: options.clamp.clone(),
         encoding: options.encoding,
         samples: options.samples.map(NonZero::get),
         points: options.points,
-        roles: None,
-        swapped: false,
-        inverse: false,
         domain: words::domain(&options.domain, &options.axes),
+        ..Fixed::default()
     })
 }
 

@@ -1,6 +1,6 @@
 //! The command that makes a report again.
 
-use super::Asked;
+use super::{Options, Wanted};
 use lobefit::report::Origin;
 
 /// What made the report, of the file's bytes and the words of a command, which name every option that
@@ -16,8 +16,7 @@ pub(super) fn origin(bytes: &[u8], words: &[String]) -> Origin {
 }
 
 /// The command of an audit.
-pub(super) fn audit(options: &Asked) -> Vec<String> {
-    let (quantity, column) = options.wanted;
+pub(super) fn audit(options: &Options, (quantity, column): Wanted) -> Vec<String> {
     let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
     let list = |words: Vec<String>| Some(words.join(",")).filter(|w| !w.is_empty());
     let axis = |(scale, falls): &(crate::audit::Scale, bool)| {

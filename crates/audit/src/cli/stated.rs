@@ -1,12 +1,12 @@
 //! What a file says of itself, where no option says how it is to be read.
 
-use super::Asked;
-use crate::audit::{self, AuditError, AuditedTable, Declared};
+use super::{Options, Wanted};
+use crate::audit::{self, AuditError, AuditedTable, Declared, Fixed};
 use lobefit::cli::CliError;
 use lobefit::cli::progress::Spinner;
 
 /// An option that bears on texels alone.
-fn texels_only(options: &Asked) -> Option<&'static str> {
+fn texels_only(options: &Options) -> Option<&'static str> {
     let given = [("--samples", options.samples.is_some()), ("--points", options.points > 0)];
     given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
 }
@@ -14,23 +14,17 @@ fn texels_only(options: &Asked) -> Option<&'static str> {
 /// The table as its own statement has it, or in words why that is not followed. A file without a statement
 /// has no such table, nor has one of which options say how it is read.
 pub(super) fn stated(
-    options: &Asked,
+    options: &Options,
+    (quantity, column): Wanted,
+    fixed: &Fixed,
     audited: &AuditedTable,
     note: &str,
     progress: &Spinner,
 ) -> Result<Result<Option<Declared>, String>, CliError> {
-    let asked = !options.axes.is_empty()
-        || !options.registration.is_empty()
-        || options.smith.is_some()
-        || options.side.is_some()
-        || !options.meaning.is_empty()
-        || !options.clamp.is_empty()
-        || options.encoding.is_some();
-    if note.is_empty() || asked {
+    if note.is_empty() || !fixed.is_free() {
         return Ok(Ok(None));
     }
     progress.stage("what the file says of itself");
-    let (quantity, column) = options.wanted;
     let found = options.threads.install(|| Ok(audit::declared(audited, quantity, column, note)))?;
     match found {
         Ok(found) => match texels_only(options) {

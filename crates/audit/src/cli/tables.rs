@@ -1,6 +1,6 @@
 //! Which table of a file is meant, and which quantity the file says that it stands for.
 
-use super::{Asked, Options, Read, Wanted, file_name, is_shader, named, sidecar};
+use super::{Options, Read, Wanted, file_name, named, sidecar};
 use crate::audit::{self, AuditedTable};
 use crate::foreign::{self, Hints};
 use lobefit::cli::CliError;
@@ -8,9 +8,9 @@ use lobefit::cli::options::quantity_of;
 use lobefit::cli::output::say;
 
 /// What the file is measured as: what the options say, or else what the file says of itself.
-pub(super) fn wanted(options: &Options, bytes: &[u8]) -> Result<Wanted, CliError> {
+pub(super) fn wanted(options: &Options, bytes: &[u8], is_shader: bool) -> Result<Wanted, CliError> {
     let file = options.file.display();
-    match (options.stands_for, is_shader(options)) {
+    match (options.stands_for, is_shader) {
         (Some(wanted), _) => Ok(wanted),
         (None, false) if let Some(name) = stated(options, bytes)? => {
             let found = quantity_of(&name).map(|quantity| (quantity, None));
@@ -81,9 +81,9 @@ fn tables(options: &Options, bytes: &[u8]) -> Result<Vec<Named>, CliError> {
 }
 
 /// The table that is meant, and what the file is.
-pub(super) fn table(options: &Asked, bytes: &[u8]) -> Result<Read, CliError> {
+pub(super) fn table(options: &Options, wanted: Wanted, bytes: &[u8]) -> Result<Read, CliError> {
     let tables = tables(options, bytes)?;
-    let (table, what, refused) = chosen(options, &tables)?.clone();
+    let (table, what, refused) = chosen(options, wanted, &tables)?.clone();
     grouped(options, &table);
     let audited = AuditedTable { what, ..AuditedTable::from(&table) };
     Ok(Read { audited, inverse: None, function: None, holds: table.what, note: table.note, refused })
@@ -103,8 +103,8 @@ fn grouped(options: &Options, table: &foreign::ForeignTable) {
 }
 
 /// The table that is meant, of a file that may hold several.
-fn chosen<'a>(options: &Asked, tables: &'a [Named]) -> Result<&'a Named, CliError> {
-    let inputs = audit::inputs_of(options.wanted.0);
+fn chosen<'a>(options: &Options, wanted: Wanted, tables: &'a [Named]) -> Result<&'a Named, CliError> {
+    let inputs = audit::inputs_of(wanted.0);
     let axes = |(t, ..): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
     let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {

@@ -10,35 +10,27 @@ pub(super) const EMPTY: &str = "the file is empty";
 /// First bytes of an EXR file.
 const EXR_MAGIC: &[u8] = b"\x76\x2f\x31\x01";
 
-/// First bytes of known formats.
-const MAGIC: [(&[u8], Kind); 13] = [
-    (EXR_MAGIC, Kind::Exr),
-    (b"DDS ", Kind::Dds),
-    (b"\xabKTX 20\xbb\r\n\x1a\n", Kind::Ktx2),
-    (b"\x89PNG\r\n\x1a\n", Kind::Png),
-    (b"\x93NUMPY", Kind::Npy),
-    (b"\xabKTX 11\xbb\r\n\x1a\n", Kind::Other("KTX 1", "convert it to KTX 2 or DDS")),
-    (b"#?RADIANCE", Kind::Hdr),
-    (b"#?RGBE", Kind::Hdr),
-    (b"II*\0", Kind::Other("TIFF", "convert it to EXR or PNG")),
-    (b"MM\0*", Kind::Other("TIFF", "convert it to EXR or PNG")),
-    (b"\xff\xd8\xff", Kind::Other("JPEG", "its compression loses values: find the original")),
-    (b"\x1f\x8b", Kind::Other("a gzip archive", "unpack it first")),
-    (b"\x28\xb5\x2f\xfd", Kind::Other("a zstd archive", "unpack it first")),
-];
+/// What reads a file.
+type Reader = fn(&[u8], &str, &Hints) -> Result<Vec<ForeignTable>, ForeignError>;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Exr,
-    Dds,
-    Ktx2,
-    Png,
-    Npy,
-    Hdr,
-    Raw,
-    Text,
-    Other(&'static str, &'static str),
-}
+/// First bytes of known formats, with what reads them, or what they are of and what to do about it.
+type Known = (&'static [u8], Result<Reader, (&'static str, &'static str)>);
+
+const MAGIC: [Known; 13] = [
+    (EXR_MAGIC, Ok(exr::read)),
+    (b"DDS ", Ok(dds::read)),
+    (b"\xabKTX 20\xbb\r\n\x1a\n", Ok(ktx2::read)),
+    (b"\x89PNG\r\n\x1a\n", Ok(png::read)),
+    (b"\x93NUMPY", Ok(npy::read)),
+    (b"\xabKTX 11\xbb\r\n\x1a\n", Err(("KTX 1", "convert it to KTX 2 or DDS"))),
+    (b"#?RADIANCE", Ok(hdr::read)),
+    (b"#?RGBE", Ok(hdr::read)),
+    (b"II*\0", Err(("TIFF", "convert it to EXR or PNG"))),
+    (b"MM\0*", Err(("TIFF", "convert it to EXR or PNG"))),
+    (b"\xff\xd8\xff", Err(("JPEG", "its compression loses values: find the original"))),
+    (b"\x1f\x8b", Err(("a gzip archive", "unpack it first"))),
+    (b"\x28\xb5\x2f\xfd", Err(("a zstd archive", "unpack it first"))),
+];
 
 /// Tables of a file: one, or one per array of a text and per layer of an EXR file. By its first
 /// bytes, else by its extension (`raw`, `bin`, `dat`: raw numbers), else by being a text; `file` is
@@ -74,27 +66,17 @@ fn whole(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, F
     if bytes.len() as u64 > limits::BYTES {
         return Err(ForeignError::too_large(file, "bytes", bytes.len(), limits::BYTES));
     }
-    match kind(bytes, file, hints)? {
-        Kind::Raw => raw(bytes, file, hints),
-        Kind::Text => text::read(bytes, file, hints),
-        Kind::Other(what, advice) => Err(ForeignError::unsupported(file, Spot::Byte(0), what, advice)),
-        Kind::Exr => exr::read(bytes, file, hints),
-        Kind::Dds => dds::read(bytes, file, hints),
-        Kind::Ktx2 => ktx2::read(bytes, file, hints),
-        Kind::Png => png::read(bytes, file, hints),
-        Kind::Npy => npy::read(bytes, file, hints),
-        Kind::Hdr => hdr::read(bytes, file, hints),
-    }
+    reader(bytes, file, hints)?(bytes, file, hints)
 }
 
-fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
-    if let Some((_, kind)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
-        return Ok(*kind);
+fn reader(bytes: &[u8], file: &str, hints: &Hints) -> Result<Reader, ForeignError> {
+    if let Some((_, known)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        return known.map_err(|(what, advice)| ForeignError::unsupported(file, Spot::Byte(0), what, advice));
     }
     let extension = file.rsplit_once('.').map_or(String::new(), |(_, e)| e.to_ascii_lowercase());
     let unknown = |message: String| Err(ForeignError::new(file, message));
     match extension.as_str() {
-        "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(Kind::Raw),
+        "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(raw),
         "exr" | "dds" | "hdr" | "ktx2" | "png" | "npy" => {
             return unknown(format!(
                 "its name ends in .{extension}, its first bytes are not those of such a file: it is damaged or misnamed"
@@ -104,8 +86,8 @@ fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
     }
     let texts = std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0'));
     match (texts, hints.format) {
-        (true, _) => Ok(Kind::Text),
-        (false, Some(_)) => Ok(Kind::Raw),
+        (true, _) => Ok(text::read),
+        (false, Some(_)) => Ok(raw),
         (false, None) => unknown(
             "it is no EXR, DDS, KTX 2, PNG, NPY, Radiance file or UTF-8 text: for numbers without a header state their format, one of \
              f16, f32, f64, unorm8, unorm16"

@@ -1,5 +1,8 @@
 //! The figures of a furnace, as text, and their page.
 
+use std::array::from_fn;
+
+use lobefit::cli::columns::{Side, lines};
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::{
     Block, Curves, Origin, Page, ReportError, Section, Series, Spread, Style, document, figures, html, words,
@@ -41,37 +44,29 @@ impl FurnaceFindings {
         // Errors begin in one place of a column, however many digits they have.
         let error = |cell: &str| cell.split_once(BAR).map_or(0, |(_, error)| error.chars().count());
         let longest = |k: usize| rows.iter().map(|row| error(&row[k])).max().unwrap_or(0);
-        let aligned = |row: &Vec<String>| -> Vec<String> {
-            let cells = row.iter().enumerate();
-            cells.map(|(k, cell)| cell.clone() + &" ".repeat(longest(k) - error(cell))).collect()
-        };
-        let aligned: Vec<Vec<String>> = rows.iter().map(aligned).collect();
-        let head: Vec<String> = self.columns();
-        let all: Vec<&Vec<String>> = std::iter::once(&head).chain(&aligned).collect();
-        let width = |k: usize| all.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..head.len()).map(width).collect();
-        text.push('\n');
-        for row in all {
-            let cells: Vec<String> =
-                row.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
-            text.push_str(cells.join("  ").trim_end());
-            text.push('\n');
-        }
-        text
+        let blanks = |k: usize, cell: &str| " ".repeat(longest(k) - error(cell));
+        let aligned = |row: &Row| from_fn(|k| row[k].clone() + &blanks(k, &row[k]));
+        let aligned: Vec<Row> = rows.iter().map(aligned).collect();
+        let heads = heads();
+        let lines = lines(heads.each_ref().map(|head| (head.as_str(), Side::Right)), &aligned);
+        format!("{text}\n{}\n", lines.join("\n"))
     }
 
-    fn columns(&self) -> Vec<String> {
-        std::iter::once("roughness".into()).chain(VIEWS.iter().map(|mu| format!("mu {mu}"))).collect()
-    }
-
-    fn rows(&self) -> Vec<Vec<String>> {
+    fn rows(&self) -> Vec<Row> {
         let channel = self.furnace.most.1;
-        let row = |cells: &[Cell]| {
+        let row = |cells: &[Cell]| -> Row {
             let first = cells[0].at.get("roughness").map_or("\u{2013}".into(), |r| brief(*r, 4));
-            std::iter::once(first).chain(cells.iter().map(|cell| energy(cell.energy[channel]))).collect()
+            from_fn(|k| k.checked_sub(1).map_or(first.clone(), |view| energy(cells[view].energy[channel])))
         };
         self.furnace.cells.chunks(VIEWS.len()).map(row).collect()
     }
+}
+
+/// Roughness, then energies by view.
+type Row = [String; 1 + VIEWS.len()];
+
+fn heads() -> Row {
+    from_fn(|k| k.checked_sub(1).map_or("roughness".into(), |view| format!("mu {}", VIEWS[view])))
 }
 
 /// The page as HTML, and the figures as JSON.
@@ -125,12 +120,13 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
         }
     };
     let charts: Vec<Curves> = (0..found.furnace.channels.len()).map(chart).collect();
-    let columns = found.columns();
-    let named: Vec<(&str, bool)> = columns.iter().map(|name| (name.as_str(), true)).collect();
+    let heads = heads();
+    let named: Vec<(&str, bool)> = heads.iter().map(|name| (name.as_str(), true)).collect();
+    let rows = found.rows().into_iter().map(Vec::from);
     let caption = "Energy by quadrature, with the difference from the coarser rule, of the channel that has the largest.";
     let blocks = vec![
         figures(&charts, "Energy that comes back in a white furnace; bars are its errors.")?,
-        Block::Table(words::table(&named, found.rows(), caption)),
+        Block::Table(words::table(&named, rows.collect(), caption)),
     ];
     Ok(Section { id: "energy".into(), title: "Energy".into(), lead: String::new(), blocks })
 }

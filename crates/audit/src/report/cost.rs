@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use lobefit::cli::columns::{Side, lines};
 use lobefit::report::{Block, Section, words};
 use lobefit::timing::isa::Counts;
 
@@ -70,6 +71,9 @@ const COLUMNS: [(&str, bool); 8] = [
     ("which", false),
 ];
 
+/// Cells of the table.
+type Row = [String; COLUMNS.len()];
+
 const AUDITED: &str = "audited";
 const CHEAPEST: &str = "ours: the cheapest of no larger error";
 const NONE_CHEAPEST: &str = "ours: none of so small an error";
@@ -92,55 +96,45 @@ impl AuditCost {
     }
 
     /// A row for each function of each family.
-    fn rows(&self) -> Vec<Vec<String>> {
+    fn rows(&self) -> Vec<Row> {
         let compared = !self.domain.is_empty();
         self.families.iter().flat_map(|family| family.rows(compared)).collect()
     }
 
     /// For the terminal: a line for each row.
     pub fn text(&self) -> String {
-        let heads = COLUMNS.map(|(name, _)| name.to_owned()).to_vec();
-        let rows: Vec<Vec<String>> = std::iter::once(heads).chain(self.rows()).collect();
-        let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..COLUMNS.len()).map(width).collect();
-        let line = |row: &Vec<String>| {
-            let cells = row.iter().zip(COLUMNS).zip(&widths).map(|((cell, (_, figures)), &width)| {
-                if figures { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
-            });
-            cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
-        };
-        format!("{}\n{}", self.lead(), rows.iter().map(line).collect::<String>())
+        let heads = COLUMNS.map(|(name, figures)| (name, if figures { Side::Right } else { Side::Left }));
+        format!("{}\n{}\n", self.lead(), lines(heads, &self.rows()).join("\n"))
     }
 
     /// For the page.
     pub(super) fn section(&self) -> Section {
+        let rows = self.rows().into_iter().map(Vec::from);
         Section {
             id: "cost".into(),
             title: "Compiled instructions".into(),
             lead: self.lead(),
-            blocks: vec![Block::Table(words::table(&COLUMNS, self.rows(), ""))],
+            blocks: vec![Block::Table(words::table(&COLUMNS, rows.collect(), ""))],
         }
     }
 }
 
 impl AuditFamily {
     /// The audited function and, where ours are `compared`, the two of ours.
-    fn rows(&self, compared: bool) -> Vec<Vec<String>> {
+    fn rows(&self, compared: bool) -> Vec<Row> {
         let row = |of: Option<&AuditCompiled>, which: &str| {
             let cell = |count: Option<i64>| count.map_or_else(|| "-".into(), |count| count.to_string());
             let counts = of.map(|of| of.counts);
-            let cells = [
+            let [vector, transcendental, moves, latency] = [
                 counts.map(|counts| counts.vector),
                 counts.map(|counts| counts.transcendental),
                 counts.map(|counts| counts.moves),
                 counts.and_then(|counts| counts.latency),
-            ];
+            ]
+            .map(cell);
             let error = of.and_then(|of| of.error).map_or_else(|| "-".into(), words::max);
             let name = of.map_or("-", |of| &of.function).to_owned();
-            let mut row = vec![self.family.clone()];
-            row.extend(cells.map(cell));
-            row.extend([error, name, which.into()]);
-            row
+            [self.family.clone(), vector, transcendental, moves, latency, error, name, which.into()]
         };
         let mut rows = vec![row(Some(&self.audited), AUDITED)];
         let (cheapest, most_accurate) = (self.cheapest.as_ref(), self.most_accurate.as_ref());

@@ -15,8 +15,7 @@ use lobefit::report::{ReportError, document, html};
 /// The page of an audit as HTML, and its figures as JSON.
 ///
 /// # Errors
-/// Data that is not finite, empty where it must not be, or of mismatched size, by section and
-/// field.
+/// Data that is not finite, or empty where it must not be, by section and field.
 pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
     Ok((html(&page::page(audit)?), document("audit.json", audit)?))
 }

@@ -4,7 +4,7 @@ use super::{AuditAxis, AuditChannel, AuditConvention, AuditCost, AuditCurve, Aud
 use crate::audit::{LookupErrors, TexelErrors, place};
 use lobefit::report::numbers::{brief, significant};
 use lobefit::report::{
-    Block, Curves, HeatMap, Page, ReportError, Section, Series, Spread, Style, check, figures, signed, words,
+    Block, Curves, HeatMap, Page, ReportError, Section, Series, Spread, Style, figures, signed, words,
 };
 
 pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
@@ -61,14 +61,7 @@ fn verdict(audit: &AuditFindings) -> Result<Section, ReportError> {
 }
 
 fn conventions(audit: &AuditFindings) -> Section {
-    let Some(best) = audit.conventions.first() else {
-        return Section {
-            id: "conventions".into(),
-            title: "Conventions".into(),
-            lead: String::new(),
-            blocks: Vec::new(),
-        };
-    };
+    let best = &audit.conventions[0];
     let mut columns: Vec<(String, bool)> = best.axes.iter().map(|a| (a.axis.clone(), false)).collect();
     columns.extend(
         [("lobe", false), ("holds", false), ("max", true), ("RMS", true), ("times worse", true)]
@@ -122,7 +115,6 @@ fn channel_section(
     channel: &AuditChannel,
     above: bool,
 ) -> Result<Section, ReportError> {
-    let section = format!("channel {}", channel.name);
     let mut blocks = vec![Block::Table(errors(channel, audit.stated))];
     for defect in &channel.defects {
         blocks.push(Block::Text { text: defect.text.clone() });
@@ -131,8 +123,7 @@ fn channel_section(
         blocks.extend(maps(audit, channel)?);
     }
     if !channel.curves.is_empty() {
-        let charts: Vec<Curves> =
-            channel.curves.iter().map(|c| chart(&section, c)).collect::<Result<_, _>>()?;
+        let charts: Vec<Curves> = channel.curves.iter().map(chart).collect();
         blocks.push(figures(&charts, "What is held beside the truth (black).")?);
     }
     Ok(Section {
@@ -212,9 +203,7 @@ fn errors(channel: &AuditChannel, stated: bool) -> lobefit::report::TextTable {
     )
 }
 
-fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
-    check::size(section, "truth", curve.truth.len(), curve.at.len())?;
-    check::size(section, "held", curve.held.len(), curve.at.len())?;
+fn chart(curve: &AuditCurve) -> Curves {
     let line = |name: &str, values: &[f64], style| Series {
         name: name.into(),
         points: curve.at.iter().copied().zip(values.iter().copied()).collect(),
@@ -223,7 +212,7 @@ fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
     };
     // More marks than this hide the truth below them.
     let style = if curve.at.len() <= 24 { Style::Marked(0) } else { Style::Line(0) };
-    Ok(Curves {
+    Curves {
         title: curve.title.clone(),
         x: (curve.x.clone(), Spread::Linear),
         y: (String::new(), Spread::Linear),
@@ -232,5 +221,5 @@ fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
         guides: Vec::new(),
         y_limits: None,
         size: (270.0, 200.0),
-    })
+    }
 }

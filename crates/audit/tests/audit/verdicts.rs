@@ -4,9 +4,11 @@
 use std::sync::LazyLock;
 
 use lobefit::data::Smith;
+use lobefit::report::Origin;
 use lobefit::scene::Scene;
-use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form, Kind};
+use lobefit_audit::audit::{Audit, AuditedTable, Defect, Fixed, Form, Kind, findings};
 use lobefit_audit::foreign::{Hints, read_table};
+use lobefit_audit::report::audit_page;
 use lobefit_math::ops;
 use lobefit_truth::integrate::reflection::average;
 
@@ -265,4 +267,21 @@ fn texels_that_lookups_are_the_better_for_are_no_defect() {
     let [own, mended] = lookups.expect("texels that are off");
     assert!(own < mended && mended < 1.1 * own, "{own} {mended}");
     says(&moved(0.015).verdict(None), "FAIL", &["of A at x = 0, y = 2 to 39,"]);
+}
+
+/// The plain reading may have no truth at any texel: the report is written all the same.
+#[test]
+fn a_figure_that_is_infinite_is_left_out_of_the_json() {
+    let origin = Origin {
+        scene: String::new(),
+        recipe: String::new(),
+        tool: String::new(),
+        command: String::new(),
+        pages: Vec::new(),
+    };
+    let mut found = findings(&reflection_of(&exact(&|_, _, t| t)), origin, "lut.exr", "EXR", None);
+    found.figure.as_mut().expect("a figure").value = f64::INFINITY;
+    let (_, json) = audit_page(&found).expect("a report");
+    let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
+    assert!(json["figure"].is_string() && json.get("max_error").is_none(), "{json}");
 }

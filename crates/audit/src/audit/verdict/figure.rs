@@ -35,8 +35,8 @@ pub enum Kind {
 /// The figure, of what it is and where.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Figure {
-    /// How much; infinite (in JSON null) where the plain reading has no truth at any texel.
-    #[serde(rename = "max_error")]
+    /// How much; infinite, and left out of JSON, where the plain reading has no truth at any texel.
+    #[serde(rename = "max_error", skip_serializing_if = "is_infinite")]
     pub value: f64,
     /// What it is.
     #[serde(rename = "figure")]
@@ -45,6 +45,10 @@ pub struct Figure {
     pub of: String,
     /// The inputs there; nothing of a claim.
     pub at: Place,
+}
+
+fn is_infinite(figure: &f64) -> bool {
+    figure.is_infinite()
 }
 
 /// A figure in words: what was found, and what the first line has besides where there is room.
