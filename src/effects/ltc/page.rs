@@ -104,7 +104,7 @@ pub(super) fn page(origin: Origin, baked: &[Baked], alpha: impl Fn(f64) -> f64) 
             let at = format!("roughness {:.3}, μ {:.3}", d.at[0], d.at[1]);
             vec![what.to_string(), words::max(d.max), words::mean(d.rms), at]
         };
-        let columns = [("error of", false), ("max", true), ("RMS", true), ("worst at", false)];
+        let columns = "error of|max>|RMS>|worst at";
         let caption = format!(
             "{} squares that face the shaded point: six sizes, from half the lobe's width to 69 degrees from middle to side, each \
              about the mirror direction, with an edge or a corner on it, above and below. The share of a sphere is off by {} at most.",
@@ -118,7 +118,7 @@ pub(super) fn page(origin: Origin, baked: &[Baked], alpha: impl Fn(f64) -> f64) 
         let charts: Vec<Curves> =
             VIEWS.into_iter().map(|view| chart(one, view, alpha(view[0]))).collect::<Result<_, _>>()?;
         let blocks = vec![
-            Block::Table(words::table(&columns, rows, &caption)),
+            Block::Table(words::table(columns, rows, &caption)),
             drawn(&maps, "Where a single matrix is far from the lobe.")?,
             drawn(
                 &charts,

@@ -146,13 +146,13 @@ fn call(function: &MaskFunction, cost: CostEntry) -> Call {
 }
 
 fn page(origin: Origin, functions: &[MaskLookup]) -> Page {
-    let columns = [("function", false), ("gives", false), ("ops", true), ("fetches", true), ("bytes", true)];
+    let columns = "function|gives|ops>|fetches>|bytes>";
     let row = |MaskLookup { function, inputs, gives, cost, .. }: &MaskLookup| {
         let call = format!("{function}({})", inputs.join(", "));
         vec![call, gives.clone(), cost.ops.to_string(), cost.fetches.to_string(), cost.bytes.to_string()]
     };
     let caption = "Errors are 0: the nearest floats of the exact means, where a division is rounded once. Compiled costs: docs/occlusion.md.";
-    let table = words::table(&columns, functions.iter().map(row).collect(), caption);
+    let table = words::table(columns, functions.iter().map(row).collect(), caption);
     let lead = "Bit b = x + 2 y + 4 z of a mask is the sub-voxel at (x, y, z), each 0 or 1, with its centre at 0.25 or 0.75 of the cell. Mask 0 \
                 has no centroid: (-1, -1, -1) stands for it. Byte b of a super-voxel of 64 bits is the mask of the cell at (x, y, z) of the same order.";
     let section = Section {

@@ -7,16 +7,7 @@ use crate::report::sections::tables::{SIGNED, maps};
 use crate::report::sections::{called_for, furnace, tables, words};
 use crate::report::{Block, Names, Page, ReportError, Section, TableFinding, TextTable, figures_of};
 
-const LIST: [(&str, bool); 8] = [
-    ("name", false),
-    ("smith", false),
-    ("size", false),
-    ("bytes", true),
-    ("ops", true),
-    ("lookup error, max", true),
-    ("RMS", true),
-    ("where", false),
-];
+const LIST: &str = "name|smith|size|bytes>|ops>|lookup error, max>|RMS>|where";
 
 /// The page of an effect whose tables have slices.
 pub(super) fn page(findings: &SlicedFindings) -> Result<Page, ReportError> {
@@ -66,7 +57,7 @@ fn list(findings: &SlicedFindings) -> Section {
     };
     let caption = "The lookup error is that of the trilinear fetch of the quantised texels with the emitted code, against the \
                    truth at places off the grid. Maxima are rounded up.";
-    let table = words::table(&LIST, findings.tables.iter().map(row).collect(), caption);
+    let table = words::table(LIST, findings.tables.iter().map(row).collect(), caption);
     let link = |t: &TableFinding| Some(format!("#{}", figures_of(&t.name)));
     let names = Names {
         column: 0,
@@ -82,7 +73,7 @@ fn list(findings: &SlicedFindings) -> Section {
 }
 
 fn offline(theirs: &PathTracerFinding) -> Section {
-    let columns = [("method", false), ("evaluations", true), ("error at the texels", true)];
+    let columns = "method|evaluations>|error at the texels>";
     let rows = vec![
         vec![
             "lobefit".into(),
@@ -107,7 +98,7 @@ fn offline(theirs: &PathTracerFinding) -> Section {
         id: "accuracy".into(),
         title: "What accuracy costs offline".into(),
         lead: "The tables in the path tracer's layout, beside its own method.".into(),
-        blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
+        blocks: vec![Block::Table(words::table(columns, rows, &caption))],
     }
 }
 
@@ -150,8 +141,7 @@ fn ways(finding: &WaysFinding) -> Result<[Block; 2], ReportError> {
     for field in &finding.fields {
         field.check("azimuth")?;
     }
-    let columns =
-        [("way", false), ("max", true), ("RMS", true), ("where", false), ("bytes", true), ("ops", true)];
+    let columns = "way|max>|RMS>|where|bytes>|ops>";
     let rows = finding.ways.iter().map(|w| {
         vec![
             w.name.clone(),
@@ -164,7 +154,7 @@ fn ways(finding: &WaysFinding) -> Result<[Block; 2], ReportError> {
     });
     let caption = format!("Error of E at a fixed azimuth, over {}. Maxima are rounded up.", finding.domain);
     Ok([
-        Block::Table(words::table(&columns, rows.collect(), &caption)),
+        Block::Table(words::table(columns, rows.collect(), &caption)),
         maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at), true)?,
     ])
 }

@@ -9,18 +9,7 @@ use crate::report::{
     figures_of,
 };
 
-const COLUMNS: [(&str, bool); 10] = [
-    ("name", false),
-    ("ops", true),
-    ("max", true),
-    ("RMS", true),
-    ("where", false),
-    ("fetches", true),
-    ("bytes", true),
-    ("use", false),
-    ("norm", false),
-    ("source", false),
-];
+const COLUMNS: &str = "name|ops>|max>|RMS>|where|fetches>|bytes>|use|norm|source";
 
 /// All of them; names lead to the figures of those that the page shows, by name, and are places but for
 /// those that the page has known before.
@@ -140,7 +129,7 @@ fn list(all: &[ApproximationFinding], shown: &[&str], known: &mut BTreeSet<Strin
          pow 9). Maxima are rounded up; where: the place of the maximum.{}",
         if all.iter().any(|a| a.published) { " Published constants are set back in grey." } else { "" },
     );
-    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), &caption);
+    let mut table = words::table(COLUMNS, all.iter().map(row).collect(), &caption);
     table.muted = all.iter().map(|a| a.published).collect();
     let link = |a: &ApproximationFinding| {
         shown.contains(&a.name.as_str()).then(|| format!("#{}", figures_of(&a.name)))

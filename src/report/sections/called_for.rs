@@ -4,15 +4,7 @@ use super::words;
 use crate::report::{Block, EffectFinding, Findings, LeftOut, ReportError, Section, numbers};
 use lobefit_import::{About, Note};
 
-const COLUMNS: [(&str, bool); 7] = [
-    ("effect", false),
-    ("because", false),
-    ("ranges", false),
-    ("approximation", false),
-    ("error limit", false),
-    ("measured error", true),
-    ("error of what", false),
-];
+const COLUMNS: &str = "effect|because|ranges|approximation|error limit|measured error>|error of what";
 
 pub(crate) fn section(findings: &Findings) -> Result<Section, ReportError> {
     Ok(of(&findings.effects, &findings.left_out))
@@ -26,10 +18,9 @@ pub(crate) fn notes(notes: &[Note]) -> Option<Block> {
     };
     let row =
         |note: &Note| vec![numbers::shortened(&note.of.join(", ")), about(note).into(), note.text.clone()];
-    let columns = [("material of the file", false), ("about", false), ("note", false)];
+    let columns = "material of the file|about|note";
     let caption = "What the file says that the scene does not hold, and how its values are passed.";
-    (!notes.is_empty())
-        .then(|| Block::Table(words::table(&columns, notes.iter().map(row).collect(), caption)))
+    (!notes.is_empty()).then(|| Block::Table(words::table(columns, notes.iter().map(row).collect(), caption)))
 }
 
 /// The effects, and what was left out.
@@ -42,7 +33,7 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         let rows = effects.iter().map(row).collect();
         let caption = "Maxima are rounded up. The limit is the scene's; a bake that exceeds it fails and writes nothing. Ranges are the hull of \
                        those of the effect's functions and tables: each error holds over the ranges of its own.";
-        blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
+        blocks.push(Block::Table(words::table(COLUMNS, rows, caption)));
     }
     if !left_out.is_empty() {
         let row = |of_one_reason: &[LeftOut]| {
@@ -51,7 +42,7 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         };
         let rows = left_out.chunk_by(|a, b| a.reason == b.reason).map(row).collect();
         let caption = "Left out: not integrated, fitted, emitted or shown below.";
-        blocks.push(Block::Table(words::table(&[("left out", false), ("reason", false)], rows, caption)));
+        blocks.push(Block::Table(words::table("left out|reason", rows, caption)));
     }
     Section {
         id: "called-for".into(),

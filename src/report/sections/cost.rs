@@ -139,20 +139,14 @@ fn measured(record: &GpuRecord) -> Block {
         let [call, screen] = [picoseconds, screen].map(|time| significant(time, 3));
         Some(vec![name.clone(), call, screen, words::max(error.max), error.used_as.metric.into()])
     };
-    let columns = [
-        ("function", false),
-        ("ps per call", true),
-        ("µs at 4K, a call for each pixel", true),
-        ("largest error there", true),
-        ("which error", false),
-    ];
+    let columns = "function|ps per call>|µs at 4K, a call for each pixel>|largest error there>|which error";
     let caption = format!(
         "Measured on {}, throughput of the full device; functions of another scene ({}). The errors are those at the \
          points of the run; the certificates are searched for the worst and so larger.",
         record.device.adapter,
         scene(record)
     );
-    Block::Table(words::table(&columns, timed.filter_map(row).collect(), &caption))
+    Block::Table(words::table(columns, timed.filter_map(row).collect(), &caption))
 }
 
 /// Tables of the built-in scene.
@@ -162,15 +156,9 @@ fn tables(costs: &Costs) -> Block {
         let error = words::max(table.error.lookup.max);
         vec![table.name.clone(), size.join(" × "), grouped(table.bytes), table.cost.ops.to_string(), error]
     };
-    let columns = [
-        ("table", false),
-        ("size in texels", false),
-        ("bytes", true),
-        ("operations beside a fetch", true),
-        ("largest lookup error", true),
-    ];
+    let columns = "table|size in texels|bytes>|operations beside a fetch>|largest lookup error>";
     let rows = costs.tables.iter().map(row).collect();
-    Block::Table(words::table(&columns, rows, "The tables that the built-in scene emits."))
+    Block::Table(words::table(columns, rows, "The tables that the built-in scene emits."))
 }
 
 /// What the next digit costs: for each limit the cheapest formula, and the ratio to the row before.
@@ -181,10 +169,8 @@ fn digits(costs: &Costs) -> Section {
     };
     let units: Vec<String> = costs.units.iter().map(unit).collect();
     let blocks = costs.jobs.iter().flat_map(|job| {
-        let within = format!("{} within", job.metric);
-        let first = [(within.as_str(), true), ("formula of fewest operations", false)];
-        let columns: Vec<(&str, bool)> =
-            first.into_iter().chain(units.iter().map(|unit| (unit.as_str(), true))).collect();
+        let first = format!("{} within>|formula of fewest operations", job.metric);
+        let columns = words::figures_after(&first, units.iter().map(ToString::to_string));
         let table = words::table(&columns, rows(job, units.len()), "");
         [Block::Heading { text: job.title.clone() }, Block::Table(table)]
     });

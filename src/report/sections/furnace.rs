@@ -122,8 +122,7 @@ fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade:
 
 /// The largest departure of every sphere in figures.
 fn worst(furnace: &Furnace, what: &str) -> Block {
-    let mut columns = vec![("roughness".to_string(), false)];
-    columns.extend(furnace.roughness.iter().map(|&r| (numbers::place(r), true)));
+    let columns = words::figures_after("roughness", furnace.roughness.iter().map(|&r| numbers::place(r)));
     let farthest = |factors: &Vec<f64>| {
         factors.iter().map(|f| f - 1.0).fold(0.0, |m: f64, d| if d.abs() > m.abs() { d } else { m })
     };
@@ -135,7 +134,5 @@ fn worst(furnace: &Furnace, what: &str) -> Block {
         "Largest signed departure {what} over each sphere, rounded away from zero. Where it is larger than the sphere looks, it is \
          at the rim: grazing views take up few pixels."
     );
-    let mut table = words::table(&[], furnace.rows.iter().map(row).collect(), &caption);
-    table.columns = columns;
-    Block::Table(table)
+    Block::Table(words::table(&columns, furnace.rows.iter().map(row).collect(), &caption))
 }

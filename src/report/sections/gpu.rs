@@ -182,17 +182,9 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
 }
 
 fn table(rows: &[&GpuRow]) -> TextTable {
-    let columns = [
-        ("name", false),
-        ("ops", true),
-        ("fetches", true),
-        ("ps per evaluation", true),
-        ("µs per 3840×2160", true),
-        ("× of the loop", true),
-        ("× of a fetch", true),
-    ];
+    let columns = "name|ops>|fetches>|ps per evaluation>|µs per 3840×2160>|× of the loop>|× of a fetch>";
     let cells = rows.iter().map(|row| cells(row)).collect();
-    let mut table = words::table(&columns, cells, "");
+    let mut table = words::table(columns, cells, "");
     table.muted = rows.iter().map(|row| row.error.as_ref().is_some_and(|error| error.published)).collect();
     table
 }
@@ -231,6 +223,6 @@ fn left_out(record: &GpuRecord) -> Section {
         id: "left-out".into(),
         title: "Not measured".into(),
         lead: "Functions of the manifest that have no time above.".into(),
-        blocks: vec![Block::Table(words::table(&[("function", false), ("why", false)], rows, ""))],
+        blocks: vec![Block::Table(words::table("function|why", rows, ""))],
     }
 }

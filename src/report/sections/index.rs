@@ -9,32 +9,12 @@ use crate::emit::call::{Call, Callers, NAMED, callers};
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
 use crate::report::{Block, Names, Section, TextTable, figures_of, numbers, place_of};
 
-const COLUMNS: [(&str, bool); 9] = [
-    ("effect", false),
-    ("name", false),
-    ("quantity", false),
-    ("use", false),
-    ("smith", false),
-    ("max error", true),
-    ("ops", true),
-    ("fetches", true),
-    ("bytes", true),
-];
+const COLUMNS: &str = "effect|name|quantity|use|smith|max error>|ops>|fetches>|bytes>";
 
 /// The column of names.
 const NAME: usize = 1;
 
-const CALLS: [(&str, bool); 9] = [
-    ("call", false),
-    ("recommended", false),
-    ("effect", false),
-    ("for", false),
-    ("max error", true),
-    ("which error", false),
-    ("ops", true),
-    ("fetches", true),
-    ("bytes", true),
-];
+const CALLS: &str = "call|recommended|effect|for|max error>|which error|ops>|fetches>|bytes>";
 
 pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
     let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
@@ -125,11 +105,11 @@ fn states_error(scene: &Value) -> bool {
 
 /// A row for all that call the same.
 fn of_callers(manifest: &Manifest) -> Block {
-    let columns = [("materials and probes", false), ("call", false)];
+    let columns = "materials and probes|call";
     let row = |Callers { names, calls }: Callers| vec![names.join(", "), calls.join(", ")];
     let rows = callers(&manifest.entries.calls).into_iter().map(row).collect();
     let caption = "Of functions that stand for one another the recommended one comes first.";
-    Block::Table(words::table(&columns, rows, caption))
+    Block::Table(words::table(columns, rows, caption))
 }
 
 /// A row for each function, with who calls it.
@@ -170,7 +150,7 @@ fn calls(manifest: &Manifest) -> Block {
         "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.";
     let rows = found.into_iter().map(row).collect();
     let names = Some(Names { column: 0, places: Vec::new(), links });
-    Block::Table(TextTable { names, ..words::table(&CALLS, rows, caption) })
+    Block::Table(TextTable { names, ..words::table(CALLS, rows, caption) })
 }
 
 /// The first names, and how many more there are: [`of_callers`] has all.
@@ -201,7 +181,7 @@ fn rows(manifest: &Manifest) -> Block {
     let links = rows.iter().map(|row| place(manifest, &row[0], &row[NAME])).collect();
     let caption = "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.";
     let names = Some(Names { column: NAME, places: Vec::new(), links });
-    Block::Table(TextTable { names, ..words::table(&COLUMNS, rows, caption) })
+    Block::Table(TextTable { names, ..words::table(COLUMNS, rows, caption) })
 }
 
 fn table(t: &TableEntry) -> Vec<String> {

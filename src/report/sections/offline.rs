@@ -136,18 +136,11 @@ fn orders(studies: &[OfflineStudy]) -> TextTable {
         row.resize(6, "–".into());
         row
     };
-    let columns = [
-        ("way", false),
-        ("points", false),
-        ("easy: order", true),
-        ("seconds to 1e-4", true),
-        ("hard: order", true),
-        ("seconds to 1e-4", true),
-    ];
+    let columns = "way|points|easy: order>|seconds to 1e-4>|hard: order>|seconds to 1e-4>";
     let caption = "Order p, fitted by least squares: the error falls like 1/nᵖ in n evaluations. ~: beyond what was measured, by the order. \
                    A dash: at the truth's own bound from the first or second setting on, or not counted; of seconds, beyond a thousand times \
                    the longest run.";
-    words::table(&columns, studies[0].curves.iter().enumerate().map(row).collect(), caption)
+    words::table(columns, studies[0].curves.iter().enumerate().map(row).collect(), caption)
 }
 
 /// Seconds of a curve to [`COMPARED_AT`].
@@ -169,21 +162,12 @@ fn walks(studies: &[OfflineStudy]) -> Option<Block> {
         [of].into_iter().chain(times.map(|x| significant(x, 2))).collect()
     };
     let rows: Vec<_> = studies.iter().filter_map(|s| Some(row((s, s.walk?)))).collect();
-    let columns = [
-        ("what", false),
-        ("ns a path", true),
-        ("ns a sample", true),
-        ("ratio", true),
-        ("walk, s", true),
-        ("samples, s", true),
-        ("ratio", true),
-        ("quadrature, s", true),
-    ];
+    let columns = "what|ns a path>|ns a sample>|ratio>|walk, s>|samples, s>|ratio>|quadrature, s>";
     let caption = format!(
         "A random walk over facets beside visible normals by Sobol points, as second opinions are drawn, and beside the truth by quadrature: time of one, and seconds to a \
          standard error of {WALKED_TO}. Published renderings have the walk 7 to 15 times slower (Turquin 2019)."
     );
-    (!rows.is_empty()).then(|| Block::Table(words::table(&columns, rows, &caption)))
+    (!rows.is_empty()).then(|| Block::Table(words::table(columns, rows, &caption)))
 }
 
 fn lookups(study: &OfflineStudy, tables: &Tables) -> TextTable {
@@ -192,18 +176,13 @@ fn lookups(study: &OfflineStudy, tables: &Tables) -> TextTable {
         let numbers = [tables.error[i], tables.direct[i], tables.shared[i]].map(|x| significant(x, 2));
         [format!("{side} × {side}"), grouped(4 * (side * side) as u64)].into_iter().chain(numbers).collect()
     };
-    let columns = [
-        ("texels", false),
-        ("bytes", true),
-        ("largest error of the bilinear lookup", true),
-        ("seconds, each by itself", true),
-        ("seconds, together", true),
-    ];
+    let columns =
+        "texels|bytes>|largest error of the bilinear lookup>|seconds, each by itself>|seconds, together>";
     let caption = format!(
         "{} of {} over {}, plain f32 texels even in roughness and in the cosine; other inputs as at the easy point.",
         study.output,
         study.quantity,
         tables.axes.join(" and ")
     );
-    words::table(&columns, (0..tables.sides.len()).map(row).collect(), &caption)
+    words::table(columns, (0..tables.sides.len()).map(row).collect(), &caption)
 }

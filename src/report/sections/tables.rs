@@ -8,7 +8,7 @@ use crate::report::{
     check,
 };
 
-const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
+const COLUMNS: &str = "error of|max>|RMS>|where";
 
 /// The truths over their inputs; the caption says what to see in them.
 pub(crate) fn truths(truths: &[Field], caption: &str) -> Result<Option<Section>, ReportError> {
@@ -168,7 +168,7 @@ fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
     };
     let rows = errors.iter().map(row).collect();
     words::table(
-        &COLUMNS,
+        COLUMNS,
         rows,
         "Lookup is the whole error: integration, quantisation and interpolation together.",
     )

@@ -6,18 +6,7 @@ use crate::report::{
     Block, Curves, ReportError, Section, Series, Spread, Style, TimedTableRun, TimedTables, check,
 };
 
-const COLUMNS: [(&str, bool); 10] = [
-    ("asked for", true),
-    ("smith", false),
-    ("instructions", false),
-    ("worst checked", true),
-    ("texels checked", true),
-    ("evaluations", true),
-    ("reflection, s", true),
-    ("glass, s", true),
-    ("all, s", true),
-    ("sources / ours", true),
-];
+const COLUMNS: &str = "asked for>|smith|instructions|worst checked>|texels checked>|evaluations>|reflection, s>|glass, s>|all, s>|sources / ours>";
 
 pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
     let positive = |r: &TimedTableRun| r.seconds() > 0.0 && r.worst > 0.0;
@@ -45,7 +34,7 @@ pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
                from inside."
             .into(),
         blocks: vec![
-            Block::Table(words::table(&COLUMNS, rows, &caption)),
+            Block::Table(words::table(COLUMNS, rows, &caption)),
             figures(&[chart(tables)], "Error against seconds for all three tables, both logarithmic; the path tracer's estimator is \
                                        extrapolated from its rate.")?,
         ],

@@ -53,7 +53,7 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
 }
 
 fn lookups(timings: &Timings) -> Section {
-    let columns = [("lookup", false), ("fetches", true), ("ns per pixel", true)];
+    let columns = "lookup|fetches>|ns per pixel>";
     let row = |l: &TimedLookup| vec![l.lookup.clone(), l.fetches.to_string(), words::mean(l.nanoseconds)];
     let rows = timings.lookups.iter().map(row).collect();
     Section {
@@ -63,7 +63,7 @@ fn lookups(timings: &Timings) -> Section {
                the rational width and the rule of half-cosine chains where an emitted lookup may have others. The texture's \
                fetches come on top; operations of the emitted functions are in the manifest."
             .into(),
-        blocks: vec![Block::Table(words::table(&columns, rows, "Mean over places, normals, views and widths at random."))],
+        blocks: vec![Block::Table(words::table(columns, rows, "Mean over places, normals, views and widths at random."))],
     }
 }
 
@@ -107,12 +107,12 @@ fn dot(e: &TimedApproximation) -> Dot {
 }
 
 fn table(timings: &Timings) -> crate::report::TextTable {
-    let columns = [("name", false), ("ns", true), ("ops", true), ("max error", true)];
+    let columns = "name|ns>|ops>|max error>";
     let row = |e: &TimedApproximation| {
         vec![e.name.clone(), words::mean(e.nanoseconds), e.ops.to_string(), words::max(e.max_error)]
     };
     let mut table =
-        words::table(&columns, timings.evaluations.iter().map(row).collect(), "Maxima are rounded up.");
+        words::table(columns, timings.evaluations.iter().map(row).collect(), "Maxima are rounded up.");
     table.muted = timings.evaluations.iter().map(|e| e.published).collect();
     table
 }

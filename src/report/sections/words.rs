@@ -74,9 +74,25 @@ pub fn worth_a_chart(dots: &[Dot]) -> bool {
     dots.len() >= 3 && dots.iter().any(|d| d.x != dots[0].x)
 }
 
-/// A table without muted rows; `true` marks columns of figures.
-pub fn table(columns: &[(&str, bool)], rows: Vec<Vec<String>>, caption: &str) -> TextTable {
+/// A table without muted rows, of columns as [`heads`] reads them.
+pub fn table(columns: &str, rows: Vec<Vec<String>>, caption: &str) -> TextTable {
     let muted = vec![false; rows.len()];
-    let columns = columns.iter().map(|(name, figures)| (name.to_string(), *figures)).collect();
-    TextTable { columns, rows, muted, names: None, caption: caption.into() }
+    TextTable { columns: heads(columns), rows, muted, names: None, caption: caption.into() }
+}
+
+/// The heads of columns, with a bar between any two, and whether a column is of figures, which a `>` after its
+/// head says: `name|ops>|max>|where`.
+pub fn heads(columns: &str) -> Vec<(String, bool)> {
+    let head = |head: &str| match head.strip_suffix('>') {
+        Some(figures) => (figures.to_string(), true),
+        None => (head.to_string(), false),
+    };
+    let heads: Vec<_> = columns.split('|').map(head).collect();
+    debug_assert!(heads.iter().all(|(name, _)| !name.is_empty()), "a head without a name: {columns}");
+    heads
+}
+
+/// The heads of a column of names and of columns of figures.
+pub fn figures_after(first: &str, heads: impl IntoIterator<Item = String>) -> String {
+    heads.into_iter().fold(first.into(), |columns, head| format!("{columns}|{head}>"))
 }

@@ -120,13 +120,12 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
         }
     };
     let charts: Vec<Curves> = (0..found.furnace.channels.len()).map(chart).collect();
-    let heads = heads();
-    let named: Vec<(&str, bool)> = heads.iter().map(|name| (name.as_str(), true)).collect();
+    let columns = heads().join(">|") + ">";
     let rows = found.rows().into_iter().map(Vec::from);
     let caption = "Energy by quadrature, with the difference from the coarser rule, of the channel that has the largest.";
     let blocks = vec![
         figures(&charts, "Energy that comes back in a white furnace; bars are its errors.")?,
-        Block::Table(words::table(&named, rows.collect(), caption)),
+        Block::Table(words::table(&columns, rows.collect(), caption)),
     ];
     Ok(Section { id: "energy".into(), title: "Energy".into(), lead: String::new(), blocks })
 }

@@ -59,20 +59,11 @@ pub struct AuditCompiled {
     pub counts: Counts,
 }
 
-/// Columns of the table; `true` marks figures.
-const COLUMNS: [(&str, bool); 8] = [
-    ("family", false),
-    ("vector", true),
-    ("transc.", true),
-    ("moves", true),
-    ("latency", true),
-    ("max error", true),
-    ("function", false),
-    ("which", false),
-];
+/// Columns of the table.
+const COLUMNS: &str = "family|vector>|transc.>|moves>|latency>|max error>|function|which";
 
 /// Cells of the table.
-type Row = [String; COLUMNS.len()];
+type Row = [String; 8];
 
 const AUDITED: &str = "audited";
 const CHEAPEST: &str = "ours: the cheapest of no larger error";
@@ -103,8 +94,9 @@ impl AuditCost {
 
     /// For the terminal: a line for each row.
     pub fn text(&self) -> String {
-        let heads = COLUMNS.map(|(name, figures)| (name, if figures { Side::Right } else { Side::Left }));
-        format!("{}\n{}\n", self.lead(), lines(heads, &self.rows()).join("\n"))
+        let heads = words::heads(COLUMNS);
+        let head = |k: usize| (heads[k].0.as_str(), if heads[k].1 { Side::Right } else { Side::Left });
+        format!("{}\n{}\n", self.lead(), lines(std::array::from_fn(head), &self.rows()).join("\n"))
     }
 
     /// For the page.
@@ -114,7 +106,7 @@ impl AuditCost {
             id: "cost".into(),
             title: "Compiled instructions".into(),
             lead: self.lead(),
-            blocks: vec![Block::Table(words::table(&COLUMNS, rows.collect(), ""))],
+            blocks: vec![Block::Table(words::table(COLUMNS, rows.collect(), ""))],
         }
     }
 }

@@ -62,14 +62,10 @@ fn verdict(audit: &AuditFindings) -> Result<Section, ReportError> {
 
 fn conventions(audit: &AuditFindings) -> Section {
     let best = &audit.conventions[0];
-    let mut columns: Vec<(String, bool)> = best.axes.iter().map(|a| (a.axis.clone(), false)).collect();
-    columns.extend(
-        [("lobe", false), ("holds", false), ("max", true), ("RMS", true), ("times worse", true)]
-            .map(|(n, f)| (n.into(), f)),
-    );
+    let axes = best.axes.iter().map(|a| a.axis.as_str());
+    let columns = axes.chain(["lobe|holds|max>|RMS>|times worse>"]).collect::<Vec<_>>().join("|");
     let rows = audit.conventions.iter().map(|c| row(c, best.rank)).collect();
-    let named: Vec<(&str, bool)> = columns.iter().map(|(n, f)| (n.as_str(), *f)).collect();
-    let table = words::table(&named, rows, if audit.stated { "" } else { BEST_FIRST });
+    let table = words::table(&columns, rows, if audit.stated { "" } else { BEST_FIRST });
     let (title, lead) = if audit.stated {
         ("As the file says", "The file's own statement, held against the truth; nothing else was tried.")
     } else {
@@ -191,7 +187,7 @@ fn errors(channel: &AuditChannel, stated: bool) -> lobefit::report::TextTable {
         lookup("lookup, texels taken for centres", &channel.plain_lookup);
     }
     words::table(
-        &[("error of", false), ("max", true), ("RMS", true), ("mean", true), ("where", false)],
+        "error of|max>|RMS>|mean>|where",
         rows,
         if channel.lookup.is_some() {
             "Lookups interpolate linearly over even coordinates of the whole domain; beyond the outermost texels they hold their value."

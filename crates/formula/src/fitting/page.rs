@@ -86,10 +86,10 @@ fn errors(used_as: Use, fit: &Certified) -> Result<Section, ReportError> {
         Block::Facts { rows: vec![("Cost".into(), words::operations(fit.approximation.cost.ops))] },
     ];
     if !fit.coefficients.is_empty() {
-        let columns = [("constant", false), ("fitted", true), ("started at", true)];
+        let columns = "constant|fitted>|started at>";
         let caption = "Constants in the shortest digits that read back to the same f32. The certificate holds for them as they \
                        stand here.";
-        blocks.push(Block::Table(words::table(&columns, constants.collect(), caption)));
+        blocks.push(Block::Table(words::table(columns, constants.collect(), caption)));
     }
     Ok(Section {
         id: anchor(fit, "error"),
@@ -102,15 +102,7 @@ fn errors(used_as: Use, fit: &Certified) -> Result<Section, ReportError> {
 }
 
 fn measured(used_as: Use, certificates: &[&Certificate]) -> TextTable {
-    let columns = [
-        ("arithmetic", false),
-        ("max", true),
-        ("where", false),
-        ("max relative", true),
-        ("RMS", true),
-        ("mean", true),
-        ("points", true),
-    ];
+    let columns = "arithmetic|max>|where|max relative>|RMS>|mean>|points>";
     let row = |c: &&Certificate| {
         vec![
             c.precision.clone(),
@@ -127,7 +119,7 @@ fn measured(used_as: Use, certificates: &[&Certificate]) -> TextTable {
          the arithmetic that is measured.",
         used_as.metric
     );
-    words::table(&columns, certificates.iter().map(row).collect(), &caption)
+    words::table(columns, certificates.iter().map(row).collect(), &caption)
 }
 
 fn pictures(used_as: Use, fit: &Certified, slices: &[FitSlice]) -> Result<Section, ReportError> {
@@ -255,8 +247,8 @@ fn map<'a>(field: &'a Field, slice: &FitSlice) -> HeatMap<'a> {
 
 fn worst_places(slice: &FitSlice) -> Option<TextTable> {
     let field = slice.error.as_ref()?;
-    let columns =
-        [(words::symbol(&field.x.name), true), (words::symbol(&field.y.name), true), ("signed error", true)];
+    let [x, y] = [&field.x.name, &field.y.name].map(|name| words::symbol(name));
+    let columns = format!("{x}>|{y}>|signed error>");
     let row = |&(x, y, value): &(f64, f64, f64)| vec![brief(x, 3), brief(y, 3), significant(value, 3)];
     let rows = slice.worst.iter().map(row).collect();
     Some(words::table(
@@ -267,14 +259,14 @@ fn worst_places(slice: &FitSlice) -> Option<TextTable> {
 }
 
 fn solver(job: &Job, fitting: &Fitting, fit: &Certified) -> Section {
-    let columns = [("stage", false), ("ended as", false), ("max", true), ("RMS", true)];
+    let columns = "stage|ended as|max>|RMS>";
     let constrained = !fit.fitted.constraints.is_empty();
     let rows = fit.fitted.stages.iter().map(|stage| super::words::stage(stage, constrained).to_vec());
     let caption = "The stages of the search that led to these constants, with the residuals over the samples (which are weighted, \
                    where a weight was given).";
     let mut blocks = vec![Block::Facts { rows: facts(job, fitting, fit) }];
     if !fit.fitted.stages.is_empty() {
-        blocks.push(Block::Table(words::table(&columns, rows.collect(), caption)));
+        blocks.push(Block::Table(words::table(columns, rows.collect(), caption)));
     }
     Section {
         id: anchor(fit, "search"),

@@ -66,7 +66,7 @@ fn tried(searched: &Searched) -> Vec<Block> {
     let caption = "What forms might have beside sums of powers, each tried by itself in a search of few forms, operations and samples: \
                    where it made the error smallest against the same search without it. What takes away 3 % or more is used; of \
                    factors of terms, the best two.";
-    vec![Block::Table(words::table(&[("tried", false), ("gained", false)], rows, caption))]
+    vec![Block::Table(words::table("tried|gained", rows, caption))]
 }
 
 fn frontier(searched: &Searched) -> Result<Section, ReportError> {
@@ -110,14 +110,7 @@ fn dots(searched: &Searched) -> Vec<Dot> {
 }
 
 fn found(searched: &Searched) -> TextTable {
-    let columns = [
-        ("name", false),
-        ("ops", true),
-        ("max", true),
-        ("RMS", true),
-        ("where", false),
-        ("best possible", true),
-    ];
+    let columns = "name|ops>|max>|RMS>|where|best possible>";
     let row = |r: &Point| {
         let c = &r.certificate;
         let bound = if r.bound > 0.0 { words::mean(r.bound) } else { "–".into() };
@@ -132,16 +125,16 @@ fn found(searched: &Searched) -> TextTable {
     };
     let caption = "Best possible: no constants of this form bring the largest error on the samples below this, by proof; a dash where \
                    the form has constants for which nothing is proven.";
-    words::table(&columns, searched.points.iter().map(row).collect(), caption)
+    words::table(columns, searched.points.iter().map(row).collect(), caption)
 }
 
 fn others(searched: &Searched) -> TextTable {
-    let columns = [("the catalogue's", false), ("ops", true), ("max", true), ("RMS", true)];
+    let columns = "the catalogue's|ops>|max>|RMS>";
     let row =
         |r: &CatalogueFit| vec![r.name.clone(), r.ops.to_string(), words::max(r.max), words::mean(r.rms)];
     let caption = "What there was before, measured at the same points: fits of the catalogue with the constants that their files \
                    declare, published formulas in grey.";
-    let mut table = words::table(&columns, searched.catalogue.iter().map(row).collect(), caption);
+    let mut table = words::table(columns, searched.catalogue.iter().map(row).collect(), caption);
     table.muted = searched.catalogue.iter().map(|r| r.published).collect();
     table
 }

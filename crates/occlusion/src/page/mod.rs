@@ -180,19 +180,15 @@ fn rates(tally: &Tally) -> [String; 6] {
     ]
 }
 
-const RATES: [(&str, bool); 6] = [
-    ("wrongly culled", true),
-    ("of which a pixel is seen", true),
-    ("wrongly kept", true),
-    ("texels too near", true),
-    ("never written", true),
-    ("work per texel", true),
-];
+const RATES: &str =
+    "wrongly culled>|of which a pixel is seen>|wrongly kept>|texels too near>|never written>|work per texel>";
 
-/// The column of times, where there are any: one is empty of every row.
-const MS: (&str, bool) = ("ms a frame", true);
+/// `columns`, with that of times where there are any: it is empty of every row otherwise.
+fn with_times(columns: &str, timed: Option<&[&Timed]>) -> String {
+    format!("{columns}{}", if timed.is_some() { "|ms a frame>" } else { "" })
+}
 
-/// Its cell, where times are recorded.
+/// The cell of times, where they are recorded.
 fn milliseconds(timed: Option<&Timed>) -> Option<String> {
     timed.map(|timed| brief(timed.milliseconds.total(), 3))
 }

@@ -1,6 +1,6 @@
 //! What each pass buys and costs, at every resolution.
 
-use super::{MS, RATES, Rate, by, curves, milliseconds, own, percent, rates};
+use super::{RATES, Rate, by, curves, milliseconds, own, percent, rates, with_times};
 use crate::measure::{TOLERANCE, Tally, Trial, part};
 use crate::passes::{Passes, Work};
 use crate::study::{ALL, CHOSEN, Results, Row, SAFE};
@@ -144,9 +144,8 @@ pub(super) fn passes(
         grouped(first.hidden),
         percent(f64::from(TOLERANCE)),
     );
-    let columns = [("buffer", false), ("pass", false), ("work per texel", true), MS];
     let split = words::table(
-        &columns[..3 + usize::from(timed.is_some())],
+        &with_times("buffer|pass|work per texel>", timed),
         split(results, timed),
         "Work of each pass for each texel of the buffer, beside its time. Accumulation adds the depth of a frame to the voxels.",
     );
@@ -175,7 +174,7 @@ fn table(
     keep: &dyn Fn(&Row) -> bool,
     caption: &str,
 ) -> TextTable {
-    let columns = [&[("buffer", false)][..], &RATES, timed.map_or(&[], |_| &[MS])].concat();
+    let columns = with_times(&format!("buffer|{RATES}"), timed);
     let rows = results.rows.iter().enumerate().filter(|(_, row)| keep(row)).map(|(i, row)| {
         let cells = rates(&row.tally).into_iter().chain(milliseconds(timed.map(|timed| timed[i])));
         std::iter::once(row.name.clone()).chain(cells).collect()
@@ -239,9 +238,7 @@ fn sheet(results: &Results, timed: Option<&[&Timed]>, rate: Rate) -> Vec<Panel> 
 /// Every row of the other resolutions.
 pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result<Section, ReportError> {
     let own = own(results);
-    let columns =
-        [&[("size", false), ("voxels", false), ("buffer", false)][..], &RATES, timed.map_or(&[], |_| &[MS])]
-            .concat();
+    let columns = with_times(&format!("size|voxels|buffer|{RATES}"), timed);
     let rows = results.rows.iter().enumerate().filter(|(_, row)| !own(row)).map(|(i, row)| {
         let first = [sized(row.buffer), row.voxels.map_or("-".into(), sized), row.name.clone()];
         let ms = milliseconds(timed.map(|timed| timed[i]));

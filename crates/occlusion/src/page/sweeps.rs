@@ -1,6 +1,6 @@
 //! What latency, speed and free parameters do, and why texels are never written.
 
-use super::{MS, RATES, Rate, by, curves, milliseconds, path, percent, rates, worded};
+use super::{RATES, Rate, by, curves, milliseconds, path, percent, rates, with_times, worded};
 use crate::choice::{ALLOWED, COST, Choice, Choices, OnShots};
 use crate::measure::{Tally, part};
 use crate::passes::Work;
@@ -126,10 +126,9 @@ pub(super) fn holes(results: &Results) -> Section {
             .chain(of.map(|n| percent(part(n, holes.texels))))
             .collect()
     };
-    let columns =
-        [("path", false), ("out of the old frame", true), ("stretched", true), ("disoccluded", true)];
+    let columns = "path|out of the old frame>|stretched>|disoccluded>";
     let caption = "Parts of all texels that no point of the old depth reached. Stretched: the old frame saw what is there, with too few points.";
-    let table = words::table(&columns, results.causes.iter().map(row).collect(), caption);
+    let table = words::table(columns, results.causes.iter().map(row).collect(), caption);
     Section {
         id: "holes".into(),
         title: "Why texels are never written".into(),
@@ -142,14 +141,8 @@ pub(super) fn holes(results: &Results) -> Section {
 }
 
 pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section {
-    let first = [
-        ("parameters", false),
-        ("shots", false),
-        ("culled, worst shot", true),
-        ("culled sideways", true),
-        ("kept sideways", true),
-    ];
-    let columns = [&first[..], &RATES, timed.map_or(&[], |_| &[MS])].concat();
+    let first = "parameters|shots|culled, worst shot>|culled sideways>|kept sideways>";
+    let columns = with_times(&format!("{first}|{RATES}"), timed);
     let two = |name: &str, choice: &Choice| {
         let ms = by(results, timed, choice.trial).and_then(|(_, timed)| milliseconds(timed));
         let row = |shots: &str, found: &OnShots| -> Vec<String> {

@@ -1,7 +1,7 @@
 //! What the pages of studies are put together from.
 
 use lobefit::report::numbers::place;
-use lobefit::report::{Curves, Series, Spread, Style, TextTable, words};
+use lobefit::report::{Curves, Series, Spread, Style, words};
 
 /// What the lead of a page of a reduced study begins with.
 pub(super) const REDUCED: &str = "REDUCED SIZE, for tests: few points, small pictures, few roughnesses. What it says of better and worse is not the \
@@ -31,14 +31,9 @@ pub(super) fn chart(
     }
 }
 
-/// A table whose columns have names and are of numbers or not.
-pub(super) fn table(columns: Vec<(String, bool)>, rows: Vec<Vec<String>>, caption: &str) -> TextTable {
-    TextTable { columns, ..words::table(&[], rows, caption) }
-}
-
-/// A column of names, and one of numbers at each value.
-pub(super) fn columns_at(first: impl Into<String>, values: &[f64]) -> Vec<(String, bool)> {
-    std::iter::once((first.into(), false)).chain(values.iter().map(|&x| (place(x), true))).collect()
+/// The heads of a column of names, and of one of figures at each value.
+pub(super) fn columns_at(first: &str, values: &[f64]) -> String {
+    words::figures_after(first, values.iter().map(|&x| place(x)))
 }
 
 /// A row of a table: its name and its cells.

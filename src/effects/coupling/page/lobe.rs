@@ -53,8 +53,8 @@ fn anywhere(lobe: &CouplingLobe) -> Result<Block, ReportError> {
          else so many values were tried.",
         numbers::grouped(places)
     );
-    let columns = [("name", false), ("max, any f0", true), ("where", false), ("f0 tried", false)];
-    let mut table = words::table(&columns, rows.collect(), &caption);
+    let columns = "name|max, any f0>|where|f0 tried";
+    let mut table = words::table(columns, rows.collect(), &caption);
     table.muted = lobe.approximations.iter().map(|a| a.published).collect();
     Ok(Block::Table(table))
 }

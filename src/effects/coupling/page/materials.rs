@@ -78,14 +78,7 @@ pub(super) fn of_lobe(lobe: &CouplingLobe) -> Result<Option<Section>, ReportErro
 }
 
 fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
-    let columns = [
-        ("lobe", false),
-        ("furnace at f0 = 1", true),
-        ("reciprocity", true),
-        ("where", false),
-        ("ops", true),
-        ("texels", true),
-    ];
+    let columns = "lobe|furnace at f0 = 1>|reciprocity>|where|ops>|texels>";
     let row = |row: &&ReciprocityRow| {
         vec![
             row.lobe.clone(),
@@ -97,7 +90,7 @@ fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
         ]
     };
     words::table(
-        &columns,
+        columns,
         rows.iter().map(row).collect(),
         "Specular lobes alone. Operations are those of one channel beyond the bare lobe, by the project's operation model; texels are \
          reads of (A, B), constants of the material are free.",
@@ -105,26 +98,21 @@ fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
 }
 
 fn couplings(rows: &[&ReciprocityRow]) -> TextTable {
-    let mut columns = vec![("base".to_string(), false)];
     let furnace = rows.first().map(|row| row.furnace.as_slice()).unwrap_or_default();
-    columns.extend(furnace.iter().map(|f| (format!("f0 {}", brief(f.f0, 3)), true)));
-    let last = [("reciprocity", true), ("where", false), ("ops", true), ("texels", true)];
-    columns.extend(last.map(|(name, figures)| (name.to_string(), figures)));
+    let columns = words::figures_after("base", furnace.iter().map(|f| format!("f0 {}", brief(f.f0, 3))));
     let row = |row: &&ReciprocityRow| {
         let mut cells = vec![row.coupling.clone().unwrap_or_default()];
         cells.extend(row.furnace.iter().map(|f| departure(f.worst)));
         cells.extend([exchange(row), place(row), row.ops.to_string(), row.fetches.to_string()]);
         cells
     };
-    let mut table = words::table(
-        &[],
+    words::table(
+        &(columns + "|reciprocity>|where|ops>|texels>"),
         rows.iter().map(row).collect(),
         "Lobe and base together. Columns of f0: furnace, two digits, 0 if closed to the error of the measurement. Where: the two cosines that are \
          exchanged. Names ending in “reciprocal”: the factor at the light times that at the view over its average. Own specular: the albedo of \
          the lobe above, as it is drawn.",
-    );
-    table.columns = columns;
-    table
+    )
 }
 
 fn departure(x: f64) -> String {

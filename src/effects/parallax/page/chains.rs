@@ -4,14 +4,7 @@ use crate::effects::parallax::results::ParallaxLobe;
 use crate::report::sections::words;
 use crate::report::{Block, Section};
 
-const COLUMNS: [(&str, bool); 6] = [
-    ("function", false),
-    ("chain", false),
-    ("gives", false),
-    ("ops", true),
-    ("max, levels", true),
-    ("where", false),
-];
+const COLUMNS: &str = "function|chain|gives|ops>|max, levels>|where";
 
 /// Nothing where no chain was asked for.
 pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
@@ -34,6 +27,6 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
         id: "levels".into(),
         title: "Levels of the chain".into(),
         lead: "From the level of a lobe to the level to fetch, by the most accurate of the fits.".into(),
-        blocks: vec![Block::Table(words::table(&COLUMNS, lobe.chains.iter().map(row).collect(), caption))],
+        blocks: vec![Block::Table(words::table(COLUMNS, lobe.chains.iter().map(row).collect(), caption))],
     })
 }

@@ -4,16 +4,7 @@ use crate::effects::parallax::results::{LookupFinding, ParallaxLobe};
 use crate::report::sections::words;
 use crate::report::{Block, Section};
 
-const COLUMNS: [(&str, bool); 8] = [
-    ("function", false),
-    ("proxy", false),
-    ("edges", false),
-    ("lobe", false),
-    ("fetches", true),
-    ("ops", true),
-    ("width", false),
-    ("chain", false),
-];
+const COLUMNS: &str = "function|proxy|edges|lobe|fetches>|ops>|width|chain";
 
 /// Nothing where no lookup was asked for.
 pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
@@ -39,6 +30,6 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
         id: "lookups".into(),
         title: "Lookups through a proxy".into(),
         lead: "Where the ray that a surface reflects meets the proxy of the room, what to fetch from there, and in how many fetches.".into(),
-        blocks: vec![Block::Table(words::table(&COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
+        blocks: vec![Block::Table(words::table(COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
     })
 }

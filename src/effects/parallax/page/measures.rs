@@ -52,13 +52,9 @@ fn planes(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
 }
 
 fn table(lobe: &ParallaxLobe) -> TextTable {
-    let mut columns = vec![("name", false)];
-    for first in ["ρ < 1: L2 mean", "ρ > 1: L2 mean"] {
-        columns.extend(
-            [first, "L2 max", "largest mean", "largest max", "within a radius: mean", "max"]
-                .map(|name| (name, true)),
-        );
-    }
+    let columns = "name\
+        |ρ < 1: L2 mean>|L2 max>|largest mean>|largest max>|within a radius: mean>|max>\
+        |ρ > 1: L2 mean>|L2 max>|largest mean>|largest max>|within a radius: mean>|max>";
     let cells = |row: &Option<VariationRow>| -> Vec<String> {
         let figures = |row: &VariationRow| {
             let [_, others @ ..] = pairs(row);
@@ -70,7 +66,7 @@ fn table(lobe: &ParallaxLobe) -> TextTable {
         std::iter::once(v.name.clone()).chain(cells(&v.nearer)).chain(cells(&v.farther)).collect()
     };
     let mut table = words::table(
-        &columns,
+        columns,
         lobe.variations.iter().map(row).collect(),
         "Mean and maximum of the other measures over the same cells; maxima are rounded up.",
     );

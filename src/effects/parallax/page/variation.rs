@@ -5,16 +5,7 @@ use crate::effects::parallax::results::{ParallaxLobe, VariationFinding, Variatio
 use crate::report::sections::{figures, words};
 use crate::report::{Block, Dot, ReportError, Scatter, Section, Spread, check};
 
-const COLUMNS: [(&str, bool); 8] = [
-    ("name", false),
-    ("ops", true),
-    ("ρ < 1: mean", true),
-    ("max", true),
-    ("where", false),
-    ("ρ > 1: mean", true),
-    ("max", true),
-    ("where", false),
-];
+const COLUMNS: &str = "name|ops>|ρ < 1: mean>|max>|where|ρ > 1: mean>|max>|where";
 
 pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     check::filled("total variation", "variations", lobe.variations.len())?;
@@ -34,7 +25,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
                        formula may lie a little below its total variation.";
         blocks.push(figures(&charts, caption)?);
     }
-    let mut table = words::table(&COLUMNS, lobe.variations.iter().map(row).collect(), CAPTION);
+    let mut table = words::table(COLUMNS, lobe.variations.iter().map(row).collect(), CAPTION);
     table.muted = lobe.variations.iter().map(|v| v.published).collect();
     blocks.push(Block::Table(table));
     blocks.extend(measures::blocks(lobe)?);

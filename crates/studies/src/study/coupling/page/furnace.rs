@@ -4,7 +4,7 @@ use crate::study::coupling::findings::{CouplingStudy, FurnaceStrip, FurnaceStrip
 use crate::study::page;
 use lobefit::report::figures;
 use lobefit::report::numbers::{bound, brief, place};
-use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, TextTable, check, disc};
+use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, TextTable, check, disc, words};
 
 /// Departure that gets the deepest colours.
 const LIMIT: f64 = 0.1;
@@ -76,8 +76,8 @@ fn title(strip: &FurnaceStrip) -> String {
 /// The largest departures over roughness and mu, by reflectance.
 fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
     let strips: Vec<&FurnaceStrip> = study.furnace.iter().filter(|s| s.lobe == lobe).collect();
-    let mut columns = vec![(format!("specular lobe {lobe}: departure at"), false)];
-    columns.extend(strips.iter().map(|s| (format!("f0 {}", place(s.f0)), true)));
+    let first = format!("specular lobe {lobe}: departure at");
+    let columns = words::figures_after(&first, strips.iter().map(|s| format!("f0 {}", place(s.f0))));
     let rows = strips.first().map_or(0, |s| s.rows.len());
     let cell = |strip: &&FurnaceStrip, i: usize| {
         let worst = strip.rows.get(i).map_or(0.0, |r| farthest(&r.worst));
@@ -94,7 +94,7 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
         "Departure of the albedo from 1 with the largest magnitude over roughness {roughness} (more than is drawn) and μ {mu}, with its sign, \
          rounded away from zero; by roughness in results.json."
     );
-    page::table(columns, (0..rows).map(row).collect(), &caption)
+    words::table(&columns, (0..rows).map(row).collect(), &caption)
 }
 
 fn farthest(values: &[f64]) -> f64 {

@@ -4,7 +4,7 @@ use crate::study::coupling::findings::{CouplingStudy, LitRow, LitStrip};
 use crate::study::page;
 use lobefit::report::figures;
 use lobefit::report::numbers::{brief_bound, place, significant};
-use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, check};
+use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, check, words};
 
 /// FLIP that gets the lightest colour of a map.
 const LIMIT: f64 = 0.3;
@@ -35,8 +35,8 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
 /// Mean FLIP over the roughnesses, by reflectance.
 fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
     let strips: Vec<&LitStrip> = study.lit.iter().filter(|s| s.lobe == lobe).collect();
-    let mut columns = vec![(format!("specular lobe {lobe}: mean FLIP at"), false)];
-    columns.extend(strips.iter().map(|s| (format!("f0 {}", place(s.f0)), true)));
+    let first = format!("specular lobe {lobe}: mean FLIP at");
+    let columns = words::figures_after(&first, strips.iter().map(|s| format!("f0 {}", place(s.f0))));
     let names: Vec<&String> = strips.first().map_or(Vec::new(), |s| s.rows.iter().map(|r| &r.name).collect());
     let cell = |strip: &&LitStrip, i: usize| {
         let flip = strip.rows.get(i).map_or(0.0, |r| lobefit_math::sum::mean(&r.flip));
@@ -45,7 +45,7 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
     let row = |(i, name): (usize, &&String)| page::row(*name, strips.iter().map(|s| cell(s, i)));
     let caption = "Mean over the spheres of all roughnesses; by roughness in results.json. At f0 = 1 the facets let nothing through, and all that a \
                    base can do is to give back what the lobe loses.";
-    page::table(columns, names.iter().enumerate().map(row).collect(), caption)
+    words::table(&columns, names.iter().enumerate().map(row).collect(), caption)
 }
 
 fn title(strip: &LitStrip) -> String {
@@ -99,7 +99,7 @@ fn table(strip: &LitStrip) -> TextTable {
         list(&strip.flip_of_noise),
         brief_bound(most, 2),
     );
-    page::table(columns, rows, &caption)
+    words::table(&columns, rows, &caption)
 }
 
 fn list(values: &[f64]) -> String {

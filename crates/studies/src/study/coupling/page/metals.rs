@@ -5,7 +5,7 @@ use crate::study::coupling::surface::colour::{ColourRow, WALK_EXACT, WALK_SCHLIC
 use crate::study::page;
 use lobefit::report::figures;
 use lobefit::report::numbers::{bound, brief, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, TextTable, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, TextTable, check, words};
 
 /// The channel whose albedo is drawn.
 const GREEN: usize = 1;
@@ -73,10 +73,10 @@ fn with_bars(name: &str, values: Vec<(f64, (f64, f64))>, style: Style) -> Vec<Se
 /// Saturation by roughness, a row per model.
 fn table(metal: &str, rows: &[ColourRow]) -> TextTable {
     let of_metal: Vec<&ColourRow> = rows.iter().filter(|row| row.metal == metal).collect();
-    let mut columns = vec![("saturation at roughness".to_string(), false)];
     let first = of_metal.first().map(|row| row.model.as_str());
     let roughness = of_metal.iter().filter(|row| Some(row.model.as_str()) == first);
-    columns.extend(roughness.map(|row| (brief(row.roughness, 3), true)));
+    let columns =
+        words::figures_after("saturation at roughness", roughness.map(|row| brief(row.roughness, 3)));
     let line = |model: &String| {
         let cells =
             of_metal.iter().filter(|row| row.model == *model).map(|row| significant(row.saturation, 3));
@@ -88,7 +88,7 @@ fn table(metal: &str, rows: &[ColourRow]) -> TextTable {
         "{metal}: 1 less the smallest over the largest channel of the mean albedo. Standard error of the walks at most {}.",
         bound(error, 1)
     );
-    page::table(columns, models.into_iter().map(line).collect(), &caption)
+    words::table(&columns, models.into_iter().map(line).collect(), &caption)
 }
 
 /// Each once, in the order of the first.

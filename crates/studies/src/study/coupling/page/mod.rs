@@ -52,10 +52,10 @@ pub fn surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
 /// What the names of lobes and couplings mean.
 fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "meanings", study.meanings.len())?;
-    let table = |lobe: bool, columns: [(&str, bool); 2], caption: &str| {
+    let table = |lobe: bool, columns: &str, caption: &str| {
         let meanings = study.meanings.iter().filter(|m| m.lobe == lobe);
         let rows = meanings.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
-        Block::Table(words::table(&columns, rows, caption))
+        Block::Table(words::table(columns, rows, caption))
     };
     Ok(Section {
         id: "names".into(),
@@ -65,8 +65,8 @@ fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
                with F = 1, “avg” the average over the hemisphere weighted with the cosine."
             .into(),
         blocks: vec![
-            table(true, [("lobe", false), ("what it is", false)], "Specular lobes."),
-            table(false, [("coupling", false), ("factor of the base", false)], "Couplings of the base."),
+            table(true, "lobe|what it is", "Specular lobes."),
+            table(false, "coupling|factor of the base", "Couplings of the base."),
         ],
     })
 }

@@ -61,19 +61,7 @@ fn chart(ranking: &Ranking) -> Scatter {
 const NOTHING: f64 = 1e-6;
 
 fn table(ranking: &Ranking) -> TextTable {
-    let columns = [
-        ("coupling", false),
-        ("mean FLIP", true),
-        ("rank", true),
-        ("furnace max", true),
-        ("rank", true),
-        ("perceptual RMS", true),
-        ("rank", true),
-        ("to reciprocal", true),
-        ("ops", true),
-        ("texels", true),
-        ("reciprocity", true),
-    ];
+    let columns = "coupling|mean FLIP>|rank>|furnace max>|rank>|perceptual RMS>|rank>|to reciprocal>|ops>|texels>|reciprocity>";
     let by_flip = ranks(ranking, |r| r.flip);
     let by_max = ranks(ranking, |r| r.furnace_max);
     let by_weight = ranks(ranking, |r| r.perceptual);
@@ -105,7 +93,7 @@ fn table(ranking: &Ranking) -> TextTable {
         list(&ranking.f0),
         bound(noise, 1)
     );
-    let mut table = words::table(&columns, ranking.rows.iter().enumerate().map(row).collect(), &caption);
+    let mut table = words::table(columns, ranking.rows.iter().enumerate().map(row).collect(), &caption);
     table.muted = ranking.rows.iter().map(|r| !r.ours).collect();
     table
 }

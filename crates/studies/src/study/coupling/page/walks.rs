@@ -3,7 +3,7 @@
 use crate::study::coupling::surface::random_walk::BounceRow;
 use crate::study::page;
 use lobefit::report::numbers::{bound, brief, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Style, TextTable, check, figures};
+use lobefit::report::{Block, Curves, ReportError, Section, Style, TextTable, check, figures, words};
 
 /// Half the length of an error bar in standard errors.
 pub(super) const SHOWN: f64 = 2.0;
@@ -37,12 +37,9 @@ pub(super) fn section(rows: &[BounceRow]) -> Result<Section, ReportError> {
 
 fn table(rows: &[BounceRow]) -> TextTable {
     let bounces = rows.first().map(|row| row.energy.len()).unwrap_or_default();
-    let mut columns =
-        vec![("roughness".to_string(), true), ("μ".into(), true), ("E by quadrature".into(), true)];
-    columns.extend(
-        (1..=bounces).map(|n| (if n == bounces { format!("{n} and more") } else { n.to_string() }, true)),
-    );
-    columns.extend(["Kulla-Conty off", "multiplied off"].map(|name| (name.to_string(), true)));
+    let bounce = |n: usize| if n == bounces { format!("{n} and more") } else { n.to_string() };
+    let columns = words::figures_after("roughness>|μ>|E by quadrature>", (1..=bounces).map(bounce))
+        + "|Kulla-Conty off>|multiplied off>";
     let row = |row: &BounceRow| {
         let mut cells = vec![brief(row.roughness, 3), brief(row.mu, 3), significant(row.single, 4)];
         cells.extend(row.energy.iter().map(|energy| significant(*energy, 3)));
@@ -56,7 +53,7 @@ fn table(rows: &[BounceRow]) -> TextTable {
          Off: the part of the light of later bounces that a model sends to other angles than the walk.",
         bound(error, 1)
     );
-    page::table(columns, rows.iter().map(row).collect(), &caption)
+    words::table(&columns, rows.iter().map(row).collect(), &caption)
 }
 
 fn chart(row: &BounceRow) -> Curves {

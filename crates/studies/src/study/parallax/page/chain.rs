@@ -3,15 +3,12 @@
 use crate::study::page;
 use crate::study::parallax::findings::ChainFindings;
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, ReportError, Section, check};
+use lobefit::report::{Block, ReportError, Section, check, words};
 
 pub(super) fn section(chain: &ChainFindings) -> Result<Section, ReportError> {
     check::filled("chain", "gains", chain.gains.len())?;
-    let columns = |names: &[&str], ends: &[&str]| {
-        let roughness = chain.roughness.iter().map(|&r| (format!("r {}", place(r)), true));
-        let names = names.iter().map(|name| (name.to_string(), false));
-        names.chain(roughness).chain(ends.iter().map(|end| (end.to_string(), true))).collect()
-    };
+    let columns =
+        |names| words::figures_after(names, chain.roughness.iter().map(|&r| format!("r {}", place(r))));
     let gains = chain.gains.iter().map(|row| {
         let both = |(a, b): (&f64, &f64)| format!("{} / {}", significant(*a, 2), significant(*b, 2));
         let errors = row.exact.iter().zip(&row.chain).map(both);
@@ -21,14 +18,14 @@ pub(super) fn section(chain: &ChainFindings) -> Result<Section, ReportError> {
     let noise = chain.noise.iter();
     let noise = noise.map(|(room, noise)| page::row(room, noise.iter().map(|&x| significant(x, 2))));
     let blocks = vec![
-        Block::Table(page::table(
-            columns(&["room", "lookup"], &["gain", "from the chain"]),
+        Block::Table(words::table(
+            &(columns("room|lookup") + "|gain>|from the chain>"),
             gains.collect(),
             "Error against the lobe traced from the point, with fetches integrated and, after the stroke, from the chain. Gain: geometric mean over \
              roughness of Frostbite’s error over this one’s, both with fetches of the same kind.",
         )),
-        Block::Table(page::table(
-            columns(&["room"], &[]),
+        Block::Table(words::table(
+            &columns("room"),
             noise.collect(),
             "What the reference itself is off by, likewise: the same lobes, integrated with edges divided half as finely, from it.",
         )),

@@ -56,13 +56,9 @@ fn chart(lobe: &SlantLobe) -> Curves {
 }
 
 fn table(lobe: &SlantLobe) -> lobefit::report::TextTable {
-    let counts: Vec<String> = lobe
-        .rows
-        .first()
-        .map_or(Vec::new(), |row| row.placed.iter().map(|p| p.taps.len().to_string()).collect());
-    let mut columns = vec![("slant", true), ("α itself", true), ("best α′", true), ("α′/α", true)];
-    columns.extend(counts.iter().map(|count| (count.as_str(), true)));
-    columns.extend([("rule of 2", true), ("rule of 3", true)]);
+    let placed = lobe.rows.first().map_or(&[][..], |row| &row.placed);
+    let counts = placed.iter().map(|p| p.taps.len().to_string());
+    let columns = words::figures_after("slant>|α itself>|best α′>|α′/α>", counts) + "|rule of 2>|rule of 3>";
     let row = |row: &SlantRow| {
         let mut cells =
             vec![format!("{}°", place(row.slant)), tv(row.same), tv(row.best), significant(row.factor, 3)];
@@ -84,19 +80,7 @@ fn tv(x: f64) -> String {
 }
 
 fn rules(slant: &SlantFindings) -> Section {
-    let columns = [
-        ("α", true),
-        ("walls", true),
-        ("one: mean", true),
-        ("95 %", true),
-        ("two: mean", true),
-        ("95 %", true),
-        ("worse than one", true),
-        ("three: mean", true),
-        ("95 %", true),
-        ("worse than one", true),
-        ("expected within", true),
-    ];
+    let columns = "α>|walls>|one: mean>|95 %>|two: mean>|95 %>|worse than one>|three: mean>|95 %>|worse than one>|expected within>";
     let row = |s: &RuleSpread| {
         let mut cells = vec![place(s.alpha), s.walls.to_string()];
         for i in 0..3 {
@@ -107,7 +91,7 @@ fn rules(slant: &SlantFindings) -> Section {
         cells
     };
     let table = words::table(
-        &columns,
+        columns,
         slant.spread.iter().map(row).collect(),
         "Total variation over walls at slants to shading point and probe, at any azimuth between both, the cosines of the slants even above 0.15, the ratio of \
          the distances 0.15 to 2; none of these walls is one that the constants were fitted on. Expected within: root mean square error of the \

@@ -10,14 +10,7 @@ const UNCORRECTED: &str = "no parallax";
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("costs", "costs", rooms.costs.len())?;
-    let columns = [
-        ("lookup", false),
-        ("fetches", true),
-        ("operations", true),
-        ("relative L2", true),
-        ("Frostbite’s over it", true),
-        ("uncorrected over it", true),
-    ];
+    let columns = "lookup|fetches>|operations>|relative L2>|Frostbite’s over it>|uncorrected over it>";
     let caption = "Operations as the manifest counts them: an addition, a product or a comparison 1, a root or reciprocal 4, a division 5; from place \
                    and ray to direction and level of a logarithmic chain. Relative L2 against the round lobe traced from the shading point, and how many \
                    times the errors of Frostbite’s listing and of the fetch along the uncorrected ray are as large: geometric means over roughness at \
@@ -29,7 +22,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         lead: "Fetches and arithmetic of a pixel, of the emitted functions. “Of the fitted lobe” is with axis, size and squash of a GGX lobe by \
                normal, view and α; else of the round lobe about a given ray."
             .into(),
-        blocks: vec![Block::Table(words::table(&columns, rows, caption))],
+        blocks: vec![Block::Table(words::table(columns, rows, caption))],
     })
 }
 

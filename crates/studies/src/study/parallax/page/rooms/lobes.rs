@@ -7,18 +7,7 @@ use lobefit::report::{Block, ReportError, Section, check};
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("lobes", "fits", rooms.lobes.len())?;
-    let columns = [
-        ("fetches", true),
-        ("a, b, c", false),
-        ("d, e, f", false),
-        ("g, h", false),
-        ("error", true),
-        ("with the shipped constants", true),
-        ("as emitted", true),
-        ("mirror direction", true),
-        ("as emitted", true),
-        ("dominant direction", true),
-    ];
+    let columns = "fetches>|a, b, c|d, e, f|g, h|error>|with the shipped constants>|as emitted>|mirror direction>|as emitted>|dominant direction>";
     let list = |values: &[f64]| values.iter().map(|&x| significant(x, 4)).collect::<Vec<_>>().join(", ");
     let row = |lobe: &FittedLobe| {
         let mut cells =
@@ -40,6 +29,6 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
                plane of incidence it is min(1, μ^(g − h α)) times as wide as along it, which only several fetches can follow. With \
                them the map that they are laid along is that of the wall after that of the lobe."
             .into(),
-        blocks: vec![Block::Table(words::table(&columns, rooms.lobes.iter().map(row).collect(), caption))],
+        blocks: vec![Block::Table(words::table(columns, rooms.lobes.iter().map(row).collect(), caption))],
     })
 }

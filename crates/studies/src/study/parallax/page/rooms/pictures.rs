@@ -5,7 +5,7 @@ use crate::study::parallax::findings::{RoomPicture, RoomPictureRow, RoomPictures
 use lobefit::report::figures;
 use lobefit::report::numbers::{place, significant};
 use lobefit::report::{
-    Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, Tile, check, folded,
+    Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, Tile, check, folded, words,
 };
 
 /// FLIP that gets the lightest colour of a map.
@@ -80,7 +80,7 @@ const CELL: f64 = 98.0;
 
 fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
     let name = REFERENCES[reference];
-    let columns = page::columns_at(format!("against {name}: mean FLIP at roughness"), &pictures.roughness);
+    let columns = page::columns_at(&format!("against {name}: mean FLIP at roughness"), &pictures.roughness);
     let row =
         |row: &RoomPictureRow| page::row(&row.name, row.flip[reference].iter().map(|&x| significant(x, 3)));
     let list = |values: &[f64]| values.iter().map(|&x| significant(x, 2)).collect::<Vec<_>>().join(", ");
@@ -91,5 +91,5 @@ fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
         ["integrals, coarse and fine", "halves"][reference],
         list(&pictures.flip_of_noise[reference]),
     );
-    page::table(columns, pictures.rows.iter().map(row).collect(), &caption)
+    words::table(&columns, pictures.rows.iter().map(row).collect(), &caption)
 }

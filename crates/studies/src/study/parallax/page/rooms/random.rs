@@ -4,7 +4,7 @@ use crate::study::page;
 use crate::study::parallax::findings::{RandomReference, RandomRoom, RandomRow, RoomsFindings};
 use lobefit::report::figures;
 use lobefit::report::numbers::significant;
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check, words};
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("random", "rooms", rooms.random.len())?;
@@ -32,10 +32,8 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
 fn gains(rooms: &RoomsFindings, reference: usize) -> TextTable {
     let name = rooms.random.first().and_then(|room| room.references.get(reference));
     let against = name.map_or("", |reference| reference.name.as_str());
-    let mut columns = vec![(format!("gain against {against}"), false), ("fetches".to_string(), true)];
-    for room in &rooms.random {
-        columns.extend([(format!("{}: L2", titled(&room.room)), true), ("displayed".into(), true)]);
-    }
+    let gains = rooms.random.iter().map(|room| format!("{}: L2>|displayed", titled(&room.room)));
+    let columns = words::figures_after(&format!("gain against {against}|fetches>"), gains);
     let references: Vec<&RandomReference> =
         rooms.random.iter().filter_map(|room| room.references.get(reference)).collect();
     let names = references.first().map_or(&[][..], |reference| &reference.rows[..]);
@@ -48,7 +46,7 @@ fn gains(rooms: &RoomsFindings, reference: usize) -> TextTable {
     };
     let caption = "Gain over Frostbite’s listing: its error over the method’s, the geometric mean over the roughnesses; above 1 is better. L2: of \
                    linear radiance. Displayed: mean absolute error of x/(1 + x).";
-    page::table(columns, names.iter().enumerate().map(row).collect(), caption)
+    words::table(&columns, names.iter().enumerate().map(row).collect(), caption)
 }
 
 fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
@@ -86,8 +84,7 @@ fn titled(room: &str) -> String {
 
 fn table(room: &RandomRoom, reference: &RandomReference) -> TextTable {
     let first = format!("{}, {}: relative L2 at roughness", titled(&room.room), reference.name);
-    let mut columns = page::columns_at(first, &room.roughness);
-    columns.push(("least gain".into(), true));
+    let columns = page::columns_at(&first, &room.roughness) + "|least gain>";
     let rows = reference.rows.iter().map(|row| {
         let values = row.l2.iter().map(|&x| significant(x, 3));
         page::row(&row.name, values.chain([format!("{:.2}", row.least_l2)]))
@@ -97,5 +94,5 @@ fn table(room: &RandomRoom, reference: &RandomReference) -> TextTable {
         "Noise of the reference, from its two halves: {}. Least gain: over Frostbite, at the roughness where it is smallest.",
         noise.join(", ")
     );
-    page::table(columns, rows.collect(), &caption)
+    words::table(&columns, rows.collect(), &caption)
 }

@@ -3,7 +3,7 @@
 use crate::study::page;
 use crate::study::parallax::findings::{RoomPictureRow, RoomPictures, RoomsFindings};
 use lobefit::report::figures;
-use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check, words};
 use lobefit_math::sum::mean;
 
 /// Asked for: creases on edges over those elsewhere.
@@ -61,8 +61,8 @@ fn shown(pictures: &RoomPictures) -> impl Iterator<Item = &RoomPictureRow> {
     pictures.rows.iter().filter(|row| row.fetches > 0)
 }
 
-fn named(pictures: &RoomPictures, what: &str) -> Vec<(String, bool)> {
-    page::columns_at(format!("{}: {what} at roughness", pictures.name), &pictures.roughness)
+fn named(pictures: &RoomPictures, what: &str) -> String {
+    page::columns_at(&format!("{}: {what} at roughness", pictures.name), &pictures.roughness)
 }
 
 fn ratio(edge: f64, elsewhere: f64) -> Option<f64> {
@@ -76,7 +76,7 @@ fn ratios(pictures: &RoomPictures) -> TextTable {
         page::row(&row.name, cells)
     };
     let caption = format!("The same means, edges over elsewhere: {BAR} or lower is what was asked for.");
-    page::table(named(pictures, "edges over elsewhere"), shown(pictures).map(row).collect(), &caption)
+    words::table(&named(pictures, "edges over elsewhere"), shown(pictures).map(row).collect(), &caption)
 }
 
 fn pairs(pictures: &RoomPictures) -> TextTable {
@@ -89,7 +89,7 @@ fn pairs(pictures: &RoomPictures) -> TextTable {
     let mut rows = vec![cells("the round lobe’s own second differences", edges, elsewhere)];
     rows.extend(shown(pictures).map(|row| cells(&row.name, &row.edges, &row.elsewhere)));
     let caption = "Times 100, edges / elsewhere. A step of a display of 8 bits is 0.39.";
-    page::table(named(pictures, "edges / elsewhere"), rows, caption)
+    words::table(&named(pictures, "edges / elsewhere"), rows, caption)
 }
 
 /// Ratios over roughness of some of the methods, for each picture.

@@ -40,15 +40,7 @@ impl Compared {
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("verdict", "chosen", rooms.chosen.len())?;
-    let columns = [
-        ("method", false),
-        ("against", false),
-        ("comparisons", true),
-        ("gain", true),
-        ("worse than Frostbite", true),
-        ("least gain", true),
-        ("where", false),
-    ];
+    let columns = "method|against|comparisons>|gain>|worse than Frostbite>|least gain>|where";
     let mut rows = Vec::new();
     for name in rooms.chosen.iter().filter(|name| **name != rooms.rival) {
         for (reference, against) in REFERENCES.into_iter().enumerate() {
@@ -70,7 +62,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         id: "verdict".into(),
         title: "At least as good everywhere?".into(),
         lead: answer(rooms),
-        blocks: vec![Block::Table(words::table(&columns, rows, caption)), Block::Table(losses(rooms))],
+        blocks: vec![Block::Table(words::table(columns, rows, caption)), Block::Table(losses(rooms))],
     })
 }
 
@@ -114,7 +106,7 @@ fn answer(rooms: &RoomsFindings) -> String {
 
 /// Every comparison that is lost.
 fn losses(rooms: &RoomsFindings) -> lobefit::report::TextTable {
-    let columns = [("worse than Frostbite", false), ("against", false), ("where", false), ("gain", true)];
+    let columns = "worse than Frostbite|against|where|gain>";
     let mut rows = Vec::new();
     for name in rooms.chosen.iter().filter(|name| **name != rooms.rival) {
         for (reference, against) in REFERENCES.into_iter().enumerate() {
@@ -124,7 +116,7 @@ fn losses(rooms: &RoomsFindings) -> lobefit::report::TextTable {
             );
         }
     }
-    words::table(&columns, rows, "Frostbite’s error over the method’s.")
+    words::table(columns, rows, "Frostbite’s error over the method’s.")
 }
 
 fn cells(rooms: &RoomsFindings, name: &str, reference: usize) -> Vec<Cell> {
