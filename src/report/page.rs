@@ -29,6 +29,30 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
+impl Page {
+    /// A page of these parts.
+    pub fn new(
+        title: impl Into<String>,
+        origin: Origin,
+        lead: impl Into<String>,
+        sections: Vec<Section>,
+    ) -> Page {
+        Page { title: title.into(), origin, lead: lead.into(), sections }
+    }
+}
+
+impl Section {
+    /// A section of these parts.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        lead: impl Into<String>,
+        blocks: Vec<Block>,
+    ) -> Section {
+        Section { id: id.into(), title: title.into(), lead: lead.into(), blocks }
+    }
+}
+
 /// A piece of a section. All text is plain and escaped on the way into the page; only `svg` is
 /// markup.
 #[derive(Clone, Debug, PartialEq)]

@@ -172,9 +172,8 @@ fn a_fold_within_a_fold_is_open() -> Outcome {
     let inner = Block::Fold { summary: "inner".into(), blocks: vec![text("deep & hidden")] };
     let blocks =
         vec![text("open"), Block::Fold { summary: "a <b>".into(), blocks: vec![text("folded"), inner] }];
-    let section = Section { id: "one".into(), title: "One".into(), lead: "Lead.".into(), blocks };
-    let page =
-        Page { title: "t".into(), origin: findings().origin, lead: "l".into(), sections: vec![section] };
+    let section = Section::new("one", "One", "Lead.", blocks);
+    let page = Page::new("t", findings().origin, "l", vec![section]);
     let html = html(&page);
     let lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     let wanted = [
@@ -197,9 +196,9 @@ fn what_finds_no_room_is_folded_with_its_heading() {
     let svg = "<svg width=\"400\" height=\"2700\"/>".to_string();
     let figure = Block::Figures { svg: vec![svg], caption: String::new() };
     let blocks = vec![figure.clone(), Block::Heading { text: "h".into() }, figure];
-    let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
+    let section = Section::new("a", "A", "", blocks);
     let sections = vec![section.clone(), section];
-    let html = html(&Page { title: String::new(), origin: origin(), lead: String::new(), sections });
+    let html = html(&Page::new("", origin(), "", sections));
     let drawn = "<svg width=\"400\" height=\"2700\"/>";
     let marks = [drawn, "<details>", "<summary>", "<h3>", "</details>", "</section>"];
     let lines = html.lines().filter(|line| marks.iter().any(|mark| line.contains(mark)));
@@ -220,8 +219,8 @@ fn tables_and_packed_figures_are_as_tall_as_they_are_shown() {
         caption: String::new(),
     };
     let shown = |blocks: Vec<Block>| {
-        let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
-        html(&Page { title: String::new(), origin: origin(), lead: String::new(), sections: vec![section] })
+        let section = Section::new("a", "A", "", blocks);
+        html(&Page::new("", origin(), "", vec![section]))
     };
     // A head of three lines and seven rows of one: 71 + 7 x 30 pixels, and 40 about them.
     let head = "operations of the compiled code on that family of processors";
@@ -240,17 +239,12 @@ fn tables_and_packed_figures_are_as_tall_as_they_are_shown() {
 #[test]
 fn a_page_alone_links_its_parts_and_its_figures() {
     let of = |pages: &[(&str, &str)], figures: bool| {
-        let section = |id: &str| Section {
-            id: id.into(),
-            title: id.to_uppercase(),
-            lead: String::new(),
-            blocks: Vec::new(),
-        };
+        let section = |id: &str| Section::new(id, id.to_uppercase(), "", Vec::new());
         let pages = pages.iter().map(|(shown, file)| (shown.to_string(), file.to_string())).collect();
         let origin = Origin { pages, command: "lobefit fit".into(), ..origin() };
         let origin = if figures { origin.with_figures("mine.json") } else { origin };
         let sections = vec![section("asked"), section("error")];
-        html(&Page { title: String::new(), origin, lead: String::new(), sections })
+        html(&Page::new("", origin, "", sections))
     };
     let bar = |page: &str| {
         let (_, rest) = page.split_once("<nav class=\"bar\"").expect("a bar");
@@ -271,7 +265,7 @@ fn links_to_pages_that_are_not_there_are_left_out() -> Outcome {
     let of = |command: &str| {
         let pages = vec![("index".into(), "index.html".into())];
         let origin = Origin { command: command.into(), pages, ..origin() };
-        html(&Page { title: String::new(), origin, lead: String::new(), sections: Vec::new() })
+        html(&Page::new("", origin, "", Vec::new()))
     };
     let (page, other) = (of("lobefit bake"), of("lobefit bake SCENE.json"));
     let left = |root: &Path| -> Result<String, Box<dyn std::error::Error>> {

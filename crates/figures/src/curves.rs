@@ -71,6 +71,11 @@ pub struct Curves {
 }
 
 impl Series {
+    /// A line without text at its end.
+    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>, style: Style) -> Series {
+        Series { name: name.into(), points, style, end: None }
+    }
+
     fn colour(&self) -> RGBColor {
         match self.style {
             Style::Truth | Style::Measured | Style::Bars => INK,
@@ -100,6 +105,30 @@ pub struct Panel {
 impl Figure for Panel {
     fn svg(&self) -> Result<String, ReportError> {
         self.chart.drawn(if self.legend { self.chart.legend()? } else { Legend::flow(Vec::new(), 0.0)? })
+    }
+}
+
+impl Curves {
+    /// A chart of lines over axes with these labels and spreads, and of nothing else.
+    pub fn new(
+        title: impl Into<String>,
+        [x, y]: [(&str, Spread); 2],
+        series: Vec<Series>,
+        size: (f64, f64),
+    ) -> Curves {
+        let [x, y] = [x, y].map(|(label, spread)| (label.into(), spread));
+        let (annotations, guides) = (Vec::new(), Vec::new());
+        Curves { title: title.into(), x, y, series, annotations, guides, y_limits: None, size }
+    }
+
+    /// A chart over linear axes with these labels.
+    pub fn linear(
+        title: impl Into<String>,
+        labels: [&str; 2],
+        series: Vec<Series>,
+        size: (f64, f64),
+    ) -> Curves {
+        Curves::new(title, labels.map(|label| (label, Spread::Linear)), series, size)
     }
 }
 

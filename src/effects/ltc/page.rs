@@ -68,21 +68,17 @@ fn chart(one: &Baked, [roughness, mu]: [f64; 2], alpha: f64) -> Result<Curves, B
             let (s, c) = lobefit_math::ops::sincos(degrees.to_radians());
             (degrees, density([-s, 0.0, c]))
         };
-        Series { name: name.into(), points: (-STEPS..=STEPS).map(at).collect(), style, end: None }
+        Series::line(name, (-STEPS..=STEPS).map(at).collect(), style)
     };
-    Ok(Curves {
-        title: format!("roughness {roughness}, μ {mu}"),
-        x: ("angle from the normal, away from the view".into(), Spread::Linear),
-        y: ("share per steradian".into(), Spread::Root),
-        series: vec![
-            line("lobe", Style::Truth, &|light| view.density(light)),
-            line("transformed cosine", Style::Line(0), &|light| matrix.density(light)),
-        ],
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (300.0, 190.0),
-    })
+    let series = vec![
+        line("lobe", Style::Truth, &|light| view.density(light)),
+        line("transformed cosine", Style::Line(0), &|light| matrix.density(light)),
+    ];
+    let axes = [
+        ("angle from the normal, away from the view", Spread::Linear),
+        ("share per steradian", Spread::Root),
+    ];
+    Ok(Curves::new(format!("roughness {roughness}, μ {mu}"), axes, series, (300.0, 190.0)))
 }
 
 /// The figures.
@@ -126,7 +122,7 @@ pub(super) fn page(origin: Origin, baked: &[Baked], alpha: impl Fn(f64) -> f64) 
             )?,
         ];
         let lead = "The first four errors are of lookups of the stored texels: of squares at places by turns at a texel and between two, of E and B at every texel and at thirds between them.";
-        Ok(Section { id: table.clone(), title: table.clone(), lead: lead.into(), blocks })
+        Ok(Section::new(table.clone(), table.clone(), lead, blocks))
     };
     let lead = "A matrix stretches and tilts a cosine until it resembles the lobe; what a polygon sends by it has a closed form. Whatever the \
                 matrix, it is not the lobe: the errors are what is left.";

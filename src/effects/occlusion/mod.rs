@@ -155,12 +155,7 @@ fn page(origin: Origin, functions: &[MaskLookup]) -> Page {
     let table = words::table(columns, functions.iter().map(row).collect(), caption);
     let lead = "Bit b = x + 2 y + 4 z of a mask is the sub-voxel at (x, y, z), each 0 or 1, with its centre at 0.25 or 0.75 of the cell. Mask 0 \
                 has no centroid: (-1, -1, -1) stands for it. Byte b of a super-voxel of 64 bits is the mask of the cell at (x, y, z) of the same order.";
-    let section = Section {
-        id: "masks".into(),
-        title: "Masks".into(),
-        lead: lead.into(),
-        blocks: vec![Block::Table(table)],
-    };
+    let section = Section::new("masks", "Masks", lead, vec![Block::Table(table)]);
     let conclusion = "Counting bits gives the centroid of a mask of sub-voxels without a table, exactly.";
-    Page { title: "lobefit: occlusion".into(), origin, lead: conclusion.into(), sections: vec![section] }
+    Page::new("lobefit: occlusion", origin, conclusion, vec![section])
 }

@@ -12,15 +12,15 @@ const LIST: &str = "name|smith|size|bytes>|ops>|lookup error, max>|RMS>|where";
 /// The page of an effect whose tables have slices.
 pub(super) fn page(findings: &SlicedFindings) -> Result<Page, ReportError> {
     let effect = &findings.effect.effect;
-    Ok(Page {
-        title: findings.origin.title("lobefit report", effect),
-        origin: findings.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        findings.origin.title("lobefit report", effect),
+        findings.origin.clone(),
+        format!(
             "What the scene called for, the tables made for it with their measured errors, and what a shader gets from each \
              layout. Figures in full digits: {effect}.json, in this folder."
         ),
-        sections: sections(findings)?,
-    })
+        sections(findings)?,
+    ))
 }
 
 fn sections(findings: &SlicedFindings) -> Result<Vec<Section>, ReportError> {
@@ -64,12 +64,12 @@ fn list(findings: &SlicedFindings) -> Section {
         places: vec![true; findings.tables.len()],
         links: findings.tables.iter().map(link).collect(),
     };
-    Section {
-        id: "approximations".into(),
-        title: "What accuracy costs at run time".into(),
-        lead: "Every table made for this effect.".into(),
-        blocks: vec![Block::Table(TextTable { names: Some(names), ..table })],
-    }
+    Section::new(
+        "approximations",
+        "What accuracy costs at run time",
+        "Every table made for this effect.",
+        vec![Block::Table(TextTable { names: Some(names), ..table })],
+    )
 }
 
 fn offline(theirs: &PathTracerFinding) -> Section {
@@ -94,12 +94,12 @@ fn offline(theirs: &PathTracerFinding) -> Section {
         grouped(theirs.texels),
         grouped(ratio as u64),
     );
-    Section {
-        id: "accuracy".into(),
-        title: "What accuracy costs offline".into(),
-        lead: "The tables in the path tracer's layout, beside its own method.".into(),
-        blocks: vec![Block::Table(words::table(columns, rows, &caption))],
-    }
+    Section::new(
+        "accuracy",
+        "What accuracy costs offline",
+        "The tables in the path tracer's layout, beside its own method.",
+        vec![Block::Table(words::table(columns, rows, &caption))],
+    )
 }
 
 fn lookups(furnaces: &[FurnaceFinding]) -> Result<Section, ReportError> {
@@ -108,15 +108,14 @@ fn lookups(furnaces: &[FurnaceFinding]) -> Result<Section, ReportError> {
         blocks.push(Block::Heading { text: finding.title.clone() });
         blocks.extend(furnace::panel(&finding.title, &finding.furnace)?);
     }
-    Ok(Section {
-        id: "furnace".into(),
-        title: "What the lookup does".into(),
-        lead: "A white sphere under equal light from everywhere, its lobe divided by the E that a shader looks up: the factor \
+    Ok(Section::new(
+        "furnace",
+        "What the lookup does",
+        "A white sphere under equal light from everywhere, its lobe divided by the E that a shader looks up: the factor \
                E / lookup is 1 where the table and the way it is read are right. Each row is a layout and a way of reading it; \
-               a layout is measured against the truth that it tabulates, with its own Smith form."
-            .into(),
+               a layout is measured against the truth that it tabulates, with its own Smith form.",
         blocks,
-    })
+    ))
 }
 
 fn azimuth(findings: &[WaysFinding]) -> Result<Section, ReportError> {
@@ -127,14 +126,13 @@ fn azimuth(findings: &[WaysFinding]) -> Result<Section, ReportError> {
         }
         blocks.extend(ways(finding)?);
     }
-    Ok(Section {
-        id: "azimuth".into(),
-        title: "What ignoring the azimuth costs".into(),
-        lead: "An anisotropic lobe loses more energy seen along its rough axis than across it. A table of the mean over the \
-               azimuth cannot know; one that holds the azimuth can."
-            .into(),
+    Ok(Section::new(
+        "azimuth",
+        "What ignoring the azimuth costs",
+        "An anisotropic lobe loses more energy seen along its rough axis than across it. A table of the mean over the \
+               azimuth cannot know; one that holds the azimuth can.",
         blocks,
-    })
+    ))
 }
 
 fn ways(finding: &WaysFinding) -> Result<[Block; 2], ReportError> {

@@ -86,14 +86,14 @@ pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, Report
         }
         _ => String::new(),
     };
-    Ok(Section {
-        id: "answers".into(),
-        title: "What to take".into(),
-        lead: format!(
+    Ok(Section::new(
+        "answers",
+        "What to take",
+        format!(
             "Recommended: the cheapest within the scene's error, or the most accurate within its budget.{over}{device}"
         ),
         blocks,
-    })
+    ))
 }
 
 fn card(
@@ -415,11 +415,10 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
         ("largest error".to_string(), vec![chart(0, "largest error")?]),
         ("RMS error".to_string(), vec![chart(1, "RMS error")?]),
     ];
-    Ok(Some(Section {
-        id: "frontier".into(),
-        title: "Error against cost".into(),
-        lead: "Lower is more accurate, further left is cheaper; the pointer names what has no name here."
-            .into(),
-        blocks: vec![Block::Switch { name: "error".into(), of }],
-    }))
+    Ok(Some(Section::new(
+        "frontier",
+        "Error against cost",
+        "Lower is more accurate, further left is cheaper; the pointer names what has no name here.",
+        vec![Block::Switch { name: "error".into(), of }],
+    )))
 }

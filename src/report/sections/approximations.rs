@@ -27,12 +27,12 @@ pub(crate) fn section(
         blocks.extend(chart(&group)?);
     }
     blocks.push(Block::Table(list(all, shown, known)));
-    Ok(Some(Section {
-        id: "approximations".into(),
-        title: "What accuracy costs at run time".into(),
-        lead: lead(all, blocks.len() > 1),
+    Ok(Some(Section::new(
+        "approximations",
+        "What accuracy costs at run time",
+        lead(all, blocks.len() > 1),
         blocks,
-    }))
+    )))
 }
 
 /// What is listed, and how to read the charts if there are any.

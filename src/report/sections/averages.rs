@@ -1,9 +1,7 @@
 //! The average albedo: a curve over roughness instead of maps.
 
 use super::{figures, words};
-use crate::report::{
-    ApproximationFinding, AverageFinding, Block, Curves, ReportError, Series, Spread, Style, check,
-};
+use crate::report::{ApproximationFinding, AverageFinding, Block, Curves, ReportError, Series, Style, check};
 
 /// Truth and fits over roughness, and what they miss by.
 pub(super) fn blocks(
@@ -15,12 +13,12 @@ pub(super) fn blocks(
     let values =
         average.fits.iter().enumerate().map(|(i, f)| line(average, i, &f.name, f.values.iter().copied()));
     let truth = Series { style: Style::Truth, ..line(average, 0, "truth", average.truth.iter().copied()) };
-    let above = chart(average, average.name.clone(), std::iter::once(truth).chain(values).collect());
+    let above = chart(average, &average.name, std::iter::once(truth).chain(values).collect());
     let errors = average.fits.iter().enumerate().map(|(i, f)| {
         let off = f.values.iter().zip(&average.truth).map(|(v, t)| v - t);
         line(average, i, &f.name, off)
     });
-    let below = chart(average, format!("{} fit − truth", average.name), errors.collect());
+    let below = chart(average, &format!("{} fit − truth", average.name), errors.collect());
     let caption = format!(
         "Left: {} over roughness, truth (heavy) under the fits (colour). Right: what the fits miss by, signed, on its own \
          scale. Constants, costs and certificates are those of the include files and of the table under “What accuracy \
@@ -53,18 +51,9 @@ fn checked(average: &AverageFinding, approximations: &[ApproximationFinding]) ->
 
 fn line(average: &AverageFinding, i: usize, name: &str, values: impl Iterator<Item = f64>) -> Series {
     let points = average.roughness.values.iter().copied().zip(values).collect();
-    Series { name: name.into(), points, style: Style::Line(i), end: None }
+    Series::line(name, points, Style::Line(i))
 }
 
-fn chart(average: &AverageFinding, title: String, series: Vec<Series>) -> Curves {
-    Curves {
-        x: (words::axis(&average.roughness.name), Spread::Linear),
-        y: (title.clone(), Spread::Linear),
-        title,
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (400.0, 220.0),
-    }
+fn chart(average: &AverageFinding, title: &str, series: Vec<Series>) -> Curves {
+    Curves::linear(title, [&words::axis(&average.roughness.name), title], series, (400.0, 220.0))
 }

@@ -44,15 +44,13 @@ pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
         let caption = "Left out: not integrated, fitted, emitted or shown below.";
         blocks.push(Block::Table(words::table("left out|reason", rows, caption)));
     }
-    Section {
-        id: "called-for".into(),
-        title: "What the scene called for".into(),
-        lead:
-            "Only effects that a material or probe of the scene needs are computed, over the ranges that the \
-               scene spans."
-                .into(),
+    Section::new(
+        "called-for",
+        "What the scene called for",
+        "Only effects that a material or probe of the scene needs are computed, over the ranges that the \
+               scene spans.",
         blocks,
-    }
+    )
 }
 
 fn row(e: &EffectFinding) -> Vec<String> {

@@ -23,12 +23,7 @@ pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
     for record in &costs.offline {
         sections.extend(offline::section(record)?);
     }
-    Ok(Page {
-        title: "What accuracy costs".into(),
-        origin: costs.origin.clone(),
-        lead: conclusion(costs) + LEAD,
-        sections,
-    })
+    Ok(Page::new("What accuracy costs", costs.origin.clone(), conclusion(costs) + LEAD, sections))
 }
 
 const LEAD: &str = "Every formula of the catalogue beside published ones: its largest error over the whole domain, in f32, against what its \
@@ -92,12 +87,12 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
     if !costs.tables.is_empty() {
         of.push(("bytes of tables".into(), vec![tables(costs)]));
     }
-    Ok(Section {
-        id: "frontiers".into(),
-        title: "Error against cost".into(),
-        lead: "One frontier for each thing that formulas stand for. The pointer names every point.".into(),
-        blocks: vec![Block::Switch { name: "unit".into(), of }],
-    })
+    Ok(Section::new(
+        "frontiers",
+        "Error against cost",
+        "One frontier for each thing that formulas stand for. The pointer names every point.",
+        vec![Block::Switch { name: "unit".into(), of }],
+    ))
 }
 
 fn chart(job: &CostJob, of: usize, unit: &CostUnit) -> Option<Scatter> {
@@ -169,18 +164,19 @@ fn digits(costs: &Costs) -> Section {
     };
     let units: Vec<String> = costs.units.iter().map(unit).collect();
     let blocks = costs.jobs.iter().flat_map(|job| {
-        let first = format!("{} within>|formula of fewest operations", job.metric);
-        let columns = words::figures_after(&first, units.iter().map(ToString::to_string));
-        let table = words::table(&columns, rows(job, units.len()), "");
+        let columns = words::figures_after("within>|formula of fewest operations", units.iter().cloned());
+        let mut table = words::table(&columns, rows(job, units.len()), "");
+        // Set apart, for a metric may have bars.
+        table.columns[0].0 = format!("{} within", job.metric);
         [Block::Heading { text: job.title.clone() }, Block::Table(table)]
     });
-    Section {
-        id: "digits".into(),
-        title: "What the next digit costs".into(),
-        lead: "The least cost of a formula within an error, in each unit, and how many times the row above it is. Each unit may have a formula of its \
-            own; the one named has the fewest operations.".into(),
-        blocks: blocks.collect(),
-    }
+    Section::new(
+        "digits",
+        "What the next digit costs",
+        "The least cost of a formula within an error, in each unit, and how many times the row above it is. Each unit may have a formula of its \
+            own; the one named has the fewest operations.",
+        blocks.collect(),
+    )
 }
 
 /// A row for each limit whose formulas the next limit does not keep.

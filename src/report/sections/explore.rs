@@ -31,21 +31,16 @@ pub(super) fn page(explore: ExplorePage, code: &str, drawn: &Drawn) -> Result<Pa
     let conclusion = conclusion(explore.effects.iter().flat_map(|effect| &effect.shown));
     let first = explore.effects.iter().flat_map(|effect| &effect.shown).next();
     let still = first.map(still).transpose()?.into_iter().collect();
-    let spheres = Section {
-        id: "spheres".into(),
-        title: "Spheres".into(),
-        lead: String::new(),
-        blocks: vec![Block::Live { data, still }],
-    };
-    Ok(Page {
-        title: explore.origin.title("lobefit live", ""),
-        origin: explore.origin.with_figures("../manifest.json"),
-        lead: format!(
+    let spheres = Section::new("spheres", "Spheres", "", vec![Block::Live { data, still }]);
+    Ok(Page::new(
+        explore.origin.title("lobefit live", ""),
+        explore.origin.with_figures("../manifest.json"),
+        format!(
             "{conclusion}Spheres drawn by {code}, beside the truth: choose what is approximated, by which formula or table, and for which \
              material.{furnace}"
         ),
-        sections: vec![spheres],
-    })
+        vec![spheres],
+    ))
 }
 
 /// What the cheapest emitted function of each quantity is off by, in one sentence; empty where no function

@@ -32,13 +32,12 @@ pub(crate) fn section(
         blocks.extend(card(s)?);
     }
     blocks.extend(averages::blocks(averages, approximations)?);
-    Ok(Some(Section {
-        id: "fits".into(),
-        title: "Fits beside the truth".into(),
-        lead: "A selection of the fits with their constants, certified after those were rounded to f32."
-            .into(),
+    Ok(Some(Section::new(
+        "fits",
+        "Fits beside the truth",
+        "A selection of the fits with their constants, certified after those were rounded to f32.",
         blocks,
-    }))
+    )))
 }
 
 /// A fit with the approximation that it names.
@@ -167,7 +166,7 @@ fn overlay(shown: &[Shown], best: &[usize], curve: &FitCurve) -> Option<Curves> 
         series.push(line(&fit.name, same, &same.fit, Style::Line(colour), None));
     }
     let title = format!("roughness {}", numbers::place(curve.roughness));
-    Some(chart(title, &shown[best[0]].fit.value, series, None, TWO))
+    Some(Curves::linear(title, [&words::axis("mu"), &shown[best[0]].fit.value], series, TWO))
 }
 
 /// One fit: figures, formula, curves, error map on its own scale.
@@ -198,37 +197,14 @@ fn curves(fit: &FitFinding) -> Curves {
     }
     let truths = fit.curves.iter().flat_map(|c| c.truth.iter().copied());
     let limits = Scale::around(Spread::Linear, truths);
-    chart(
-        format!("{}: {}", fit.name, fit.value),
-        &fit.value,
-        series,
-        Some((limits.min, limits.max)),
-        BESIDE_MAP,
-    )
+    let title = format!("{}: {}", fit.name, fit.value);
+    let chart = Curves::linear(title, [&words::axis("mu"), &fit.value], series, BESIDE_MAP);
+    Curves { y_limits: Some((limits.min, limits.max)), ..chart }
 }
 
 fn line(name: &str, curve: &FitCurve, values: &[f64], style: Style, end: Option<String>) -> Series {
     let points = curve.mu.iter().copied().zip(values.iter().copied()).collect();
-    Series { name: name.into(), points, style, end }
-}
-
-fn chart(
-    title: String,
-    value: &str,
-    series: Vec<Series>,
-    y_limits: Option<(f64, f64)>,
-    size: (f64, f64),
-) -> Curves {
-    Curves {
-        title,
-        x: (words::axis("mu"), Spread::Linear),
-        y: (value.into(), Spread::Linear),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits,
-        size,
-    }
+    Series { end, ..Series::line(name, points, style) }
 }
 
 fn facts(s: &Shown) -> Vec<(String, String)> {

@@ -25,14 +25,13 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
         figures(&[amplified], &caption)?,
         worst(furnace, "E N − 1"),
     ];
-    Ok(Some(Section {
-        id: "furnace".into(),
-        title: "The furnace".into(),
-        lead: "Spheres of rising roughness under equal light from everywhere, with no absorption: whatever is not lost \
-               must come back, so the right picture is an empty one."
-            .into(),
+    Ok(Some(Section::new(
+        "furnace",
+        "The furnace",
+        "Spheres of rising roughness under equal light from everywhere, with no absorption: whatever is not lost \
+               must come back, so the right picture is an empty one.",
         blocks,
-    }))
+    )))
 }
 
 /// The spheres before and after, as the eye sees them: without compensation, and with the last that

@@ -35,12 +35,12 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     let file = record.device.adapter.to_lowercase().replace(' ', "-");
     let known = pages.iter().any(|(_, page)| *page == format!("../gpu/{file}.html"));
     let origin = Origin { pages, ..record.origin.clone() };
-    Ok(Page {
-        title: format!("lobefit on {}", record.device.adapter),
-        origin: if known { origin.with_figures(&format!("{file}.json")) } else { origin },
-        lead: conclusion(record) + LEAD,
+    Ok(Page::new(
+        format!("lobefit on {}", record.device.adapter),
+        if known { origin.with_figures(&format!("{file}.json")) } else { origin },
+        conclusion(record) + LEAD,
         sections,
-    })
+    ))
 }
 
 const LEAD: &str = "Time per evaluation of the emitted WGSL on one graphics processor. A time holds for the code of its function, whatever the \
@@ -100,17 +100,16 @@ fn measured(record: &GpuRecord, hash: &str) -> Section {
         ("Record".into(), hash.into()),
         ("Method".into(), format!("version {}, lobefit {}", record.method, origin.tool)),
     ];
-    Section {
-        id: "measured".into(),
-        title: "What was measured, and how".into(),
-        lead: "Each thread is a pixel of a square picture and evaluates a function many times in a loop, at inputs that differ from pixel to \
+    Section::new(
+        "measured",
+        "What was measured, and how",
+        "Each thread is a pixel of a square picture and evaluates a function many times in a loop, at inputs that differ from pixel to \
                pixel and drift from turn to turn; results are summed and stored. Right before or after it the same loop runs without \
                the function, and the difference is what an evaluation adds: throughput of a full device, not the time that one \
                pixel waits. What runs beside the making of inputs adds nothing, and a compiler may unroll the shorter loop further: of \
-               little weight in lookups, but times of formulas of few operations are rough. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles."
-            .into(),
-        blocks: vec![Block::Facts { rows }, Block::Text { text: COLUMNS.into() }],
-    }
+               little weight in lookups, but times of formulas of few operations are rough. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles.",
+        vec![Block::Facts { rows }, Block::Text { text: COLUMNS.into() }],
+    )
 }
 
 /// What the columns of every table are.
@@ -120,7 +119,7 @@ const COLUMNS: &str = "In the tables: medians, with the quartiles in brackets. `
 
 fn plain(id: &str, title: &str, lead: &str, rows: &[&GpuRow]) -> Section {
     let blocks = vec![Block::Table(table(rows))];
-    Section { id: id.into(), title: title.into(), lead: lead.into(), blocks }
+    Section::new(id, title, lead, blocks)
 }
 
 /// Rows of a page that is not packed.
@@ -137,7 +136,7 @@ fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
         let rest = blocks.split_off(1);
         blocks.push(Block::Fold { summary, blocks: vec![Block::Packed(rest)] });
     }
-    Ok(Section { id: "fits".into(), title: "Fits".into(), lead: FITS.into(), blocks })
+    Ok(Section::new("fits", "Fits", FITS, blocks))
 }
 
 /// Rows that approximate the same column of the same quantity for the same use: what may share a
@@ -219,10 +218,10 @@ fn picoseconds(nanoseconds: f64) -> f64 {
 
 fn left_out(record: &GpuRecord) -> Section {
     let rows = record.left_out.iter().map(|out| vec![out.function.clone(), out.reason.clone()]).collect();
-    Section {
-        id: "left-out".into(),
-        title: "Not measured".into(),
-        lead: "Functions of the manifest that have no time above.".into(),
-        blocks: vec![Block::Table(words::table("function|why", rows, ""))],
-    }
+    Section::new(
+        "left-out",
+        "Not measured",
+        "Functions of the manifest that have no time above.",
+        vec![Block::Table(words::table("function|why", rows, ""))],
+    )
 }

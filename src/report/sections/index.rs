@@ -23,20 +23,19 @@ pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
         return vec![called_for];
     }
     called_for = behind("Materials, ranges, and what was left out", called_for);
-    let call = Section {
-        id: "call".into(),
-        title: "Who calls what".into(),
-        lead: "What each material and probe calls, then each emitted function once.".into(),
-        blocks: vec![of_callers(manifest), calls(manifest)],
-    };
-    let made = Section {
-        id: "made".into(),
-        title: "What was made".into(),
-        lead: "Tables and formulas in the order of the manifest, which has all their figures. The page of an effect has \
-               its truth, its errors and its pictures, and every formula that was measured."
-            .into(),
-        blocks: vec![rows(manifest)],
-    };
+    let call = Section::new(
+        "call",
+        "Who calls what",
+        "What each material and probe calls, then each emitted function once.",
+        vec![of_callers(manifest), calls(manifest)],
+    );
+    let made = Section::new(
+        "made",
+        "What was made",
+        "Tables and formulas in the order of the manifest, which has all their figures. The page of an effect has \
+               its truth, its errors and its pictures, and every formula that was measured.",
+        vec![rows(manifest)],
+    );
     vec![behind("All functions", call), behind("All tables and formulas", made), called_for]
 }
 

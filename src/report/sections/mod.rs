@@ -37,15 +37,15 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(&findings.tables)?);
     sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);
-    Ok(Page {
-        title: findings.origin.title("lobefit report", effect),
-        origin: findings.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        findings.origin.title("lobefit report", effect),
+        findings.origin.clone(),
+        format!(
             "What the scene called for, every approximation made for it with its measured error and its cost, \
              and the truth beside it. Figures in full digits: {effect}.json, in this folder."
         ),
         sections,
-    })
+    ))
 }
 
 /// The overview of a bake.
@@ -67,12 +67,7 @@ pub(crate) fn of_index(
         sections.extend(answers::frontier(answers)?);
     }
     sections.extend(index::sections(drawn.manifest));
-    Ok(Page {
-        title: origin.title("lobefit report", ""),
-        origin,
-        lead: index::conclusion(drawn.manifest),
-        sections,
-    })
+    Ok(Page::new(origin.title("lobefit report", ""), origin, index::conclusion(drawn.manifest), sections))
 }
 
 /// What a browser draws with, whether the bake emits it or not.

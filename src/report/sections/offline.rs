@@ -45,17 +45,17 @@ pub(super) fn section(record: &OfflineRecord) -> Result<Option<Section>, ReportE
     for studies in others {
         blocks.push(folded(&studies[0].quantity, vec![Block::Packed(of(studies)?)]));
     }
-    Ok(Some(Section {
-        id: "offline".into(),
-        title: "What accuracy costs offline".into(),
-        lead: format!(
+    Ok(Some(Section::new(
+        "offline",
+        "What accuracy costs offline",
+        format!(
             "Every way to compute a quantity, at an easy and at a hard point: its error against its evaluations of the integrand and \
              against seconds on {}. A dashed line is of scrambled Sobol points and a dotted one of \
              stratified ones, in the colour that the same draw has by random points; or a dashed one of the truth at falling tolerances.",
             record.device
         ),
         blocks,
-    }))
+    )))
 }
 
 /// Charts and table of a quantity.
@@ -94,7 +94,7 @@ fn chart(i: usize, study: &OfflineStudy, (name, axis, work): Work) -> Option<Cur
     let series = study.curves.iter().filter_map(|curve| {
         let (name, style) = style(curve, &mut rules)?;
         let points: Vec<(f64, f64)> = work(curve).into_iter().zip(curve.error.iter().copied()).collect();
-        (!points.is_empty()).then_some(Series { name, points, style, end: None })
+        (!points.is_empty()).then_some(Series::line(name, points, style))
     });
     let series: Vec<Series> = series.collect();
     let marks = study.path_tracer.iter().flat_map(|of| {
@@ -105,15 +105,12 @@ fn chart(i: usize, study: &OfflineStudy, (name, axis, work): Work) -> Option<Cur
             text: text.into(),
         })
     });
+    let title = format!("{}: {} at {}", ["easy", "hard"][i % 2], study.output, study.at);
+    let axes = [(axis, Spread::Log), ("absolute error", Spread::Log)];
     (!series.is_empty()).then(|| Curves {
-        title: format!("{}: {} at {}", ["easy", "hard"][i % 2], study.output, study.at),
-        x: (axis.into(), Spread::Log),
-        y: ("absolute error".into(), Spread::Log),
         annotations: marks.filter(|mark| mark.y > 0.0).collect(),
         guides: guides(),
-        y_limits: None,
-        size: (440.0, 300.0),
-        series,
+        ..Curves::new(title, axes, series, (440.0, 300.0))
     })
 }
 

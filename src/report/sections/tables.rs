@@ -18,13 +18,12 @@ pub(crate) fn truths(truths: &[Field], caption: &str) -> Result<Option<Section>,
     for f in truths {
         f.check("truth")?;
     }
-    Ok(Some(Section {
-        id: "truth".into(),
-        title: "The truth".into(),
-        lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
-            .into(),
-        blocks: vec![maps(truths, caption, true)?],
-    }))
+    Ok(Some(Section::new(
+        "truth",
+        "The truth",
+        "What is approximated, by quadrature: the values that every table and fit is measured against.",
+        vec![maps(truths, caption, true)?],
+    )))
 }
 
 /// The tables: texels, errors, lookup error over the domain.
@@ -36,14 +35,13 @@ pub(crate) fn section(tables: &[TableFinding]) -> Result<Option<Section>, Report
     for table in tables {
         blocks.extend(shown(table)?);
     }
-    Ok(Some(Section {
-        id: "tables".into(),
-        title: "Tables".into(),
-        lead: "A table is judged as a shader sees it: by the linear lookup of its quantised texels, at places off the \
-               grid. The error is split into what integration, texel format and lookup contribute."
-            .into(),
+    Ok(Some(Section::new(
+        "tables",
+        "Tables",
+        "A table is judged as a shader sees it: by the linear lookup of its quantised texels, at places off the \
+               grid. The error is split into what integration, texel format and lookup contribute.",
         blocks,
-    }))
+    )))
 }
 
 fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {

@@ -27,18 +27,20 @@ pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
         significant(e.seconds, 3),
         significant(e.deviation[0] / e.samples_per_texel.sqrt(), 2),
     );
-    Ok(Section {
-        id: "tables".into(),
-        title: "Offline: whole tables".into(),
-        lead: "The path tracer's three tables, every texel: reflection 64 × 64 × 32 and rough glass 128 × 128 × 32 from outside and \
-               from inside."
-            .into(),
-        blocks: vec![
+    Ok(Section::new(
+        "tables",
+        "Offline: whole tables",
+        "The path tracer's three tables, every texel: reflection 64 × 64 × 32 and rough glass 128 × 128 × 32 from outside and \
+               from inside.",
+        vec![
             Block::Table(words::table(COLUMNS, rows, &caption)),
-            figures(&[chart(tables)], "Error against seconds for all three tables, both logarithmic; the path tracer's estimator is \
-                                       extrapolated from its rate.")?,
+            figures(
+                &[chart(tables)],
+                "Error against seconds for all three tables, both logarithmic; the path tracer's estimator is \
+                                       extrapolated from its rate.",
+            )?,
         ],
-    })
+    ))
 }
 
 fn row(run: &TimedTableRun, tables: &TimedTables) -> Vec<String> {
@@ -65,7 +67,7 @@ fn chart(tables: &TimedTables) -> Curves {
             Some(known) => known.points.push(point),
             None => {
                 let style = Style::Marked(series.len());
-                series.push(Series { name, points: vec![point], style, end: None });
+                series.push(Series::line(name, vec![point], style));
             }
         }
     }
@@ -74,20 +76,11 @@ fn chart(tables: &TimedTables) -> Curves {
         let samples = e.samples_per_texel * seconds / e.seconds;
         (seconds, e.deviation[0].max(e.deviation[1]) / samples.sqrt())
     };
-    series.push(Series {
-        name: "the path tracer's estimator: standard deviation".into(),
-        points: [0.1, 1.0, 10.0, 1e3, 1e5, e.seconds].into_iter().map(error).collect(),
-        style: Style::Marked(series.len()),
-        end: None,
-    });
-    Curves {
-        title: "three tables".into(),
-        x: ("seconds".into(), Spread::Log),
-        y: ("absolute error of E".into(), Spread::Log),
-        series,
-        annotations: Vec::new(),
-        guides: offline::guides(),
-        y_limits: None,
-        size: (560.0, 360.0),
-    }
+    series.push(Series::line(
+        "the path tracer's estimator: standard deviation",
+        [0.1, 1.0, 10.0, 1e3, 1e5, e.seconds].into_iter().map(error).collect(),
+        Style::Marked(series.len()),
+    ));
+    let axes = [("seconds", Spread::Log), ("absolute error of E", Spread::Log)];
+    Curves { guides: offline::guides(), ..Curves::new("three tables", axes, series, (560.0, 360.0)) }
 }

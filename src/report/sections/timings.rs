@@ -17,16 +17,16 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
     if !timings.lookups.is_empty() {
         sections.push(lookups(timings));
     }
-    Ok(Page {
-        title: format!("lobefit timings: {}", timings.origin.scene),
-        origin: timings.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        format!("lobefit timings: {}", timings.origin.scene),
+        timings.origin.clone(),
+        format!(
             "What accuracy costs in time, measured on {}. Times differ from run to run and from machine to machine: \
              compare them with one another, not with another page.",
             timings.device
         ),
         sections,
-    })
+    ))
 }
 
 fn run_time(timings: &Timings) -> Result<Section, ReportError> {
@@ -41,30 +41,32 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
         blocks.extend(time_against_error(&group)?);
     }
     blocks.push(Block::Table(table(timings)));
-    Ok(Section {
-        id: "run-time".into(),
-        title: "Run time: nanoseconds per evaluation".into(),
-        lead: "Every approximation on one core of this machine, beside the operations that the model counts. Formulas run \
+    Ok(Section::new(
+        "run-time",
+        "Run time: nanoseconds per evaluation",
+        "Every approximation on one core of this machine, beside the operations that the model counts. Formulas run \
                through the evaluator in blocks of points, tables through a scalar bilinear fetch: compare like with like. \
-               A GPU's times are others."
-            .into(),
+               A GPU's times are others.",
         blocks,
-    })
+    ))
 }
 
 fn lookups(timings: &Timings) -> Section {
     let columns = "lookup|fetches>|ns per pixel>";
     let row = |l: &TimedLookup| vec![l.lookup.clone(), l.fetches.to_string(), words::mean(l.nanoseconds)];
     let rows = timings.lookups.iter().map(row).collect();
-    Section {
-        id: "lookups".into(),
-        title: "Lookups of probes: nanoseconds per pixel".into(),
-        lead: "From shading point and view to directions, widths and weights, on one core of this machine in f64, one pixel after the other, with \
+    Section::new(
+        "lookups",
+        "Lookups of probes: nanoseconds per pixel",
+        "From shading point and view to directions, widths and weights, on one core of this machine in f64, one pixel after the other, with \
                the rational width and the rule of half-cosine chains where an emitted lookup may have others. The texture's \
-               fetches come on top; operations of the emitted functions are in the manifest."
-            .into(),
-        blocks: vec![Block::Table(words::table(columns, rows, "Mean over places, normals, views and widths at random."))],
-    }
+               fetches come on top; operations of the emitted functions are in the manifest.",
+        vec![Block::Table(words::table(
+            columns,
+            rows,
+            "Mean over places, normals, views and widths at random.",
+        ))],
+    )
 }
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.

@@ -95,12 +95,7 @@ fn curves_refuse_what_a_logarithmic_axis_cannot_show() {
         title: "study".into(),
         x: ("evaluations".into(), Spread::Log),
         y: ("error".into(), Spread::Log),
-        series: vec![Series {
-            name: "rule".into(),
-            points: vec![(x, 0.1)],
-            style: Style::Marked(0),
-            end: None,
-        }],
+        series: vec![Series::line("rule", vec![(x, 0.1)], Style::Marked(0))],
         annotations: Vec::new(),
         guides: Vec::new(),
         y_limits: None,

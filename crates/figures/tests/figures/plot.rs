@@ -50,11 +50,8 @@ fn chart(title: &str, ends: &[f64]) -> Curves {
 /// Lines of one colour differ in their width, which the style of a page makes dashes and dots of.
 #[test]
 fn lines_of_one_colour_have_widths_of_their_own_also_in_the_legend() -> Outcome {
-    let series = |i: usize| Series {
-        name: format!("line {i}"),
-        points: vec![(1.0, 9.0 + i as f64), (2.0, 8.0)],
-        style: Style::Marked(i),
-        end: None,
+    let series = |i: usize| {
+        Series::line(format!("line {i}"), vec![(1.0, 9.0 + i as f64), (2.0, 8.0)], Style::Marked(i))
     };
     let svg = Curves { series: [2, 9, 16].map(series).into(), ..chart("three", &[]) }.svg()?;
     for width in ["16", "17", "15"] {

@@ -25,16 +25,16 @@ pub(super) fn page(job: &Job, fitting: &Fitting) -> Result<Page, FittingError> {
         sections.push(solver(job, fitting, fit));
         sections.push(code(job, fitting, fit)?);
     }
-    Ok(Page {
-        title: format!("lobefit fit: {name}"),
-        origin: origin(name, &job.command, recipe(job).hash),
-        lead: format!(
+    Ok(Page::new(
+        format!("lobefit fit: {name}"),
+        origin(name, &job.command, recipe(job).hash),
+        format!(
             "{}\nA formula fitted to a quantity: its constants, its measured error and its cost, the fit beside the truth, and where \
              it errs. Figures in full digits: {name}.json, beside this page.",
             conclusion(fitting)
         ),
         sections,
-    })
+    ))
 }
 
 /// What each fit takes and keeps.
@@ -62,16 +62,16 @@ fn asked(job: &Job, fitting: &Fitting) -> Section {
     if !demands.is_empty() {
         rows.push(("Constraints".into(), demands.join("; ")));
     }
-    Section {
-        id: "asked".into(),
-        title: "What was asked".into(),
-        lead: "The quantity, how the formula is used, and where it has to hold.".into(),
-        blocks: vec![
+    Section::new(
+        "asked",
+        "What was asked",
+        "The quantity, how the formula is used, and where it has to hold.",
+        vec![
             Block::Facts { rows },
             Block::Heading { text: "The hypothesis".into() },
             Block::Code { text: job.hypothesis.source().trim_end().into() },
         ],
-    }
+    )
 }
 
 fn errors(used_as: Use, fit: &Certified) -> Result<Section, ReportError> {
@@ -91,14 +91,12 @@ fn errors(used_as: Use, fit: &Certified) -> Result<Section, ReportError> {
                        stand here.";
         blocks.push(Block::Table(words::table(columns, constants.collect(), caption)));
     }
-    Ok(Section {
-        id: anchor(fit, "error"),
-        title: format!("{name}: error and constants"),
-        lead:
-            "Measured after the constants were rounded to f32, at points that the formula was not fitted on."
-                .into(),
+    Ok(Section::new(
+        anchor(fit, "error"),
+        format!("{name}: error and constants"),
+        "Measured after the constants were rounded to f32, at points that the formula was not fitted on.",
         blocks,
-    })
+    ))
 }
 
 fn measured(used_as: Use, certificates: &[&Certificate]) -> TextTable {
@@ -133,12 +131,12 @@ fn pictures(used_as: Use, fit: &Certified, slices: &[FitSlice]) -> Result<Sectio
         blocks.push(of_slice(used_as, name, slice)?);
         blocks.extend(worst_places(slice).map(Block::Table));
     }
-    Ok(Section {
-        id: anchor(fit, "pictures"),
-        title: format!("{name} beside the truth"),
-        lead: "The curves show the formula itself; the error is that of its use.".into(),
+    Ok(Section::new(
+        anchor(fit, "pictures"),
+        format!("{name} beside the truth"),
+        "The curves show the formula itself; the error is that of its use.",
         blocks,
-    })
+    ))
 }
 
 fn checked(fit: &str, slice: &FitSlice) -> Result<(), ReportError> {
@@ -190,7 +188,7 @@ fn curves(fit: &str, slice: &FitSlice) -> Curves {
         series.push(line(if i == 0 { fit } else { "" }, slice, &c.fit, Style::Line(0), None));
     }
     let (truth, fit) = (slice.curves.iter().map(|c| &c.truth), slice.curves.iter().map(|c| &c.fit));
-    chart(slice, slice.value.clone(), series, Some(limits(truth.flatten(), fit.flatten())))
+    chart(slice, &slice.value, series, Some(limits(truth.flatten(), fit.flatten())))
 }
 
 /// The frame of the truth, widened to just beyond the fit where that leaves it.
@@ -206,7 +204,7 @@ fn limits<'a>(
 
 fn error_curves(slice: &FitSlice) -> Curves {
     let series = slice.curves.iter().map(|c| line("", slice, &c.error, Style::Line(0), None)).collect();
-    chart(slice, "signed error".into(), series, None)
+    chart(slice, "signed error", series, None)
 }
 
 /// Roughness in short: the end of a line has little room.
@@ -216,20 +214,12 @@ fn short_symbol(name: &str) -> &str {
 
 fn line(name: &str, slice: &FitSlice, values: &[f64], style: Style, end: Option<String>) -> Series {
     let points = slice.along.values.iter().copied().zip(values.iter().copied()).collect();
-    Series { name: name.into(), points, style, end }
+    Series { end, ..Series::line(name, points, style) }
 }
 
-fn chart(slice: &FitSlice, value: String, series: Vec<Series>, y_limits: Option<(f64, f64)>) -> Curves {
-    Curves {
-        title: value.clone(),
-        x: (words::axis(&slice.along.name), Spread::Linear),
-        y: (value, Spread::Linear),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits,
-        size: (400.0, 250.0),
-    }
+fn chart(slice: &FitSlice, value: &str, series: Vec<Series>, y_limits: Option<(f64, f64)>) -> Curves {
+    let labels = [&words::axis(&slice.along.name), value];
+    Curves { y_limits, ..Curves::linear(value, labels, series, (400.0, 250.0)) }
 }
 
 fn map<'a>(field: &'a Field, slice: &FitSlice) -> HeatMap<'a> {
@@ -268,14 +258,12 @@ fn solver(job: &Job, fitting: &Fitting, fit: &Certified) -> Section {
     if !fit.fitted.stages.is_empty() {
         blocks.push(Block::Table(words::table(columns, rows.collect(), caption)));
     }
-    Section {
-        id: anchor(fit, "search"),
-        title: format!("{}: what the solver did", fit.approximation.name),
-        lead:
-            "How the search ended, how far from the best possible the constants can be, and what is proven."
-                .into(),
+    Section::new(
+        anchor(fit, "search"),
+        format!("{}: what the solver did", fit.approximation.name),
+        "How the search ended, how far from the best possible the constants can be, and what is proven.",
         blocks,
-    }
+    )
 }
 
 fn facts(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<(String, String)> {
@@ -317,10 +305,10 @@ fn code(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Section, Fittin
         let text = printed::function(*language, job, fitting, fit)?;
         blocks.push(Block::Code { text: text.trim_end().into() });
     }
-    Ok(Section {
-        id: anchor(fit, "code"),
-        title: format!("{}: the code", fit.approximation.name),
-        lead: "As written to the files beside this page.".into(),
+    Ok(Section::new(
+        anchor(fit, "code"),
+        format!("{}: the code", fit.approximation.name),
+        "As written to the files beside this page.",
         blocks,
-    })
+    ))
 }

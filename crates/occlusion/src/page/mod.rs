@@ -11,7 +11,7 @@ use crate::passes::Passes;
 use crate::study::{ALL, Point, Results, Row, usual};
 use crate::times::{Timed, Times};
 use lobefit::report::numbers::brief;
-use lobefit::report::{Curves, Origin, Page, ReportError, Series, Spread};
+use lobefit::report::{Origin, Page, ReportError};
 use lobefit::scene::{CameraPath, World};
 
 /// The page; of `times` what is of these results.
@@ -29,7 +29,7 @@ pub fn page(results: &Results, times: Option<&Times>, origin: Origin) -> Result<
         sweeps::sweeps(results)?,
         passes::resolutions(results, timed.as_deref().ok())?,
     ];
-    Ok(Page { title: "lobefit study: occlusion".into(), origin, lead: lead(results), sections })
+    Ok(Page::new("lobefit study: occlusion", origin, lead(results), sections))
 }
 
 fn percent(x: f64) -> String {
@@ -153,20 +153,6 @@ const FEW: u64 = 200;
 
 /// A rate: its label, and what it is of a tally.
 type Rate = (&'static str, fn(&Tally) -> f64);
-
-/// A chart over linear axes of these labels.
-fn curves(title: &str, [x, y]: [&str; 2], series: Vec<Series>, size: (f64, f64)) -> Curves {
-    Curves {
-        title: title.into(),
-        x: (x.into(), Spread::Linear),
-        y: (y.into(), Spread::Linear),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size,
-    }
-}
 
 /// A row of figures that every table has.
 fn rates(tally: &Tally) -> [String; 6] {

@@ -1,6 +1,6 @@
 //! What each pass buys and costs, at every resolution.
 
-use super::{RATES, Rate, by, curves, milliseconds, own, percent, rates, with_times};
+use super::{RATES, Rate, by, milliseconds, own, percent, rates, with_times};
 use crate::measure::{TOLERANCE, Tally, Trial, part};
 use crate::passes::{Passes, Work};
 use crate::study::{ALL, CHOSEN, Results, Row, SAFE};
@@ -155,16 +155,16 @@ pub(super) fn passes(
                   the conservative mode and the chosen parameters have one. Lower is better. Other resolutions: at the end of this page.";
     let culling = &results.culling;
     let one = |rate| chart(results, timed, (culling.grid, culling.buffer.map(|n| n as usize)), (rate, LARGE));
-    Ok(Section {
-        id: "passes".into(),
-        title: "What each pass buys".into(),
-        lead: format!("{points} {}", holes_for_less(results, timed)),
-        blocks: vec![
+    Ok(Section::new(
+        "passes",
+        "What each pass buys",
+        format!("{points} {}", holes_for_less(results, timed)),
+        vec![
             Block::Table(table(results, timed, &own(results), &caption)),
             figures(&[one(KEPT), one(CULLED)], charts)?,
             folded("Work of each pass", vec![Block::Table(split)]),
         ],
-    })
+    ))
 }
 
 /// Rows of results with their rates and what they take.
@@ -205,20 +205,19 @@ fn chart(
     };
     let lines = SOURCES.iter().enumerate().flat_map(|(k, source)| {
         let fills = [["", ", median", ", median, dilation"], ["", ", dilation", ", median, dilation"]];
-        fills.map(|fills| Series {
-            name: (*source).into(),
-            points: fills.iter().filter_map(|fill| of(source, fill)).collect(),
-            style: Style::Marked(k),
-            end: None,
+        fills.map(|fills| {
+            Series::line(
+                *source,
+                fills.iter().filter_map(|fill| of(source, fill)).collect(),
+                Style::Marked(k),
+            )
         })
     });
     let label = if timed.is_some() { "ms a frame" } else { "thousands of texels and voxels" };
     let title = format!("{}, {} voxels", sized(buffer), sized(grid));
-    let mut chart = curves(&title, [label, rate.0], lines.collect(), size);
-    (chart.x.1, chart.y.1) = (Spread::Log, Spread::Root);
+    let axes = [(label, Spread::Log), (rate.0, Spread::Root)];
     let most = results.rows.iter().map(|row| 100.0 * rate.1(&row.tally)).fold(1.0, f64::max);
-    chart.y_limits = Some((0.0, 1.05 * most));
-    chart
+    Curves { y_limits: Some((0.0, 1.05 * most)), ..Curves::new(title, axes, lines.collect(), size) }
 }
 
 /// A rate over cost, a chart for each size of the grid and of the buffer.
@@ -248,14 +247,14 @@ pub(super) fn resolutions(results: &Results, timed: Option<&[&Timed]>) -> Result
     let caption = "Buffers and grids of other sizes than the scene's.";
     let sheets = "What accuracy costs, as above. Columns: buffers of half, of one and of one and a half times the size. Rows: grids of a quarter, a half and \
                   all of the voxels along each axis.";
-    Ok(Section {
-        id: "resolutions".into(),
-        title: "Resolutions".into(),
-        lead: lead.into(),
-        blocks: vec![
+    Ok(Section::new(
+        "resolutions",
+        "Resolutions",
+        lead,
+        vec![
             figures(&sheet(results, timed, KEPT), sheets)?,
             figures(&sheet(results, timed, CULLED), "The same of what vanishes.")?,
             Block::Table(words::table(&columns, rows.collect(), caption)),
         ],
-    })
+    ))
 }

@@ -64,15 +64,15 @@ pub(super) fn pictures(results: &Results) -> Result<Section, ReportError> {
     let [near, far] = GREYS;
     let off: Vec<Pixels> =
         shown.buffers.iter().map(|(name, buffer)| errors(name, buffer, &shown.truth)).collect();
-    Ok(Section {
-        id: "pictures".into(),
-        title: "One frame".into(),
-        lead: format!(
+    Ok(Section::new(
+        "pictures",
+        "One frame",
+        format!(
             "A frame of the path `{}`, {} frames after the depth that has arrived.",
             path(results.culling.path),
             results.culling.latency
         ),
-        blocks: vec![
+        vec![
             figures(
                 &first,
                 &format!(
@@ -90,5 +90,5 @@ pub(super) fn pictures(results: &Results) -> Result<Section, ReportError> {
                            drawn in vain. Black is right within 1 %, full colours are off by 20 % or more. Faint dots: nothing was written, which hides nothing.",
             )?,
         ],
-    })
+    ))
 }

@@ -1,6 +1,6 @@
 //! What latency, speed and free parameters do, and why texels are never written.
 
-use super::{RATES, Rate, by, curves, milliseconds, path, percent, rates, with_times, worded};
+use super::{RATES, Rate, by, milliseconds, path, percent, rates, with_times, worded};
 use crate::choice::{ALLOWED, COST, Choice, Choices, OnShots};
 use crate::measure::{Tally, part};
 use crate::passes::Work;
@@ -37,14 +37,12 @@ fn chart(results: &Results, (path, of): (CameraPath, Rate), (label, x): Axis) ->
         let mut points: Vec<(f64, f64)> =
             on_path.iter().map(|(x, point)| (*x, 100.0 * of.1(tally(point)))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Series { name: (*name).into(), points, style: Style::Marked(i), end: None }
+        Series::line(*name, points, Style::Marked(i))
     };
     let most = results.sweep.iter().flat_map(|point| WAYS.map(|(_, tally)| 100.0 * of.1(tally(point))));
-    let mut chart =
-        curves(super::path(path), [label, of.0], WAYS.iter().enumerate().map(line).collect(), CHART);
-    chart.y.1 = Spread::Root;
-    chart.y_limits = Some((0.0, 1.05 * most.fold(1.0, f64::max)));
-    chart
+    let y_limits = Some((0.0, 1.05 * most.fold(1.0, f64::max)));
+    let (axes, lines) = ([(label, Spread::Linear), (of.0, Spread::Root)], WAYS.iter().enumerate().map(line));
+    Curves { y_limits, ..Curves::new(super::path(path), axes, lines.collect(), CHART) }
 }
 
 /// What latency and speed do to each way that the page recommends or warns of.
@@ -59,19 +57,19 @@ pub(super) fn sweeps(results: &Results) -> Result<Section, ReportError> {
     };
     let caption =
         "Points: old depth alone. All passes: those of the scene. Conservative, chosen: as in the tables.";
-    Ok(Section {
-        id: "sweeps".into(),
-        title: "Latency and speed".into(),
-        lead: format!(
+    Ok(Section::new(
+        "sweeps",
+        "Latency and speed",
+        format!(
             "Latency at 3 degrees a frame (sideways 0.25 m a frame), speed at a latency of {latency} frames; a step sideways grows as the turn does, \
              by 0.083 m for each degree.{}",
             farthest(results)
         ),
-        blocks: vec![
+        vec![
             figures(row(("latency, frames", &by_latency)).as_flattened(), caption)?,
             figures(row(("degrees a frame", &by_speed)).as_flattened(), "The same by speed.")?,
         ],
-    })
+    ))
 }
 
 /// The most that the conservative mode and the chosen parameters cull in the whole sweep.
@@ -129,15 +127,15 @@ pub(super) fn holes(results: &Results) -> Section {
     let columns = "path|out of the old frame>|stretched>|disoccluded>";
     let caption = "Parts of all texels that no point of the old depth reached. Stretched: the old frame saw what is there, with too few points.";
     let table = words::table(columns, results.causes.iter().map(row).collect(), caption);
-    Section {
-        id: "holes".into(),
-        title: "Why texels are never written".into(),
-        lead: format!(
+    Section::new(
+        "holes",
+        "Why texels are never written",
+        format!(
             "Points of the old depth leave empty {}.",
             results.causes.iter().map(most).collect::<Vec<_>>().join("; ")
         ),
-        blocks: vec![Block::Table(table)],
-    }
+        vec![Block::Table(table)],
+    )
 }
 
 pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section {
@@ -177,10 +175,5 @@ pub(super) fn parameters(results: &Results, timed: Option<&[&Timed]>) -> Section
          shots from the four other places.",
         MEASURED.len()
     );
-    Section {
-        id: "parameters".into(),
-        title: "Parameters".into(),
-        lead,
-        blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
-    }
+    Section::new("parameters", "Parameters", lead, vec![Block::Table(words::table(&columns, rows, &caption))])
 }

@@ -60,7 +60,7 @@ fn every_row_is_told() {
         command: "c".into(),
         pages: Vec::new(),
     };
-    let page = html(&Page { title: "t".into(), origin, lead: "l".into(), sections });
+    let page = html(&Page::new("t", origin, "l", sections));
     assert!(page.contains("Kelemen-Szirmay-Kalos") && page.contains("random walk, exact Fresnel"));
 }
 

@@ -2,7 +2,7 @@
 
 use crate::effects::coupling::results::{CouplingCurves, CouplingPanel};
 use crate::report::sections::{figures, words};
-use crate::report::{Curves, Panel, ReportError, Section, Series, Spread, Style, check, numbers};
+use crate::report::{Curves, Panel, ReportError, Section, Series, Style, check, numbers};
 
 pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
     let (section, mu) = ("coupling curves", &curves.mu);
@@ -21,35 +21,22 @@ pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
          than f0 (1 − E), so that at small f0 the two lines coincide.",
         numbers::place(curves.f0)
     );
-    Ok(Section {
-        id: "factor".into(),
-        title: "The factor against 1 − Fresnel".into(),
-        lead: "A lobe that is divided by its albedo E (normalised) leaves (1 − f0)(1 − B/E); one that is multiplied by 1 + f0 (1/E − 1) \
-               (compensated) and a bare one (single) leave more."
-            .into(),
-        blocks: vec![figures(&charts, &caption)?],
-    })
+    Ok(Section::new(
+        "factor",
+        "The factor against 1 − Fresnel",
+        "A lobe that is divided by its albedo E (normalised) leaves (1 − f0)(1 − B/E); one that is multiplied by 1 + f0 (1/E − 1) \
+               (compensated) and a bare one (single) leave more.",
+        vec![figures(&charts, &caption)?],
+    ))
 }
 
 fn chart(curves: &CouplingCurves, panel: &CouplingPanel) -> Curves {
     let points = |values: &[f64]| curves.mu.iter().copied().zip(values.iter().copied()).collect();
-    let line = |name: &str, values: &[f64], style: Style| Series {
-        name: name.into(),
-        points: points(values),
-        style,
-        end: None,
-    };
+    let line = |name: &str, values: &[f64], style: Style| Series::line(name, points(values), style);
     let mut series = vec![line("1 − F(μ)", &curves.fresnel, Style::Truth)];
     let factors = panel.factors.iter().enumerate();
     series.extend(factors.map(|(i, (name, values))| line(name, values, Style::Line(i))));
-    Curves {
-        title: format!("roughness {}", numbers::place(panel.roughness)),
-        x: (words::axis("mu"), Spread::Linear),
-        y: ("factor".into(), Spread::Linear),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: Some((0.0, 1.0)),
-        size: (300.0, 190.0),
-    }
+    let title = format!("roughness {}", numbers::place(panel.roughness));
+    let chart = Curves::linear(title, [&words::axis("mu"), "factor"], series, (300.0, 190.0));
+    Curves { y_limits: Some((0.0, 1.0)), ..chart }
 }

@@ -25,14 +25,13 @@ pub(super) fn section(lobe: &CouplingLobe) -> Result<Section, ReportError> {
     );
     let mut blocks = vec![figures(&panels, &caption)?];
     blocks.extend(furnace.panels.iter().map(|(f0, rows)| worst(lobe, *f0, rows)));
-    Ok(Section {
-        id: format!("furnace-{}", lobe.specular),
-        title: format!("The furnace, {} lobe", lobe.specular),
-        lead: "Spheres of rising roughness with a white base, in equal light from everywhere and without absorption: lobe and base together \
-               must send back all of it, so the right picture is an empty one."
-            .into(),
+    Ok(Section::new(
+        format!("furnace-{}", lobe.specular),
+        format!("The furnace, {} lobe", lobe.specular),
+        "Spheres of rising roughness with a white base, in equal light from everywhere and without absorption: lobe and base together \
+               must send back all of it, so the right picture is an empty one.",
         blocks,
-    })
+    ))
 }
 
 fn spheres<'a>(lobe: &'a CouplingLobe, f0: f64, rows: &'a [FurnaceRow], limit: f64) -> Spheres<'a> {

@@ -42,16 +42,15 @@ pub fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
             blocks.push(Block::Table(couplings(&of_lobe)));
         }
     }
-    Ok(Section {
-        id: "reciprocity".into(),
-        title: "Energy and reciprocity".into(),
-        lead: "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
+    Ok(Section::new(
+        "reciprocity",
+        "Energy and reciprocity",
+        "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
                material sends back less 1, the largest over roughness and angle; minus loses light, plus makes it. Reciprocity: the \
                largest |f(l, v) − f(v, l)| relative to the mean of their sizes, between 0 and 2, measured for all: 1e−14 and less is rounding. A path \
-               tracer that connects paths from both ends needs that; a rasteriser does not."
-            .into(),
+               tracer that connects paths from both ends needs that; a rasteriser does not.",
         blocks,
-    })
+    ))
 }
 
 /// The section of a lobe; none where it was not measured.
@@ -69,12 +68,12 @@ pub(super) fn of_lobe(lobe: &CouplingLobe) -> Result<Option<Section>, ReportErro
         list(&measured.places.roughness),
         list(&measured.places.mu),
     );
-    Ok(Some(Section {
-        id: format!("{}-{}", section.id, lobe.specular),
-        title: format!("{}, {} lobe", section.title, lobe.specular),
+    Ok(Some(Section::new(
+        format!("{}-{}", section.id, lobe.specular),
+        format!("{}, {} lobe", section.title, lobe.specular),
         lead,
-        blocks: section.blocks,
-    }))
+        section.blocks,
+    )))
 }
 
 fn lobes(rows: &[&ReciprocityRow]) -> TextTable {

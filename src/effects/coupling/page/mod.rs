@@ -21,10 +21,10 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
         sections.push(furnace::section(one)?);
         sections.extend(materials::of_lobe(one)?);
     }
-    Ok(Page {
-        title: findings.origin.title("lobefit report", &findings.effect.effect),
-        origin: findings.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        findings.origin.title("lobefit report", &findings.effect.effect),
+        findings.origin.clone(),
+        format!(
             "A specular lobe leaves part of the light for the diffuse base below it. The coupling factor is what a white base is \
              multiplied by, so that lobe and base together send back exactly all light. This page has every approximation of the factor, \
              its error and its cost. Figures in full digits: {}.json, in this folder.\n\
@@ -35,5 +35,5 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
             findings.effect.effect
         ),
         sections,
-    })
+    ))
 }

@@ -23,10 +23,10 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
     };
     let caption = "Errors in levels, in f32: of `mip` against the map itself, of `roughness` after the round trip from roughness to mip and back, of the others \
                    against the level that holds the best width, where a fetch is not saturated and the chain holds the roughness.";
-    Some(Section {
-        id: "levels".into(),
-        title: "Levels of the chain".into(),
-        lead: "From the level of a lobe to the level to fetch, by the most accurate of the fits.".into(),
-        blocks: vec![Block::Table(words::table(COLUMNS, lobe.chains.iter().map(row).collect(), caption))],
-    })
+    Some(Section::new(
+        "levels",
+        "Levels of the chain",
+        "From the level of a lobe to the level to fetch, by the most accurate of the fits.",
+        vec![Block::Table(words::table(COLUMNS, lobe.chains.iter().map(row).collect(), caption))],
+    ))
 }

@@ -26,10 +26,10 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
     let caption = "Operations of a call, those of the functions that it calls among them; the chain is the one whose levels are returned. What \
                    one fetch is off by is said of its width, above. Lobes: `mirror` is round about the reflected ray; `fitted` leans and narrows as GGX \
                    does, by normal and view.";
-    Some(Section {
-        id: "lookups".into(),
-        title: "Lookups through a proxy".into(),
-        lead: "Where the ray that a surface reflects meets the proxy of the room, what to fetch from there, and in how many fetches.".into(),
-        blocks: vec![Block::Table(words::table(COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
-    })
+    Some(Section::new(
+        "lookups",
+        "Lookups through a proxy",
+        "Where the ray that a surface reflects meets the proxy of the room, what to fetch from there, and in how many fetches.",
+        vec![Block::Table(words::table(COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
+    ))
 }

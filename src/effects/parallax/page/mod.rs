@@ -19,17 +19,17 @@ pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
     for one in &findings.lobes {
         sections.extend(of_lobe(one, &mut known)?);
     }
-    Ok(Page {
-        title: findings.origin.title("lobefit report", &findings.effect.effect),
-        origin: findings.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        findings.origin.title("lobefit report", &findings.effect.effect),
+        findings.origin.clone(),
+        format!(
             "How wide a lobe to fetch from a prefiltered probe so that it covers the wall as a lobe of the shading point does: the \
              width α′ by the lobe's α and ρ, the shading point's distance from the wall over the probe's; every formula of it with \
              its measured error and its cost. Figures in full digits: {}.json, in this folder.",
             findings.effect.effect
         ),
         sections,
-    })
+    ))
 }
 
 /// The sections of a lobe, with its name in title and anchor. Published formulas are those of every lobe:

@@ -29,10 +29,10 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     table.muted = lobe.variations.iter().map(|v| v.published).collect();
     blocks.push(Block::Table(table));
     blocks.extend(measures::blocks(lobe)?);
-    Ok(Section {
-        id: "variation".into(),
-        title: "What a fetch is off by on the wall".into(),
-        lead: format!(
+    Ok(Section::new(
+        "variation",
+        "What a fetch is off by on the wall",
+        format!(
             "The chain is prefiltered with the {} lobe, {}; a formula for one lobe is not one for another. Total variation is half of \
              the absolute difference between the energy per wall area that the shading point asks for and the one that is \
              fetched: 0 where they agree, 1 where they do not overlap. It bounds the error of radiance in units of the \
@@ -40,7 +40,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
             lobe.kernel, lobe.formula
         ),
         blocks,
-    })
+    ))
 }
 
 const CAPTION: &str = "Total variation over an even grid of roughness and ln ρ, without the cells where even the widest lobe is too \

@@ -32,35 +32,21 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     for map in lobe.maps.iter().filter(|map| !map.formula.is_empty()) {
         blocks.push(Block::Code { text: map.formula.clone() });
     }
-    Ok(Section {
-        id: "widths".into(),
-        title: "The width to fetch".into(),
-        lead: "The best width makes the expected squared error least over images whose spectrum falls as 1/f²: the L2 norm, over the \
-               logarithm of the wall radius, of the difference of the energies within that radius."
-            .into(),
+    Ok(Section::new(
+        "widths",
+        "The width to fetch",
+        "The best width makes the expected squared error least over images whose spectrum falls as 1/f²: the L2 norm, over the \
+               logarithm of the wall radius, of the difference of the energies within that radius.",
         blocks,
-    })
+    ))
 }
 
 fn chart(curve: &ParallaxCurve) -> Curves {
     let points = |values: &[f64]| curve.rho.iter().copied().zip(values.iter().copied()).collect();
-    let line = |name: &str, values: &[f64], style: Style| Series {
-        name: name.into(),
-        points: points(values),
-        style,
-        end: None,
-    };
+    let line = |name: &str, values: &[f64], style: Style| Series::line(name, points(values), style);
     let mut series = vec![line("best width", &curve.best, Style::Truth)];
     let fits = curve.fits.iter().enumerate();
     series.extend(fits.map(|(i, (name, values))| line(name, values, Style::Line(i))));
-    Curves {
-        title: format!("roughness {}", numbers::place(curve.roughness)),
-        x: ("ρ".into(), Spread::Log),
-        y: ("α′".into(), Spread::Log),
-        series,
-        annotations: Vec::new(),
-        guides: Vec::new(),
-        y_limits: None,
-        size: (340.0, 220.0),
-    }
+    let title = format!("roughness {}", numbers::place(curve.roughness));
+    Curves::new(title, [("ρ", Spread::Log), ("α′", Spread::Log)], series, (340.0, 220.0))
 }

@@ -4,7 +4,9 @@ use super::case::{CASES, Case};
 use super::measure::{Approach, LOST, Measured};
 use crate::study::{REDUCED, Size, page as build};
 use lobefit::report::numbers::{bound, brief};
-use lobefit::report::{Block, Curves, Origin, Page, ReportError, Section, Spread, Style, figures, words};
+use lobefit::report::{
+    Block, Curves, Origin, Page, ReportError, Section, Series, Spread, Style, figures, words,
+};
 
 const LEAD: &str = "Formulas that are equal on paper part where two nearly equal numbers are subtracted: what is left are the digits that both had lost. For ten hard \
      cases this page shows the form that textbooks and tutorials have beside the one that lobefit computes with, and the error of both along \
@@ -51,12 +53,7 @@ pub fn page(cases: &[Measured], size: Size, origin: Origin) -> Result<Page, Repo
     });
     let all: Vec<Section> = std::iter::once(Ok(overview(cases))).chain(sections).collect::<Result<_, _>>()?;
     let reduced = if size == Size::Reduced { REDUCED } else { "" };
-    Ok(Page {
-        title: "lobefit study: stability".into(),
-        origin,
-        lead: format!("{reduced}{}{LEAD}", conclusion(cases)),
-        sections: all,
-    })
+    Ok(Page::new("lobefit study: stability", origin, format!("{reduced}{}{LEAD}", conclusion(cases)), all))
 }
 
 /// The worst errors of all cases.
@@ -75,12 +72,7 @@ fn overview(cases: &[Measured]) -> Section {
     let columns = "case|naive, in a shader>|naive, f64>|ours>|ours, promised>";
     let caption = "Largest relative error over the approach to the limit. In a shader: f32, of the last row f16; ours is f64, and f16 in the last row. Charts end at an error of 10, and a result that is not finite is drawn at 1. Of the sum two things differ, order and precision; the charts of the guard and of the critical angle show forms that are wrong in any precision.";
     let table = words::table(columns, CASES.iter().zip(cases).map(row).collect(), caption);
-    Section {
-        id: "cases".into(),
-        title: "All cases".into(),
-        lead: String::new(),
-        blocks: vec![Block::Table(table)],
-    }
+    Section::new("cases", "All cases", "", vec![Block::Table(table)])
 }
 
 /// Charts of three cases, then the reason and the forms of each.
@@ -95,21 +87,20 @@ fn section((id, title): (&str, &str), cases: &[(&Case, &Measured)]) -> Result<Se
         blocks.push(Block::Text { text: case.why.into() });
         blocks.push(Block::Code { text });
     }
-    Ok(Section { id: id.into(), title: title.into(), lead: String::new(), blocks })
+    Ok(Section::new(id, title, "", blocks))
 }
 
 fn chart(case: &Case, found: &Measured) -> Curves {
     let ours = [(&found.ours, Style::Line(2))];
     // The worst precision of the naive form first: red.
     let naive = found.naive.iter().zip([Style::Line(1), Style::Line(0)]);
-    let lines = naive.chain(ours).map(|(form, style)| build::line(form.form, seen(form, found), style));
+    let lines = naive.chain(ours).map(|(form, style)| Series::line(form.form, seen(form, found), style));
     let ends = found.ours.points.iter().chain(found.naive.iter().flat_map(|form| &form.points)).map(|p| p.0);
     let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
     let unit = vec![(low, found.rounding), (high, found.rounding)];
-    let series = lines.chain([build::line("unit of rounding", unit, Style::Truth)]).collect();
-    let labels = [case.distance, "relative error"];
-    let chart = build::chart(case.title, labels, series, (270.0, 170.0));
-    Curves { x: (chart.x.0, Spread::Log), y: (chart.y.0, Spread::Log), ..chart }
+    let series = lines.chain([Series::line("unit of rounding", unit, Style::Truth)]).collect();
+    let axes = [case.distance, "relative error"].map(|label| (label, Spread::Log));
+    Curves::new(case.title, axes, series, (270.0, 170.0))
 }
 
 /// Points as they are drawn: an error of nothing at a quarter of the unit of rounding, which is as low

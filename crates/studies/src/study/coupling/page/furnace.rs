@@ -32,15 +32,14 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
         blocks.push(figures(&shown, &caption)?);
         blocks.push(Block::Table(summary(study, lobe)));
     }
-    Ok(Section {
-        id: "furnace".into(),
-        title: "In the furnace".into(),
-        lead: "Specular lobe plus coupled white base in light of radiance 1 from everywhere: whatever comes in must go out, so the right \
+    Ok(Section::new(
+        "furnace",
+        "In the furnace",
+        "Specular lobe plus coupled white base in light of radiance 1 from everywhere: whatever comes in must go out, so the right \
                picture is an empty one. At f0 = 1 the facets let nothing through: under a lobe that keeps all light the base must vanish; \
-               the single lobe loses some, and what is blue there the base did not give back."
-            .into(),
+               the single lobe loses some, and what is blue there the base did not give back.",
         blocks,
-    })
+    ))
 }
 
 fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {

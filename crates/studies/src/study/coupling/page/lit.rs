@@ -19,17 +19,16 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     }
     blocks.push(Block::Heading { text: "Every lobe and reflectance".into() });
     blocks.extend(study.rankings.iter().map(|r| Block::Table(summary(study, &r.lobe))));
-    Ok(Section {
-        id: "lit".into(),
-        title: "Under a sky, a sun and a cloud".into(),
-        lead: "The same materials under an analytic environment of high dynamic range: a blue sky over brown ground, a sun at the upper \
+    Ok(Section::new(
+        "lit",
+        "Under a sky, a sun and a cloud",
+        "The same materials under an analytic environment of high dynamic range: a blue sky over brown ground, a sun at the upper \
                right and a bright cloud behind the spheres at the left, which lights them at grazing angles. The first row is the \
                reference. All couplings of a column are lit from the same directions, so that their differences are not noise. FLIP: how \
                different two pictures look to somebody who flips between them (Andersson and others 2020; 2021 for the high dynamic range, \
-               HDR-FLIP)."
-            .into(),
+               HDR-FLIP).",
         blocks,
-    })
+    ))
 }
 
 /// Mean FLIP over the roughnesses, by reflectance.

@@ -31,16 +31,16 @@ pub(super) fn section(rows: &[ColourRow]) -> Result<Section, ReportError> {
                    errors either way, which are shorter than the marks where they are not seen.";
     let mut blocks = vec![figures(&charts, caption)?];
     blocks.extend(metals.iter().map(|metal| Block::Table(table(metal, rows))));
-    Ok(Section {
-        id: "colour".into(),
-        title: "The colour of rough metals".into(),
-        lead: format!(
+    Ok(Section::new(
+        "colour",
+        "The colour of rough metals",
+        format!(
             "Light that met several facets has taken on their colour several times. The second opinion is a random walk on the Smith \
              microsurface (Heitz, Hanika, d’Eon and Dachsbacher 2016), reflection only: “{WALK_SCHLICK}” has Schlick’s Fresnel as the lobes have, \
              “{WALK_EXACT}” that of the metal’s complex index."
         ),
         blocks,
-    })
+    ))
 }
 
 /// `value` gives what is drawn and its standard error.
@@ -56,18 +56,18 @@ fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourR
         };
         with_bars(model, of_model, style)
     });
-    page::chart(title, ["roughness", unit], series.collect(), (400.0, 260.0))
+    Curves::linear(title, ["roughness", unit], series.collect(), (400.0, 260.0))
 }
 
 /// A line of (x, (value, standard error)), over its error bars where something was sampled.
 fn with_bars(name: &str, values: Vec<(f64, (f64, f64))>, style: Style) -> Vec<Series> {
     let points = values.iter().map(|(x, (y, _))| (*x, *y)).collect();
-    let line = page::line(name, points, style);
+    let line = Series::line(name, points, style);
     if values.iter().all(|(_, (_, error))| *error == 0.0) {
         return vec![line];
     }
     let ends = values.iter().flat_map(|(x, (y, error))| [(*x, y - SHOWN * error), (*x, y + SHOWN * error)]);
-    vec![page::line("", ends.collect(), Style::Bars), line]
+    vec![Series::line("", ends.collect(), Style::Bars), line]
 }
 
 /// Saturation by roughness, a row per model.

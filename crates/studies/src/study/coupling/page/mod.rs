@@ -25,16 +25,16 @@ pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
     sections.push(lit::section(study)?);
     sections.push(furnace::section(study)?);
     sections.extend(surfaces(&study.surfaces)?);
-    Ok(Page {
-        title: "lobefit study: coupling".into(),
-        origin: study.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        "lobefit study: coupling",
+        study.origin.clone(),
+        format!(
             "{}{}{LEAD}",
             if study.reduced { crate::study::REDUCED } else { "" },
             ranking::conclusion(study)
         ),
         sections,
-    })
+    ))
 }
 
 /// The sections of what is measured on whole materials, in the order of a page.
@@ -57,16 +57,15 @@ fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
         let rows = meanings.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
         Block::Table(words::table(columns, rows, caption))
     };
-    Ok(Section {
-        id: "names".into(),
-        title: "What is compared".into(),
-        lead: "A specular lobe over a diffuse base of albedo ρ: f(l, v) = lobe + ρ/π factor. l and v are the directions of light and view, n the \
+    Ok(Section::new(
+        "names",
+        "What is compared",
+        "A specular lobe over a diffuse base of albedo ρ: f(l, v) = lobe + ρ/π factor. l and v are the directions of light and view, n the \
                normal, h the half vector, F Fresnel’s reflectance (Schlick’s), f0 that at normal incidence; E is the albedo of the single lobe \
-               with F = 1, “avg” the average over the hemisphere weighted with the cosine."
-            .into(),
-        blocks: vec![
+               with F = 1, “avg” the average over the hemisphere weighted with the cosine.",
+        vec![
             table(true, "lobe|what it is", "Specular lobes."),
             table(false, "coupling|factor of the base", "Couplings of the base."),
         ],
-    })
+    ))
 }

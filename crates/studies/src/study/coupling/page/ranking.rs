@@ -20,10 +20,10 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
         blocks.push(Block::Text { text: disagreement(ranking) });
         blocks.extend(refitted(ranking).map(|text| Block::Text { text }));
     }
-    Ok(Section {
-        id: "ranking".into(),
-        title: "What is seen, and what is lost".into(),
-        lead: format!(
+    Ok(Section::new(
+        "ranking",
+        "What is seen, and what is lost",
+        format!(
             "The reference is “1 - own specular”: 1 less the albedo of the lobe, as it is drawn, at the view, exactly what is left for the base \
              (all names: “What is compared”, below). FLIP measures how different two pictures look to somebody who flips between them: 0 no \
              visible difference, 1 the largest there is; the mean is over the pixels of all spheres of a lobe at f0 {}, each sphere compared \
@@ -31,7 +31,7 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
             list(study.rankings.first().map_or(&[], |r| r.f0.as_slice()))
         ),
         blocks,
-    })
+    ))
 }
 
 fn list(values: &[f64]) -> String {

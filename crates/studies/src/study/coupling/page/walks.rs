@@ -1,9 +1,8 @@
 //! The random walk of white facets: how much leaves after which bounce, and where it goes.
 
 use crate::study::coupling::surface::random_walk::BounceRow;
-use crate::study::page;
 use lobefit::report::numbers::{bound, brief, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Style, TextTable, check, figures, words};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, TextTable, check, figures, words};
 
 /// Half the length of an error bar in standard errors.
 pub(super) const SHOWN: f64 = 2.0;
@@ -25,14 +24,13 @@ pub(super) fn section(rows: &[BounceRow]) -> Result<Section, ReportError> {
                    loses. Discs: means of the random walk over sixteenths of the cosine, with bars of two standard errors either way. \
                    Multiplied: a lobe of single scattering that is scaled up (normalised, compensated) sends that energy where the single \
                    bounce goes; the added lobe of Kulla and Conty spreads it almost like a diffuse one.";
-    Ok(Section {
-        id: "walk".into(),
-        title: "Bounces between facets".into(),
-        lead: "The random walk with facets that absorb nothing: all light leaves sooner or later. The first bounce is the lobe of single \
-               scattering, whose energy E the quadrature gives without a walk."
-            .into(),
-        blocks: vec![Block::Table(table(rows)), figures(&charts, caption)?],
-    })
+    Ok(Section::new(
+        "walk",
+        "Bounces between facets",
+        "The random walk with facets that absorb nothing: all light leaves sooner or later. The first bounce is the lobe of single \
+               scattering, whose energy E the quadrature gives without a walk.",
+        vec![Block::Table(table(rows)), figures(&charts, caption)?],
+    ))
 }
 
 fn table(rows: &[BounceRow]) -> TextTable {
@@ -59,7 +57,7 @@ fn table(rows: &[BounceRow]) -> TextTable {
 fn chart(row: &BounceRow) -> Curves {
     let bins = row.lights.len() as f64;
     let model = |name: &str, of: usize, style: Style| {
-        page::line(name, row.densities.iter().map(|at| (at[0], at[of])).collect(), style)
+        Series::line(name, row.densities.iter().map(|at| (at[0], at[of])).collect(), style)
     };
     let middle = |i: usize| (i as f64 + 0.5) / bins;
     let walked = row.lights.iter().enumerate().map(|(i, energy)| (middle(i), energy * bins)).collect();
@@ -70,8 +68,8 @@ fn chart(row: &BounceRow) -> Curves {
     let series = vec![
         model("kulla-conty", 1, Style::Line(0)),
         model("multiplied lobe", 2, Style::Line(1)),
-        page::line("", ends.collect(), Style::Bars),
-        page::line("random walk", walked, Style::Measured),
+        Series::line("", ends.collect(), Style::Bars),
+        Series::line("random walk", walked, Style::Measured),
     ];
-    page::chart(title, ["cosine of the light", "energy per unit of cosine"], series, (400.0, 240.0))
+    Curves::linear(title, ["cosine of the light", "energy per unit of cosine"], series, (400.0, 240.0))
 }

@@ -30,15 +30,15 @@ pub(super) fn section(chain: &ChainFindings) -> Result<Section, ReportError> {
             "What the reference itself is off by, likewise: the same lobes, integrated with edges divided half as finely, from it.",
         )),
     ];
-    Ok(Section {
-        id: "chain".into(),
-        title: "A real chain of levels".into(),
-        lead: format!(
+    Ok(Section::new(
+        "chain",
+        "A real chain of levels",
+        format!(
             "What an engine fetches is no integral: texels of faces that shrink from level to level, 16 bits each, mixed between two levels whose \
              lobes are wider and narrower than the one wanted. All levels are prefiltered with the cosine-weighted lobe, alpha = r². Here as \
              Unity has them: {}, the first with {} texels along a side of a face.",
             chain.levels, chain.size
         ),
         blocks,
-    })
+    ))
 }

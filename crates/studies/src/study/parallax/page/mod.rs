@@ -17,16 +17,16 @@ pub fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
         [rooms::basis(&study.rooms)?, slant::sections(&study.slant)?, vec![chain::section(&study.chain)?]];
     let mut sections = rooms::answers(&study.rooms)?;
     sections.extend(rest.into_iter().flatten().map(|section| folded_after(0, section)));
-    Ok(Page {
-        title: "lobefit study: parallax".into(),
-        origin: study.origin.clone(),
-        lead: format!(
+    Ok(Page::new(
+        "lobefit study: parallax",
+        study.origin.clone(),
+        format!(
             "{}{}{LEAD}",
             if study.reduced { crate::study::REDUCED } else { "" },
             rooms::conclusion(&study.rooms)
         ),
         sections,
-    })
+    ))
 }
 
 const LEAD: &str = "The prefiltered cubemap of a probe, looked up from shading points elsewhere in a room: what each way to correct direction and \

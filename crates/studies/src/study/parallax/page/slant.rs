@@ -1,11 +1,10 @@
 //! Lobes on slanted walls, and several fetches for each.
 
-use crate::study::page;
 use crate::study::parallax::findings::{
     PlacedTaps, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantLobe, SlantRow,
 };
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, Curves, ReportError, Section, Style, check};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Style, check};
 use lobefit::report::{figures, words};
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
@@ -22,15 +21,14 @@ fn variation(slant: &SlantFindings) -> Result<Section, ReportError> {
         blocks.push(Block::Heading { text: format!("α {}", place(lobe.alpha)) });
         blocks.push(Block::Table(table(lobe)));
     }
-    Ok(Section {
-        id: "slant".into(),
-        title: "Several fetches on a slanted wall".into(),
-        lead: "Energy per wall area, the integrals over the wall 1. Positions along the tilt, widths and weights of the fetches minimise the H⁻¹ norm of the \
+    Ok(Section::new(
+        "slant",
+        "Several fetches on a slanted wall",
+        "Energy per wall area, the integrals over the wall 1. Positions along the tilt, widths and weights of the fetches minimise the H⁻¹ norm of the \
                difference, the expected squared error over images whose spectrum falls as 1/f²; stated is the total variation. What leaves a \
-               lobe past the horizon of the wall is left out of both sides."
-            .into(),
+               lobe past the horizon of the wall is left out of both sides.",
         blocks,
-    })
+    ))
 }
 
 fn points(lobe: &SlantLobe, of: impl Fn(&SlantRow) -> Option<f64>) -> Vec<(f64, f64)> {
@@ -39,20 +37,20 @@ fn points(lobe: &SlantLobe, of: impl Fn(&SlantRow) -> Option<f64>) -> Vec<(f64, 
 
 fn chart(lobe: &SlantLobe) -> Curves {
     let mut all = vec![
-        page::line("one, of α itself", points(lobe, |row| Some(row.same)), Style::Truth),
-        page::line("one, best width", points(lobe, |row| Some(row.best)), Style::Line(0)),
+        Series::line("one, of α itself", points(lobe, |row| Some(row.same)), Style::Truth),
+        Series::line("one, best width", points(lobe, |row| Some(row.best)), Style::Line(0)),
     ];
     let counts = lobe.rows.first().map_or(0, |row| row.placed.len());
     for i in 0..counts {
         let count = lobe.rows[0].placed[i].taps.len();
         let line = points(lobe, |row| row.placed.get(i).map(|placed| placed.tv));
-        all.push(page::line(format!("{count} fetches"), line, Style::Line(i + 1)));
+        all.push(Series::line(format!("{count} fetches"), line, Style::Line(i + 1)));
     }
     for (i, name) in ["rule of two", "rule of three"].into_iter().enumerate() {
-        all.push(page::line(name, points(lobe, |row| Some(row.ruled[i])), Style::Marked(i + 1)));
+        all.push(Series::line(name, points(lobe, |row| Some(row.ruled[i])), Style::Marked(i + 1)));
     }
     let (title, labels) = (format!("α {}", place(lobe.alpha)), ["slant in degrees", "total variation"]);
-    Curves { y_limits: Some((0.0, 0.65)), ..page::chart(title, labels, all, (330.0, 300.0)) }
+    Curves { y_limits: Some((0.0, 0.65)), ..Curves::linear(title, labels, all, (330.0, 300.0)) }
 }
 
 fn table(lobe: &SlantLobe) -> lobefit::report::TextTable {
@@ -100,16 +98,15 @@ fn rules(slant: &SlantFindings) -> Section {
     let mut blocks = vec![Block::Table(table)];
     blocks.extend(slant.refits.iter().map(|refit| Block::Text { text: refitted(refit) }));
     blocks.extend(slant.expectations.iter().map(|of| Block::Text { text: expectation(of) }));
-    Section {
-        id: "rules".into(),
-        title: "One rule for every wall".into(),
-        lead: "The fetches lie along the long axis of the footprint. Where they go depends on the length over the width of the footprint as the probe sees \
+    Section::new(
+        "rules",
+        "One rule for every wall",
+        "The fetches lie along the long axis of the footprint. Where they go depends on the length over the width of the footprint as the probe sees \
                it, on how fast it grows along its axis, and on α: formulas of 13 and 23 constants in sums, quotients and square roots. Where the footprint \
                is round and grows nowhere the outer fetches move to the middle or lose their weight, and what is left is the one fetch of the lobe; where it \
-               grows, κ of 1 leaves several. On few walls a rule is worse than one fetch: “worse than one” counts them."
-            .into(),
+               grows, κ of 1 leaves several. On few walls a rule is worse than one fetch: “worse than one” counts them.",
         blocks,
-    }
+    )
 }
 
 fn refitted(refit: &RuleRefit) -> String {

@@ -52,13 +52,12 @@ pub(super) fn section() -> Section {
     let columns = "in a name|what is fetched|whose";
     let row = |(name, what, whose): &(&str, &str, &str)| [name, what, whose].map(|x| x.to_string()).to_vec();
     let caption = "Without another word a lookup is of one fetch along the mirror ray, through the walls themselves, with sharp edges.";
-    Section {
-        id: "compared".into(),
-        title: "What is compared".into(),
-        lead: "Lookups take a shading point, a view and a width α = r² and give directions from the probe with widths α′ of lobes. \
+    Section::new(
+        "compared",
+        "What is compared",
+        "Lookups take a shading point, a view and a width α = r² and give directions from the probe with widths α′ of lobes. \
                Rooms are convex, of checker walls with a bright panel on each: A is a box about its probe, B a long low box with the probe off its centre, \
-               the octagon a hall with a sloping roof. Points are even inside, directions even over the sphere; lengths are metres."
-            .into(),
-        blocks: vec![Block::Table(words::table(columns, PARTS.iter().map(row).collect(), caption))],
-    }
+               the octagon a hall with a sloping roof. Points are even inside, directions even over the sphere; lengths are metres.",
+        vec![Block::Table(words::table(columns, PARTS.iter().map(row).collect(), caption))],
+    )
 }

@@ -16,14 +16,13 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
                    times the errors of Frostbite’s listing and of the fetch along the uncorrected ray are as large: geometric means over roughness at \
                    points at random, for boxes of rooms A and B, for planes of the octagon, for hits of all three.";
     let rows = rooms.costs.iter().map(|cost| row(rooms, cost)).collect();
-    Ok(Section {
-        id: "costs".into(),
-        title: "What a lookup takes, and what it is off by".into(),
-        lead: "Fetches and arithmetic of a pixel, of the emitted functions. “Of the fitted lobe” is with axis, size and squash of a GGX lobe by \
-               normal, view and α; else of the round lobe about a given ray."
-            .into(),
-        blocks: vec![Block::Table(words::table(columns, rows, caption))],
-    })
+    Ok(Section::new(
+        "costs",
+        "What a lookup takes, and what it is off by",
+        "Fetches and arithmetic of a pixel, of the emitted functions. “Of the fitted lobe” is with axis, size and squash of a GGX lobe by \
+               normal, view and α; else of the round lobe about a given ray.",
+        vec![Block::Table(words::table(columns, rows, caption))],
+    ))
 }
 
 fn row(rooms: &RoomsFindings, cost: &LookupCost) -> Vec<String> {

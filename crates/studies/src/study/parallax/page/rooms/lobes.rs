@@ -21,14 +21,13 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     let caption = "Errors: geometric mean over the roughnesses of the relative L2 against GGX at points of a room that is none of those above, \
                    half of them on its walls, looked up through the smooth proxy. Columns are of the rational width, as all lookups above; “as emitted” is the same \
                    with the width that emitted lookups take, `parallax_1` of the built-in scene.";
-    Ok(Section {
-        id: "lobes".into(),
-        title: "The lobe of a surface".into(),
-        lead: "A GGX lobe leans towards the normal and is narrower across the plane of incidence. “Fitted lobe”: its axis is the mirror ray mixed \
+    Ok(Section::new(
+        "lobes",
+        "The lobe of a surface",
+        "A GGX lobe leans towards the normal and is narrower across the plane of incidence. “Fitted lobe”: its axis is the mirror ray mixed \
                with the normal by min(1, a α^b μ^c), μ = n·v; its footprint is μ^(d − e α) (1 − f α) times that of the round lobe; across the \
                plane of incidence it is min(1, μ^(g − h α)) times as wide as along it, which only several fetches can follow. With \
-               them the map that they are laid along is that of the wall after that of the lobe."
-            .into(),
-        blocks: vec![Block::Table(words::table(columns, rooms.lobes.iter().map(row).collect(), caption))],
-    })
+               them the map that they are laid along is that of the wall after that of the lobe.",
+        vec![Block::Table(words::table(columns, rooms.lobes.iter().map(row).collect(), caption))],
+    ))
 }

@@ -30,16 +30,15 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         std::iter::once(heading).chain([0, 1].map(|reference| Block::Table(flips(pictures, reference))))
     });
     blocks.push(folded("Mean FLIP of every method in every picture", tables.collect()));
-    Ok(Section {
-        id: "pictures".into(),
-        title: "Pictures".into(),
-        lead: "A level plane that reflects, seen by a camera off the centre; the walls are as they are. FLIP (Andersson and others 2020) of the \
+    Ok(Section::new(
+        "pictures",
+        "Pictures",
+        "A level plane that reflects, seen by a camera off the centre; the walls are as they are. FLIP (Andersson and others 2020) of the \
                pictures as displayed, at 30 pixels per degree whatever the camera’s field, over the pixels that reflect. Against the round \
                lobe, whose directions below the plane are left out, and against GGX; “exact round lobe” is the first as an approximation \
-               of the second. Relative L2 of the same pixels: results.json."
-            .into(),
+               of the second. Relative L2 of the same pixels: results.json.",
         blocks,
-    })
+    ))
 }
 
 /// The pictures of one camera at one roughness, the references first, and below each its maps.

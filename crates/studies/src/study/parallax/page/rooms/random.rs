@@ -16,16 +16,15 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
             blocks.push(Block::Table(table(room, reference)));
         }
     }
-    Ok(Section {
-        id: "random".into(),
-        title: "Points at random".into(),
-        lead: "Relative L2 of linear radiance over the points, every fetch and reference integrated without texels. “Round lobe”: the lobe that \
+    Ok(Section::new(
+        "random",
+        "Points at random",
+        "Relative L2 of linear radiance over the points, every fetch and reference integrated without texels. “Round lobe”: the lobe that \
                the chain is prefiltered with, traced from the point itself; no surface is there. “GGX”: what a GGX surface with \
                height-correlated Smith and no Fresnel reflects over its own albedo, n·v even from 0.05 to 1. Where there is no \
-               surface, methods that differ in what they take its lobe for are the same but for its width. Roughness is √α."
-            .into(),
+               surface, methods that differ in what they take its lobe for are the same but for its width. Roughness is √α.",
         blocks,
-    })
+    ))
 }
 
 /// Gains of every method in every room, against one of the references.
@@ -63,18 +62,15 @@ fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
 
 fn chart(room: &RandomRoom, reference: &RandomReference, chosen: &[String]) -> Curves {
     let line = |name: &str, values: &[f64], style| {
-        page::line(name, room.roughness.iter().copied().zip(values.iter().copied()).collect(), style)
+        Series::line(name, room.roughness.iter().copied().zip(values.iter().copied()).collect(), style)
     };
     let rows = reference.rows.iter().filter(|row| chosen.contains(&row.name));
     let mut series: Vec<Series> =
         rows.enumerate().map(|(i, row)| line(&row.name, &row.l2, Style::Marked(i))).collect();
     series.push(line("noise of the reference", &reference.noise, Style::Truth));
     let title = format!("{}, {}", titled(&room.room), reference.name);
-    Curves {
-        y: ("relative L2".into(), Spread::Log),
-        y_limits: Some((0.002, 1.0)),
-        ..page::chart(title, ["roughness", "relative L2"], series, (380.0, 280.0))
-    }
+    let axes = [("roughness", Spread::Linear), ("relative L2", Spread::Log)];
+    Curves { y_limits: Some((0.002, 1.0)), ..Curves::new(title, axes, series, (380.0, 280.0)) }
 }
 
 /// `room A`, `octagon`.

@@ -17,16 +17,15 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         blocks.push(Block::Heading { text: format!("Creases: {}", pictures.name) });
         blocks.push(Block::Table(pairs(pictures)));
     }
-    Ok(Section {
-        id: "creases".into(),
-        title: "Creases".into(),
-        lead: "Mean magnitude of the second difference of the error of displayed luminance (sRGB’s curve of the tone-mapped light’s, in [0, 1]) over three \
+    Ok(Section::new(
+        "creases",
+        "Creases",
+        "Mean magnitude of the second difference of the error of displayed luminance (sRGB’s curve of the tone-mapped light’s, in [0, 1]) over three \
                pixels in a row or a column of the pictures, against the round lobe: where their mirror rays meet two walls, and farther than a pixel \
                from there. A crease on the proxy’s edges has a larger first number. References and fetches are integrated without samples: noise, which \
-               is the same on edges and elsewhere, would bring every ratio near to 1."
-            .into(),
+               is the same on edges and elsewhere, would bring every ratio near to 1.",
         blocks,
-    })
+    ))
 }
 
 /// What causes creases, by what changes them.
@@ -97,18 +96,16 @@ fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
     let line = |pictures: &RoomPictures, (i, row): (usize, &RoomPictureRow)| {
         let pairs = row.edges.iter().zip(&row.elsewhere);
         let ratios = pairs.zip(&pictures.roughness).filter_map(|((a, b), r)| Some((*r, ratio(*a, *b)?)));
-        page::line(&row.name, ratios.collect(), Style::Marked(i))
+        Series::line(&row.name, ratios.collect(), Style::Marked(i))
     };
     let chart = |pictures: &RoomPictures| {
         let rows = shown(pictures).filter(|row| rooms.chosen.contains(&row.name));
         let mut series: Vec<Series> = rows.enumerate().map(|row| line(pictures, row)).collect();
         let bar = pictures.roughness.iter().map(|r| (*r, BAR)).collect();
-        series.push(page::line(format!("{BAR}"), bar, Style::Truth));
-        Curves {
-            y: ("edges over elsewhere".into(), Spread::Log),
-            y_limits: Some((0.4, 40.0)),
-            ..page::chart(&pictures.name, ["roughness", "edges over elsewhere"], series, (380.0, 280.0))
-        }
+        series.push(Series::line(format!("{BAR}"), bar, Style::Truth));
+        let axes = [("roughness", Spread::Linear), ("edges over elsewhere", Spread::Log)];
+        let chart = Curves::new(&pictures.name, axes, series, (380.0, 280.0));
+        Curves { y_limits: Some((0.4, 40.0)), ..chart }
     };
     let charts: Vec<Curves> = rooms.pictures.iter().map(chart).collect();
     figures(&charts, "Creases on edges over those elsewhere; the line is what was asked for.")

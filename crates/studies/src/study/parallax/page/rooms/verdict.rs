@@ -58,12 +58,12 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     }
     let caption = "Each comparison is one roughness: relative L2 and displayed error at points at random in each room, FLIP and relative L2 in each \
                    picture. Gain: Frostbite’s error over the method’s, the geometric mean of the comparisons. A method that is worse nowhere has a least gain of 1 or more.";
-    Ok(Section {
-        id: "verdict".into(),
-        title: "At least as good everywhere?".into(),
-        lead: answer(rooms),
-        blocks: vec![Block::Table(words::table(columns, rows, caption)), Block::Table(losses(rooms))],
-    })
+    Ok(Section::new(
+        "verdict",
+        "At least as good everywhere?",
+        answer(rooms),
+        vec![Block::Table(words::table(columns, rows, caption)), Block::Table(losses(rooms))],
+    ))
 }
 
 /// The method that gains most over the listing against the round lobe, and what it gains against
