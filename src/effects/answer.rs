@@ -28,18 +28,11 @@ const EVERY: usize = 3;
 /// # Errors
 /// A formula that cannot be printed.
 pub(super) fn of_fits(fits: &[Fit], languages: &[Language]) -> Result<Vec<Purpose>, BakeError> {
-    let mut groups: Vec<Vec<&Fit>> = Vec::new();
-    let key = |fit: &Fit| {
+    let groups = lobefit_math::groups(fits, |fit| {
         let a = &fit.approximation;
-        (a.quantity.clone(), a.column.clone(), a.used_as)
-    };
-    for fit in fits {
-        match groups.iter_mut().find(|group| key(group[0]) == key(fit)) {
-            Some(group) => group.push(fit),
-            None => groups.push(vec![fit]),
-        }
-    }
-    groups.iter().filter_map(|group| of_group(group, languages).transpose()).collect()
+        (&a.quantity, &a.column, a.used_as)
+    });
+    groups.iter().filter_map(|(_, group)| of_group(group, languages).transpose()).collect()
 }
 
 fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, BakeError> {
@@ -59,13 +52,10 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
     Ok(Some(Purpose {
         name: best.hypothesis.name().into(),
         about,
-        caution: String::new(),
         metric: metric(a),
-        limited: String::new(),
         choices,
         measured: group.iter().map(|fit| measured(&fit.approximation)).collect(),
-        furnace: None,
-        is_other_side: false,
+        ..Purpose::default()
     }))
 }
 
@@ -172,21 +162,14 @@ fn add_tables(purposes: &mut Vec<Purpose>, fits: &[Fit], tables: &[BakedTable]) 
             purpose.choices.push(of_table(Role::Table, best, &purpose.metric));
         }
     }
-    let key = |t: &BakedTable| {
+    let mut groups = lobefit_math::groups(rest, |t| {
         let a = &t.approximation;
-        (a.quantity.clone(), a.column.clone(), t.side, t.layout == Layout::Azimuth)
-    };
-    let mut groups: Vec<Vec<&BakedTable>> = Vec::new();
-    for table in rest {
-        match groups.iter_mut().find(|group| key(group[0]) == key(table)) {
-            Some(group) => group.push(table),
-            None => groups.push(vec![table]),
-        }
-    }
+        (&a.quantity, &a.column, t.side, t.layout == Layout::Azimuth)
+    });
     // What is resolved goes before its mean.
-    groups.sort_by_key(|group| group.iter().all(|table| table.layout != Layout::Azimuth));
+    groups.sort_by_key(|(_, group)| group.iter().all(|table| table.layout != Layout::Azimuth));
     let mut last = None;
-    for group in groups {
+    for (_, group) in groups {
         let ours = group.iter().copied().filter(|t| t.layout != Layout::PathTracer);
         let Some(best) = ours.min_by(by_error).or_else(|| group.iter().copied().min_by(by_error)) else {
             continue;
@@ -212,13 +195,10 @@ fn of_tables(group: &[&BakedTable], best: &BakedTable) -> Purpose {
     Purpose {
         name: best.names.lookup.clone(),
         about: format!("Table of {} of {}{side}.", a.column, a.quantity),
-        caution: String::new(),
         metric,
-        limited: String::new(),
         choices,
         measured: group.iter().map(|t| measured(&t.approximation)).collect(),
-        furnace: None,
-        is_other_side: false,
+        ..Purpose::default()
     }
 }
 
@@ -264,13 +244,9 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     Some(Purpose {
         name: best.function.clone(),
         about: format!("Lookup of a probe through a proxy of its room. {}", best.arguments),
-        caution: String::new(),
         metric: width(best).map_or_else(String::new, metric),
-        limited: String::new(),
         choices,
-        measured: Vec::new(),
-        furnace: None,
-        is_other_side: false,
+        ..Purpose::default()
     })
 }
 

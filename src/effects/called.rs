@@ -14,7 +14,7 @@ use crate::scene::Scene;
 use lobefit_shade::Hypothesis;
 
 /// One job of an effect, for people and scripts.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct JobSummary {
     /// Name of the table or of the family of fits.
     pub name: String,
@@ -87,8 +87,6 @@ impl JobSummary {
             name: job.name.clone(),
             approximation: format!("fits of {of}, {}", job.goals.text()),
             ranges: job.ranges.clone(),
-            bytes: 0,
-            bytes_at_most: false,
             expected_error: job.goals.max_error,
             recommended: job
                 .goals
@@ -97,6 +95,7 @@ impl JobSummary {
                 .then(|| Emission::rule_without_limit(job.goals.max_ops)),
             seconds,
             merging: job.merging(),
+            ..JobSummary::default()
         }
     }
 
@@ -185,18 +184,13 @@ impl Called {
 
     /// The error that the scene allows its jobs: once where all have the same, else with their names.
     fn limits(&self) -> String {
-        let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
-        for job in &self.jobs {
-            let limit = job.limit();
-            match groups.iter_mut().find(|(known, _)| *known == limit) {
-                Some((_, names)) => names.push(&job.name),
-                None => groups.push((limit, vec![&job.name])),
-            }
-        }
-        match &groups[..] {
+        match &lobefit_math::groups(&self.jobs, |job| job.limit())[..] {
             [(limit, _)] => limit.clone(),
             groups => {
-                let named = groups.iter().map(|(limit, names)| format!("{}: {limit}", names.join(", ")));
+                let names = |jobs: &[&JobSummary]| {
+                    jobs.iter().map(|job| job.name.as_str()).collect::<Vec<_>>().join(", ")
+                };
+                let named = groups.iter().map(|(limit, jobs)| format!("{}: {limit}", names(jobs)));
                 named.collect::<Vec<_>>().join("; ")
             }
         }

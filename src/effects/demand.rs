@@ -38,7 +38,7 @@ enum Least {
 }
 
 /// What one material or probe wants of an effect.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Demand {
     /// Name of the job that it joins; demands of one job have one name.
     pub job: Cow<'static, str>,

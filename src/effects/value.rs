@@ -11,7 +11,7 @@ use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, CallOps, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
+use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::{Arguments, Use};
 use crate::emit::call::{self, How};
 use crate::report::explore::Drawn;
@@ -113,16 +113,14 @@ impl ValueFits<'_> {
         spans.extend(self.has_mu().then(|| ("mu", Span::new(scene.mu))));
         Demand {
             job: self.of.into(),
-            rank: 0,
             of,
-            item: 0,
             name: name.clone(),
             field: format!("materials[{of}].{}", self.field),
             because: format!("{name}: {kind} {} (roughness {})", self.because, roughness.text()),
             spans,
             goals,
             layer: self.layer,
-            call: CallOps::default(),
+            ..Demand::default()
         }
     }
 

@@ -55,29 +55,26 @@ pub(super) fn about(materials: &[&Material], sentence: impl Fn(&[&Material]) -> 
 /// The reasons of demands, which are sentences `name: kind with this (its ranges) wants that`: those that
 /// differ in the name and in what stands in brackets are one, with the first names and the last.
 pub(super) fn grouped(demands: &[Demand]) -> Vec<String> {
-    let mut groups: Vec<(String, &str, Vec<&str>)> = Vec::new();
     let mut seen = BTreeSet::new();
-    for Demand { because, name, .. } in demands.iter().filter(|demand| seen.insert(&demand.because)) {
+    let different = demands.iter().filter(|demand| seen.insert(&demand.because));
+    let groups = lobefit_math::groups(different, |Demand { because, name, .. }| {
         let rest = because.strip_prefix(&format!("{name}: ")).unwrap_or(because);
-        let shape = match (rest.find(" ("), rest.find(')')) {
+        match (rest.find(" ("), rest.find(')')) {
             (Some(open), Some(close)) if open < close => format!("{}{}", &rest[..open], &rest[close + 1..]),
             _ => rest.to_string(),
-        };
-        match groups.iter_mut().find(|(known, ..)| *known == shape) {
-            Some((_, _, names)) => names.push(name),
-            None => groups.push((shape, because, vec![name])),
         }
-    }
-    groups.iter().map(|(shape, because, names)| group(shape, because, names)).collect()
+    });
+    groups.iter().map(|(shape, demands)| group(shape, demands)).collect()
 }
 
 /// `18 dielectrics with a rough specular lobe want fits: plastic 0, plastic 1 ... car paint 3`.
-fn group(shape: &str, because: &str, names: &[&str]) -> String {
-    let [first, second, .., last] = names else {
-        return if let [first, last] = names {
+fn group(shape: &str, demands: &[&Demand]) -> String {
+    let names: Vec<&str> = demands.iter().map(|demand| demand.name.as_str()).collect();
+    let [first, second, .., last] = &names[..] else {
+        return if let [first, last] = &names[..] {
             of_all(shape, 2, &format!("{first}, {last}"))
         } else {
-            because.into()
+            demands[0].because.clone()
         };
     };
     let dots = if names.len() == 3 { "," } else { " ..." };

@@ -277,14 +277,8 @@ pub fn measured(film: &Film, span: &Span, passes: &[Passes]) -> Vec<Measured> {
                 sum.add((&eroded, Work { dilation, ..work }), (truth, camera), &tested);
             }
         };
-        let mut groups: Vec<Vec<(&Passes, &mut Measured)>> = Vec::new();
-        for each in passes.iter().zip(&mut all) {
-            match groups.iter_mut().find(|group| before(group[0].0) == before(each.0)) {
-                Some(group) => group.push(each),
-                None => groups.push(vec![each]),
-            }
-        }
-        groups.into_par_iter().for_each(one);
+        let groups = lobefit_math::groups(passes.iter().zip(&mut all), |each| before(each.0));
+        groups.into_par_iter().for_each(|(_, group)| one(group));
     }
     all
 }

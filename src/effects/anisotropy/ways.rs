@@ -17,17 +17,10 @@ const MAP: [usize; 2] = [46, 40];
 /// A finding for each shadowing form and region in which tables of an anisotropic lobe are laid out
 /// in the scene's own roughness: a table is judged where it must hold, and not beside it.
 pub fn findings(tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
-    let own: Vec<&BakedTable> = tables.iter().filter(|t| t.layout != Layout::PathTracer).collect();
-    let mut groups: Vec<((Smith, Region), Vec<&BakedTable>)> = Vec::new();
-    for baked in own {
-        let Some(smith) = baked.table().and_then(|table| table.smith) else { continue };
-        let key = (smith, baked.region);
-        match groups.iter_mut().find(|(known, _)| *known == key) {
-            Some((_, group)) => group.push(baked),
-            None => groups.push((key, vec![baked])),
-        }
-    }
-    groups.into_iter().map(|((smith, region), group)| finding(smith, region, &group)).collect()
+    let own = tables.iter().filter(|t| t.layout != Layout::PathTracer);
+    let key = |baked: &&BakedTable| Some((baked.table()?.smith?, baked.region));
+    let groups = lobefit_math::groups(own, key).into_iter().filter_map(|(key, group)| Some((key?, group)));
+    groups.map(|((smith, region), group)| finding(smith, region, &group)).collect()
 }
 
 fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFinding, BakeError> {

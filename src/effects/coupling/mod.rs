@@ -176,7 +176,6 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         job: format!("coupling-{specular}").into(),
         rank: base.specular as usize,
         of,
-        item: 0,
         name: name.clone(),
         field: format!("materials[{of}].base"),
         because: format!(
@@ -187,8 +186,8 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         // axes to fit over.
         spans: vec![("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)],
         goals: base.goals.clone(),
-        layer: None,
         call: CallOps { times: evaluations(material), ..CallOps::default() },
+        ..Demand::default()
     })
 }
 

@@ -177,20 +177,16 @@ impl Baked {
         Purpose {
             name: function.into(),
             about: format!("Table of {} of {}.", a.column, a.quantity),
-            caution: String::new(),
             metric: if a.column == "E, B" { "lookup error of E and B".into() } else { METRIC.into() },
-            limited: String::new(),
             choices: vec![offer],
             measured: vec![Listed {
                 name: a.name.clone(),
                 ops: a.cost.ops,
                 error,
-                limited: None,
-                published: false,
                 table: true,
+                ..Listed::default()
             }],
-            furnace: None,
-            is_other_side: false,
+            ..Purpose::default()
         }
     }
 

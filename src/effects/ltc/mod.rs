@@ -154,11 +154,10 @@ impl Effect for Ltc {
                 ),
                 ranges: job.ranges.clone(),
                 bytes: lobefit_ltc::bytes(n, want.format.bytes()),
-                bytes_at_most: false,
                 expected_error: job.goals.max_error,
-                recommended: None,
                 seconds: texel * (n * n) as f64 + measuring,
                 merging: job.merging(),
+                ..JobSummary::default()
             })
         };
         jobs.iter().filter_map(one).collect()

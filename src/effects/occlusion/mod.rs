@@ -7,11 +7,10 @@ use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::approximate::CallOps;
 use crate::emit::call::{Call, MaskLookup};
 use crate::emit::manifest::CostEntry;
 use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
-use crate::scene::{CULLING, Goals, Pass, Scene};
+use crate::scene::{CULLING, Pass, Scene};
 use lobefit_shade::code::{MASK_FUNCTIONS, MaskCost, MaskFunction, subvoxels};
 
 /// The effect.
@@ -29,19 +28,13 @@ impl Effect for Occlusion {
         let culling = scene.culling.iter().filter(|culling| culling.passes.contains(&Pass::Voxels));
         let demand = culling.map(|culling| Demand {
             job: "subvoxels".into(),
-            rank: 0,
-            of: 0,
-            item: 0,
             name: CULLING.into(),
             field: CULLING.into(),
             because: format!(
                 "culling: voxels are splatted ({} voxels)",
                 culling.grid.map(|n| n.to_string()).join(" x ")
             ),
-            spans: Default::default(),
-            goals: Goals::error(None),
-            layer: None,
-            call: CallOps::default(),
+            ..Demand::default()
         });
         demand.collect()
     }
@@ -58,12 +51,8 @@ impl Effect for Occlusion {
             name: job.name.clone(),
             approximation: "lookups of sub-voxel masks, exact".into(),
             ranges: job.ranges.clone(),
-            bytes: 0,
-            bytes_at_most: false,
             expected_error: Some(0.0),
-            recommended: None,
-            seconds: 0.0,
-            merging: None,
+            ..JobSummary::default()
         };
         jobs.iter().map(summary).collect()
     }

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use super::{HYPOTHESES, PUBLISHED};
-use crate::approximate::CallOps;
 use crate::data::{MipChain, Pick, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
@@ -59,14 +58,12 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
         job: format!("parallax-{}", probe.kernel.name()).into(),
         rank,
         of,
-        item: 0,
         name: name.clone(),
         field: format!("probes[{of}]"),
         because: format!("{name}: probe prefiltered with the {kernel} lobe ({ranges})"),
         spans: vec![("rho", rho), ("roughness", roughness)],
         goals: probe.goals.clone(),
-        layer: None,
-        call: CallOps::default(),
+        ..Demand::default()
     }
 }
 

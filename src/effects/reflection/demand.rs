@@ -119,14 +119,13 @@ impl Reflection {
                 job: FITS.into(),
                 rank: 1,
                 of,
-                item: 0,
                 name: material.name.clone(),
                 field: format!("materials[{of}].wants.fit"),
                 because: because.clone(),
                 spans: vec![("mu", Span::new(scene.mu)), ("roughness", roughness)],
                 goals: want.goals.clone(),
-                layer: None,
                 call: CallOps { beside, ..CallOps::default() },
+                ..Demand::default()
             });
             tables.chain(fit).collect::<Vec<Demand>>()
         };

@@ -3,7 +3,6 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
-use crate::approximate::CallOps;
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use crate::effects::demand::{Caller, Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
@@ -147,7 +146,6 @@ pub fn demand(
     }
     Some(Demand {
         job: names(family, smith, want).join(" ").into(),
-        rank: 0,
         of,
         item,
         name: material.name.clone(),
@@ -155,8 +153,7 @@ pub fn demand(
         because,
         spans,
         goals: Goals::error(want.max_error),
-        layer: None,
-        call: CallOps::default(),
+        ..Demand::default()
     })
 }
 
@@ -424,9 +421,8 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
             bytes: job.bytes(),
             bytes_at_most: job.is_open(),
             expected_error: job.max_error,
-            recommended: None,
             seconds,
-            merging: None,
+            ..JobSummary::default()
         })
     };
     (0..jobs.len()).flat_map(of_job).chain(defects).collect()

@@ -113,9 +113,8 @@ impl ValueTable<'_> {
                 bytes: texels as u64 * want.format.bytes(),
                 bytes_at_most: want.size.is_none(),
                 expected_error: want.max_error,
-                recommended: None,
                 seconds: self.seconds,
-                merging: None,
+                ..JobSummary::default()
             }
         };
         self.wants.iter().map(one).collect()

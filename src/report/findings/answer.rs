@@ -19,7 +19,7 @@ pub struct Answer {
 }
 
 /// What approximations of one column of a quantity, made for one use, there are.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Purpose {
     /// Name: the function that is recommended.
     pub name: String,
@@ -147,7 +147,7 @@ impl Offer {
 }
 
 /// A measured approximation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     /// Name.
     pub name: String,

@@ -252,17 +252,13 @@ const NOTE: &str = "//";
 
 /// What takes the value of calls, as a language has it: of materials that differ in that with their names.
 fn uses(calls: &[&Call], text: &str, value: &str) -> Vec<String> {
-    let mut uses: Vec<(&str, &Call, Vec<&str>)> = Vec::new();
-    for &one in calls {
-        let Some(then) = &one.then else { continue };
-        match uses.iter_mut().find(|(known, ..)| known == then) {
-            Some((.., names)) => names.push(&one.of),
-            None => uses.push((then, one, vec![&one.of])),
-        }
-    }
-    let is_one = uses.len() < 2;
-    let of = |names: &[&str]| if is_one { String::new() } else { format!("{}: ", some(names)) };
-    uses.iter().map(|(then, one, names)| of(names) + &with_value((then, one), text, value)).collect()
+    let taken = calls.iter().filter_map(|&one| Some((one.then.as_deref()?, one)));
+    let uses = lobefit_math::groups(taken, |(then, _)| *then);
+    let of = |calls: &[(&str, &Call)]| {
+        let names: Vec<&str> = calls.iter().map(|(_, one)| one.of.as_str()).collect();
+        if uses.len() < 2 { String::new() } else { format!("{}: ", some(&names)) }
+    };
+    uses.iter().map(|(_, calls)| of(calls) + &with_value(calls[0], text, value)).collect()
 }
 
 /// What takes the value: an albedo of the view alone, or of the light as well, or a share.

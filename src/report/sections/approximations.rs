@@ -60,17 +60,8 @@ fn unique(all: &[ApproximationFinding]) -> Result<(), ReportError> {
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.
 fn groups(all: &[ApproximationFinding]) -> Vec<Vec<&ApproximationFinding>> {
-    let same = |a: &ApproximationFinding, b: &ApproximationFinding| {
-        (&a.quantity, &a.column, a.used_as, a.smith) == (&b.quantity, &b.column, b.used_as, b.smith)
-    };
-    let mut groups: Vec<Vec<&ApproximationFinding>> = Vec::new();
-    for a in all {
-        match groups.iter_mut().find(|g| same(g[0], a)) {
-            Some(group) => group.push(a),
-            None => groups.push(vec![a]),
-        }
-    }
-    groups
+    let groups = lobefit_math::groups(all, |a| (&a.quantity, &a.column, a.used_as, a.smith));
+    groups.into_iter().map(|(_, group)| group).collect()
 }
 
 /// Cost against error of a group; nothing where the table says as much, and none that is exact (a

@@ -142,15 +142,9 @@ fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
 /// Rows that approximate the same column of the same quantity for the same use: what may share a
 /// chart.
 fn groups<'a>(rows: &[&'a GpuRow]) -> Vec<Vec<&'a GpuRow>> {
-    let key = |row: &GpuRow| row.error.as_ref().map(|e| (e.quantity.clone(), e.column.clone(), e.used_as));
-    let mut groups: Vec<Vec<&GpuRow>> = Vec::new();
-    for row in rows.iter().filter(|row| row.error.is_some()) {
-        match groups.iter_mut().find(|group| key(group[0]) == key(row)) {
-            Some(group) => group.push(row),
-            None => groups.push(vec![row]),
-        }
-    }
-    groups
+    let key = |row: &&'a GpuRow| row.error.as_ref().map(|e| (&e.quantity, &e.column, e.used_as));
+    let groups = lobefit_math::groups(rows.iter().copied().filter(|row| row.error.is_some()), key);
+    groups.into_iter().map(|(_, group)| group).collect()
 }
 
 /// Time against error of a group.

@@ -113,18 +113,12 @@ fn of_callers(manifest: &Manifest) -> Block {
 
 /// A row for each function, with who calls it.
 fn calls(manifest: &Manifest) -> Block {
-    let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
-    for call in &manifest.entries.calls {
-        let same = |known: &Call| (&known.function, &known.layer) == (&call.function, &call.layer);
-        match found.iter_mut().find(|(known, _)| same(known)) {
-            Some((_, names)) => names.push(&call.of),
-            None => found.push((call, vec![&call.of])),
-        }
-    }
     let all = &manifest.entries.calls;
+    let found = lobefit_math::groups(all, |call| (&call.function, &call.layer));
     let is_preferred =
         |call: &Call| all.iter().any(|one| one.function == call.function && one.is_preferred(all));
-    let row = |(call, names): (&Call, Vec<&str>)| {
+    let row = |(_, calls): &(_, Vec<&Call>)| {
+        let (call, names) = (calls[0], calls.iter().map(|call| call.of.as_str()).collect::<Vec<_>>());
         let CostEntry { ops, fetches, bytes } = call.cost;
         let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
         let words = [
@@ -144,10 +138,10 @@ fn calls(manifest: &Manifest) -> Block {
         ];
         words.into_iter().chain(figures).collect()
     };
-    let links = found.iter().map(|(call, _)| place(manifest, &call.effect, &call.name)).collect();
+    let links = found.iter().map(|(_, calls)| place(manifest, &calls[0].effect, &calls[0].name)).collect();
     let caption =
         "Errors are rounded up. The functions stand in fits/, in each language; their comments say more.";
-    let rows = found.into_iter().map(row).collect();
+    let rows = found.iter().map(row).collect();
     let names = Some(Names { column: 0, places: Vec::new(), links });
     Block::Table(TextTable { names, ..words::table(CALLS, rows, caption) })
 }

@@ -40,14 +40,8 @@ pub(super) fn shown(
 
 /// `11 on the frontier`, one for each reason, in the order of their first fit.
 fn reasons(fits: &[FitFinding]) -> Vec<String> {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
-    for fit in fits {
-        match counts.iter_mut().find(|c| c.0 == fit.shown_as) {
-            Some(count) => count.1 += 1,
-            None => counts.push((&fit.shown_as, 1)),
-        }
-    }
-    counts.into_iter().map(|(reason, n)| format!("{n} {reason}")).collect()
+    let groups = lobefit_math::groups(fits, |fit| &fit.shown_as).into_iter();
+    groups.map(|(reason, fits)| format!("{} {reason}", fits.len())).collect()
 }
 
 /// Formulas that would have a place in the furnace and none there.

@@ -71,15 +71,10 @@ fn lookups(timings: &Timings) -> Section {
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.
 fn groups(all: &[TimedApproximation]) -> Vec<Vec<&TimedApproximation>> {
-    let key = |e: &TimedApproximation| (e.quantity.clone(), e.column.clone(), e.used_as);
-    let mut groups: Vec<Vec<&TimedApproximation>> = Vec::new();
-    for e in all {
-        match groups.iter_mut().find(|g| key(g[0]) == key(e)) {
-            Some(group) => group.push(e),
-            None => groups.push(vec![e]),
-        }
-    }
-    groups
+    lobefit_math::groups(all, |e| (&e.quantity, &e.column, e.used_as))
+        .into_iter()
+        .map(|(_, group)| group)
+        .collect()
 }
 
 /// Time against error of a group.

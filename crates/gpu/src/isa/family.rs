@@ -1,6 +1,6 @@
 //! Families of GPUs, and the drivers that compile for them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::counts::{self, LineError};
@@ -197,24 +197,21 @@ pub fn counted(driver: &str, statistics: &BTreeMap<String, i64>, assembly: &str)
 
 /// Drivers and their families, by what the user typed: names of families, or of vendors.
 pub(super) fn chosen(words: &[String]) -> Vec<(&'static Driver, Vec<String>)> {
-    let mut chosen: Vec<(&Driver, Vec<String>)> = Vec::new();
-    for word in words {
+    let named = words.iter().map(|word| {
         let vendor = DRIVERS.iter().find(|driver| driver.vendor == word);
-        let (driver, families) = match vendor {
+        match vendor {
             Some(driver) => (driver, driver.usual.iter().map(|name| (*name).to_owned()).collect()),
             None => {
                 let has = |driver: &&Driver| driver.families.iter().any(|(name, _)| name == word);
                 (DRIVERS.iter().find(has).unwrap_or(&DRIVERS[0]), vec![word.clone()])
             }
-        };
-        match chosen.iter_mut().find(|(of, _)| of.name == driver.name) {
-            Some((_, all)) => all.extend(families),
-            None => chosen.push((driver, families)),
         }
-    }
-    for (_, families) in &mut chosen {
-        let mut seen = std::collections::BTreeSet::new();
-        families.retain(|family| seen.insert(family.clone()));
-    }
-    chosen
+    });
+    let groups = lobefit_math::groups(named, |(driver, _): &(&Driver, Vec<String>)| driver.name);
+    let once = |(_, group): (_, Vec<(&'static Driver, Vec<String>)>)| {
+        let (driver, mut seen) = (group[0].0, BTreeSet::new());
+        let families = group.into_iter().flat_map(|(_, families)| families);
+        (driver, families.filter(|family| seen.insert(family.clone())).collect())
+    };
+    groups.into_iter().map(once).collect()
 }
