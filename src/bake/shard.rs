@@ -76,62 +76,9 @@ fn ordered(seconds: f64) -> u64 {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ShardError {
-    /// It is something else, or cut short, or damaged.
-    #[error("{file}: not a whole shard of a bake; make it again with `lobefit bake --shard K/N`")]
-    Damaged {
-        /// The file.
-        file: String,
-    },
-    /// It is of another scene.
-    #[error(
-        "{file}: a shard of recipe {found}, this scene's is {expected}: the scene, its hypotheses, --no-reports or the tool differ"
-    )]
-    Recipe {
-        /// The file.
-        file: String,
-        /// Its recipe.
-        found: String,
-        /// The recipe of the scene.
-        expected: String,
-    },
-    /// Another build of this program made it.
-    #[error("{file}: made by another build of lobefit; shards and merge take the same one")]
-    Build {
-        /// The file.
-        file: String,
-    },
-    /// It is of a bake that was split otherwise.
-    #[error("{file}: a shard of {found}, {first} is one of {expected}")]
-    Split {
-        /// The file.
-        file: String,
-        /// Into how many its bake was split.
-        found: usize,
-        /// The first file.
-        first: String,
-        /// Into how many that file's bake was split.
-        expected: usize,
-    },
-    /// The same shard twice.
-    #[error("{file}: shard {number} of {of}, as {other} is")]
-    Doubled {
-        /// The file.
-        file: String,
-        /// Which shard it is.
-        number: usize,
-        /// Of how many.
-        of: usize,
-        /// The file that is the same shard.
-        other: String,
-    },
-    /// Some are not there.
-    #[error("{folder}: missing: {}", files.join(", "))]
-    Missing {
-        /// Where they were looked for.
-        folder: String,
-        /// Their names.
-        files: Vec<String>,
-    },
+    /// They are of something else, not whole, not each once, or not all there.
+    #[error("{0}")]
+    Files(String),
     /// Their files could not be put together.
     #[error(transparent)]
     Bake(#[from] BakeError),
@@ -189,7 +136,11 @@ pub fn merge(
     let mut heads: Vec<(&str, Head)> = Vec::new();
     let mut all = Vec::new();
     for (file, bytes) in files {
-        let damaged = || ShardError::Damaged { file: file.clone() };
+        let damaged = || {
+            ShardError::Files(format!(
+                "{file}: not a whole shard of a bake; make it again with `lobefit bake --shard K/N`"
+            ))
+        };
         let (head, mut parts) = read(bytes).ok_or_else(damaged)?;
         of_this_bake(file, &head, &heads, context)?;
         for (effect, length) in &head.effects {
@@ -206,7 +157,7 @@ pub fn merge(
     let missing = all_of.filter(|shard| heads.iter().all(|(_, head)| head.shard != *shard));
     let missing: Vec<String> = missing.map(Shard::file).collect();
     if !missing.is_empty() {
-        return Err(ShardError::Missing { folder: folder.into(), files: missing });
+        return Err(ShardError::Files(format!("{folder}: missing: {}", missing.join(", "))));
     }
     Ok(finished(plan, Vec::new(), all, context)?)
 }
@@ -227,21 +178,22 @@ fn of_this_bake(
     others: &[(&str, Head)],
     context: &Context,
 ) -> Result<(), ShardError> {
-    let file = file.to_string();
+    let refuse = |why: String| Err(ShardError::Files(format!("{file}: {why}")));
     if head.recipe != context.recipe.hash {
-        let (found, expected) = (head.recipe.clone(), context.recipe.hash.clone());
-        return Err(ShardError::Recipe { file, found, expected });
+        return refuse(format!(
+            "a shard of recipe {}, this scene's is {}: the scene, its hypotheses, --no-reports or the tool differ",
+            head.recipe, context.recipe.hash
+        ));
     }
     if head.build != BUILD {
-        return Err(ShardError::Build { file });
+        return refuse("made by another build of lobefit; shards and merge take the same one".into());
     }
     let Shard { number, of } = head.shard;
     if let Some((first, other)) = others.first().filter(|(_, other)| other.shard.of != of) {
-        let (first, expected) = (String::from(*first), other.shard.of);
-        return Err(ShardError::Split { file, found: of, first, expected });
+        return refuse(format!("a shard of {of}, {first} is one of {}", other.shard.of));
     }
     match others.iter().find(|(_, other)| other.shard.number == number) {
-        Some((other, _)) => Err(ShardError::Doubled { file, number, of, other: (*other).into() }),
+        Some((other, _)) => refuse(format!("shard {number} of {of}, as {other} is")),
         None => Ok(()),
     }
 }

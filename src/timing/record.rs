@@ -21,21 +21,11 @@ pub const FOLDER: &str = "reports/gpu";
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// No record of `lobefit cost --gpu`.
-    #[error("no record of lobefit cost --gpu --record: {reason}")]
+    /// No record of `lobefit cost` with this option.
+    #[error("no record of lobefit cost --{of} --record: {reason}")]
     Foreign {
-        /// What the reader says.
-        reason: String,
-    },
-    /// No record of `lobefit cost --isa`.
-    #[error("no record of lobefit cost --isa --record: {reason}")]
-    Counts {
-        /// What the reader says.
-        reason: String,
-    },
-    /// No record of `lobefit cost --offline`.
-    #[error("no record of lobefit cost --offline --record: {reason}")]
-    Offline {
+        /// The option.
+        of: &'static str,
         /// What the reader says.
         reason: String,
     },
@@ -65,7 +55,7 @@ pub enum RecordError {
 /// # Errors
 /// Bytes that are no such record, one of another version, times that are not positive.
 pub fn read(bytes: &[u8]) -> Result<GpuRecord, RecordError> {
-    let foreign = |e: serde_json::Error| RecordError::Foreign { reason: e.to_string() };
+    let foreign = |e: serde_json::Error| RecordError::Foreign { of: "gpu", reason: e.to_string() };
     let Versioned { schema_version } = serde_json::from_slice(bytes).map_err(foreign)?;
     if schema_version != SCHEMA_VERSION {
         return Err(RecordError::Version { found: schema_version.to_string() });

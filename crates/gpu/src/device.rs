@@ -106,9 +106,8 @@ impl Gpu {
             required_limits: wgpu::Limits::downlevel_defaults(),
             ..Default::default()
         };
-        let refused = |e: wgpu::RequestDeviceError| GpuError::Refused {
-            adapter: info.name.clone(),
-            reason: e.to_string(),
+        let refused = |e: wgpu::RequestDeviceError| {
+            GpuError::Device(format!("{}: {e}; take another with --adapter", info.name))
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(refused)?;
         let complaint = Arc::new(Mutex::new(None));
@@ -137,7 +136,8 @@ impl Gpu {
     }
 
     fn failed(&self, doing: &str, reason: String) -> GpuError {
-        GpuError::Failed { adapter: self.info.adapter.clone(), doing: doing.into(), reason }
+        let advice = "take another with --adapter, or less work with --reduced";
+        GpuError::Device(format!("{}, {doing}: {reason}; {advice}", self.info.adapter))
     }
 
     /// The formats of which it filters no textures.
@@ -253,7 +253,7 @@ impl Gpu {
         if time > 0.0 {
             return Ok(time);
         }
-        Err(GpuError::Clock { adapter: self.info.adapter.clone(), doing: pass.name.clone() })
+        Err(GpuError::Device(format!("{}, {}: the clock did not advance", self.info.adapter, pass.name)))
     }
 
     /// An error where one of the sums of a pass that has run is not finite.
@@ -268,7 +268,7 @@ impl Gpu {
         if bytes.chunks_exact(4).all(finite) {
             return Ok(());
         }
-        Err(GpuError::NotFinite { adapter: self.info.adapter.clone(), function: pass.name.clone() })
+        Err(GpuError::Device(format!("{}, {}: a result is not finite", self.info.adapter, pass.name)))
     }
 
     fn wait(&self, doing: &str) -> Result<(), GpuError> {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::family::{Driver, chosen};
+use super::family::{Driver, chosen, pairs};
 use super::{Compiled, Jobs, Order, compile};
 use crate::GpuError;
 use lobefit::bake::Selection;
@@ -75,8 +75,10 @@ fn order<'a>(options: &'a Options, old: Option<&IsaRecord>) -> Result<Order<'a>,
     let drivers = chosen(&options.families);
     let one = [("--record", options.record.is_some()), ("--json", options.json)];
     if let Some((option, _)) = one.into_iter().find(|(_, given)| *given && drivers.len() > 1) {
-        let drivers = drivers.iter().map(|(driver, _)| driver.name).collect();
-        return Err(GpuError::Several { option, drivers });
+        let found = drivers.iter().map(|(driver, _)| driver.name).collect::<Vec<_>>().join(", ");
+        return Err(GpuError::Driver(format!(
+            "--isa: {option} takes families of one driver: a record is of one; found {found}"
+        )));
     }
     Ok(Order { drivers, folder, precisions })
 }
@@ -180,22 +182,9 @@ fn compared(options: &Options, old: &IsaRecord, new: &IsaRecord) -> Result<Outco
     Ok(if found.grown.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
 
-/// Heads of the columns, and what stands in them.
-const COLUMNS: [(&str, &str); 13] = [
-    ("vector", "vector"),
-    ("transc.", "transcendental"),
-    ("scalar", "scalar"),
-    ("memory", "memory"),
-    ("moves", "moves"),
-    ("slots", "slots"),
-    ("vgprs", "vgprs"),
-    ("sgprs", "sgprs"),
-    ("waves", "waves"),
-    ("spills", "spills"),
-    ("bytes", "bytes"),
-    ("latency", "latency"),
-    ("cycles", "inverse_throughput"),
-];
+/// Heads of the columns, each with the count that stands in it where that has another name ([`pairs`]).
+const COLUMNS: &str = "vector transc.=transcendental scalar memory moves slots \
+    vgprs sgprs waves spills bytes latency cycles=inverse_throughput";
 
 /// The rows in words, family by family; columns are those that the driver states.
 fn table(record: &IsaRecord) -> String {
@@ -205,7 +194,7 @@ fn table(record: &IsaRecord) -> String {
         let stated = |row: &IsaRow, of: &str| {
             row.counts.stated().into_iter().find(|(name, _)| *name == of).map(|(_, count)| count)
         };
-        let columns = COLUMNS.into_iter().filter(|(_, name)| rows().any(|row| stated(row, name).is_some()));
+        let columns = pairs(COLUMNS).filter(|(_, name)| rows().any(|row| stated(row, name).is_some()));
         let columns: Vec<_> = columns.collect();
         let heads: String = columns.iter().map(|(head, _)| format!("{head:>8}")).collect();
         let _ = writeln!(

@@ -28,8 +28,8 @@ pub(super) struct Driver {
     environment: &'static [(&'static str, &'static str)],
     /// What stands in the folder of drivers.
     built: Built,
-    /// Families and the values of the variable.
-    families: &'static [(&'static str, &'static str)],
+    /// Its families, as [`pairs`] reads them: each with the value of the variable.
+    families: &'static str,
     /// Families that are taken where none are named.
     usual: &'static [&'static str],
     /// What its statistics and its assembly say.
@@ -44,6 +44,11 @@ enum Built {
     Shim(&'static str),
     /// A shim, and the driver itself by its manifest.
     Whole(&'static str, &'static str),
+}
+
+/// Pairs of words, `name=value`, of which those that are equal are written once.
+pub(super) fn pairs(words: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    words.split_whitespace().map(|word| word.split_once('=').unwrap_or((word, word)))
 }
 
 /// Debian's packages.
@@ -61,24 +66,7 @@ pub(super) const DRIVERS: [Driver; 4] = [
         variable: "RADV_FORCE_FAMILY",
         environment: &[("VK_LOADER_DRIVERS_SELECT", "*radeon*")],
         built: Built::Nothing,
-        families: &[
-            ("tahiti", "tahiti"),
-            ("hawaii", "hawaii"),
-            ("tonga", "tonga"),
-            ("polaris10", "polaris10"),
-            ("vega10", "vega10"),
-            ("vega20", "vega20"),
-            ("raven", "raven"),
-            ("navi10", "navi10"),
-            ("navi21", "navi21"),
-            ("navi22", "navi22"),
-            ("vangogh", "vangogh"),
-            ("rembrandt", "rembrandt"),
-            ("gfx1036", "gfx1036"),
-            ("gfx1100", "gfx1100"),
-            ("gfx1101", "gfx1101"),
-            ("gfx1102", "gfx1102"),
-        ],
+        families: "tahiti hawaii tonga polaris10 vega10 vega20 raven navi10 navi21 navi22 vangogh rembrandt gfx1036 gfx1100 gfx1101 gfx1102",
         usual: &["polaris10", "navi21", "gfx1100"],
         count: counts::amd,
     },
@@ -91,18 +79,7 @@ pub(super) const DRIVERS: [Driver; 4] = [
         variable: "INTEL_STUB_GPU_PLATFORM",
         environment: &[("VK_LOADER_DRIVERS_SELECT", "*intel_icd*")],
         built: Built::Shim("libintel_noop_drm_shim.so"),
-        families: &[
-            ("skl", "skl"),
-            ("kbl", "kbl"),
-            ("cfl", "cfl"),
-            ("icl", "icl"),
-            ("tgl", "tgl"),
-            ("rkl", "rkl"),
-            ("adl", "adl"),
-            ("rpl", "rpl"),
-            ("dg1", "dg1"),
-            ("dg2", "dg2"),
-        ],
+        families: "skl kbl cfl icl tgl rkl adl rpl dg1 dg2",
         usual: &["skl", "tgl", "dg2"],
         count: counts::intel,
     },
@@ -115,7 +92,7 @@ pub(super) const DRIVERS: [Driver; 4] = [
         variable: "FD_GPU_ID",
         environment: &[],
         built: Built::Whole("libfreedreno_noop_drm_shim.so", "freedreno.json"),
-        families: &[("a618", "618"), ("a630", "630"), ("a660", "660")],
+        families: "a618=618 a630=630 a660=660",
         usual: &["a660"],
         count: counts::adreno,
     },
@@ -131,7 +108,7 @@ pub(super) const DRIVERS: [Driver; 4] = [
             ("BIFROST_MESA_DEBUG", "shaders,shaderdb"),
         ],
         built: Built::Whole("libpanfrost_noop_drm_shim.so", "panfrost.json"),
-        families: &[("g52", "7212"), ("g76", "7211")],
+        families: "g52=7212 g76=7211",
         usual: &["g52"],
         count: counts::mali,
     },
@@ -144,7 +121,7 @@ impl Driver {
         family: &str,
         folder: Option<&Path>,
     ) -> Result<BTreeMap<&'static str, PathBuf>, GpuError> {
-        let value = self.families.iter().find(|(name, _)| *name == family).map_or(family, |(_, value)| value);
+        let value = pairs(self.families).find(|(name, _)| *name == family).map_or(family, |(_, value)| value);
         let mut environment = BTreeMap::from([(self.variable, PathBuf::from(value))]);
         environment.insert("MESA_SHADER_CACHE_DISABLE", "1".into());
         environment.extend(self.environment.iter().map(|(name, value)| (*name, PathBuf::from(value))));
@@ -153,13 +130,20 @@ impl Driver {
             Built::Shim(shim) => vec![("LD_PRELOAD", shim)],
             Built::Whole(shim, manifest) => vec![("LD_PRELOAD", shim), ("VK_DRIVER_FILES", manifest)],
         };
-        let without = || GpuError::NoFolder { family: family.into(), driver: self.name, script: SCRIPT };
+        let without = || {
+            GpuError::Driver(format!(
+                "--isa: family {family}: compiling for {} takes --drivers DIR, a folder that {SCRIPT} writes",
+                self.name
+            ))
+        };
         let folder = folder.ok_or_else(without)?;
         for (variable, name) in files {
             // A loader looks for what is no absolute path elsewhere.
             let path = std::path::absolute(folder.join(name)).ok().filter(|path| path.is_file());
-            let missing =
-                || GpuError::NotInFolder { folder: folder.to_path_buf(), file: name, script: SCRIPT };
+            let missing = || {
+                let folder = folder.display();
+                GpuError::Driver(format!("--drivers {folder}: holds no {name}; {SCRIPT} writes it"))
+            };
             environment.insert(variable, path.ok_or_else(missing)?);
         }
         Ok(environment)
@@ -167,7 +151,7 @@ impl Driver {
 
     /// Names of its families, for messages.
     pub fn families(&self) -> String {
-        let names: Vec<&str> = self.families.iter().map(|(name, _)| *name).collect();
+        let names: Vec<&str> = pairs(self.families).map(|(name, _)| name).collect();
         names.join(", ")
     }
 
@@ -180,7 +164,12 @@ impl Driver {
     /// The driver of a record.
     pub fn of_record(name: &str) -> Result<&'static Driver, GpuError> {
         let found = DRIVERS.iter().find(|driver| driver.name == name);
-        found.ok_or_else(|| GpuError::NoSuchDriver { name: name.into() })
+        let none = || {
+            GpuError::Driver(format!(
+                "--isa: `lobefit cost --isa` compiles by no driver {name}: a record of it is read, and not made again here"
+            ))
+        };
+        found.ok_or_else(none)
     }
 }
 
@@ -202,7 +191,7 @@ pub(super) fn chosen(words: &[String]) -> Vec<(&'static Driver, Vec<String>)> {
         match vendor {
             Some(driver) => (driver, driver.usual.iter().map(|name| (*name).to_owned()).collect()),
             None => {
-                let has = |driver: &&Driver| driver.families.iter().any(|(name, _)| name == word);
+                let has = |driver: &&Driver| pairs(driver.families).any(|(name, _)| name == word);
                 (DRIVERS.iter().find(has).unwrap_or(&DRIVERS[0]), vec![word.clone()])
             }
         }

@@ -63,11 +63,11 @@ impl Driver {
         sources: &[Source],
     ) -> Result<Answer, GpuError> {
         let environment = self.environment(family, folder)?;
-        let failed = |reason: &str| GpuError::Family {
-            driver: self.name,
-            family: family.into(),
-            reason: reason.trim().to_owned(),
-            families: self.families(),
+        let failed = |reason: &str| {
+            let (driver, reason, families) = (self.name, reason.trim(), self.families());
+            GpuError::Driver(format!(
+                "--isa: {driver}: family {family}: {reason}; --families takes {families}"
+            ))
         };
         let io = |e: io::Error| failed(&e.to_string());
         let shaders = serde_json::to_vec(sources).map_err(|e| failed(&e.to_string()))?;
@@ -102,8 +102,8 @@ impl Driver {
                 Ok(answer)
             }
             Some(code) if code == i32::from(NO_DRIVER) => {
-                let reason = first.trim().to_owned();
-                Err(GpuError::NoDriver { driver: self.name, reason, install: INSTALL })
+                let (driver, reason) = (self.name, first.trim());
+                Err(GpuError::Driver(format!("--isa: no driver {driver}: {reason}; {INSTALL}")))
             }
             _ => {
                 let said = parts.rsplit(&mark).next().filter(|said| !said.is_empty()).unwrap_or(first);

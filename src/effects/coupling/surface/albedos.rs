@@ -104,5 +104,6 @@ pub(super) fn check(input: &'static str, value: f64, range: [f64; 2]) -> Result<
     if (range[0]..=range[1]).contains(&value) {
         return Ok(());
     }
-    Err(SurfaceError::Domain { input, value, range })
+    let [low, high] = range;
+    Err(SurfaceError::Refused(format!(": {input} = {value:?} is outside [{low:?}, {high:?}]")))
 }

@@ -278,8 +278,11 @@ impl Surface {
 }
 
 fn fits(material: &Material, albedos: &Albedos) -> Result<(), SurfaceError> {
-    let refuse =
-        |property, wanted: String, found: String| Err(SurfaceError::Albedos { property, wanted, found });
+    let refuse = |property: &str, wanted: String, found: String| {
+        Err(SurfaceError::Refused(format!(
+            ": the material has {property} {wanted}, the albedos handed in are for {found}"
+        )))
+    };
     if material.smith != albedos.smith {
         return refuse("shadowing", material.smith.name().into(), albedos.smith.name().into());
     }

@@ -142,7 +142,9 @@ impl Rules {
             }
             coarse = fine;
         }
-        Err(SurfaceError::Tolerance { alpha, mu, reached, tolerance })
+        Err(SurfaceError::Refused(format!(
+            " at alpha = {alpha:?}, mu = {mu:?}: the furnace is known to {reached:e} only, not to {tolerance:e}"
+        )))
     }
 }
 

@@ -230,5 +230,5 @@ fn exchange(
             }
         }
     }
-    worst.ok_or(SurfaceError::Empty { what: "grid" })
+    worst.ok_or(SurfaceError::Refused(": the grid is empty".into()))
 }
