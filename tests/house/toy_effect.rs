@@ -12,28 +12,22 @@ use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
 use lobefit::scene::{Goals, Scene, TableWant};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::brdf::Brdf;
-use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
+use lobefit_truth::quantity::{Facts, Input, Quantity, Variant};
 
 pub struct Minnaert;
 
 impl Quantity for Minnaert {
-    fn name(&self) -> &'static str {
-        "minnaert"
-    }
-    fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha", [0.0, 1.0]), Input::new("mu", [1e-6, 1.0])] }
-    }
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "error"]
-    }
-    fn choices(&self) -> &'static [Choice] {
-        &[]
-    }
-    fn tolerance(&self, _: &Variant) -> f64 {
-        1e-5
-    }
-    fn smallest_alpha(&self) -> f64 {
-        1e-4
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "minnaert",
+                inputs: &[Input::new("alpha", [0.0, 1.0]), Input::new("mu", [1e-6, 1.0])],
+                outputs: &["E", "error"],
+                tolerance: 1e-5,
+                smallest_alpha: 1e-4,
+                ..Facts::NONE
+            }
+        }
     }
     fn brdf(&self, _: &Variant, x: &[f64]) -> Result<Brdf<'_>, IntegrateError> {
         let (alpha, width) = (x[0], 1.0);

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Asked, Choice, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
+use super::{Asked, Choice, Facts, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
 use crate::integrate::aniso::fast::{self, Interpolants, Place};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, Path, aniso};
@@ -90,36 +90,21 @@ impl GgxReflectionAniso {
 }
 
 impl Quantity for GgxReflectionAniso {
-    fn name(&self) -> &'static str {
-        "ggx-reflection-aniso"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[ALPHA_X, ALPHA_Y, MU, PHI] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "loss", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        aniso::TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        aniso::ALPHA[0]
-    }
-
-    fn fresnel(&self) -> Option<Fresnel> {
-        Some(Fresnel::One)
-    }
-
-    fn remark(&self) -> &'static str {
-        "without phi: the mean over it"
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "ggx-reflection-aniso",
+                inputs: &[ALPHA_X, ALPHA_Y, MU, PHI],
+                outputs: &["E", "loss", "error"],
+                choices: &[Choice::Smith],
+                tolerance: aniso::TOLERANCE,
+                smallest_alpha: aniso::ALPHA[0],
+                fresnel: Some(Fresnel::One),
+                remark: "without phi: the mean over it",
+                draws: &Draw::ALL,
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -130,10 +115,6 @@ impl Quantity for GgxReflectionAniso {
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
         Ok(self.shared(asked)?.map(|(truth, _)| truth))
-    }
-
-    fn draws(&self) -> &'static [Draw] {
-        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -2,8 +2,8 @@
 //! another across it.
 
 use super::aniso::{ALPHA_X, ALPHA_Y, PHI};
-use super::{Choice, Fresnel, Input, MU, Quantity, Variant};
-use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
+use super::{Choice, Facts, Fresnel, Input, MU, Quantity, Variant};
+use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, aniso, glass};
 
 /// `ggx-glass-aniso`: reflected and transmitted energy, their sum and 1 less the sum, from either side,
@@ -12,40 +12,26 @@ use crate::integrate::{IntegrateError, aniso, glass};
 pub struct GgxGlassAniso;
 
 impl Quantity for GgxGlassAniso {
-    fn name(&self) -> &'static str {
-        aniso::glass::QUANTITY
-    }
-
-    fn inputs(&self) -> &'static [Input] {
+    fn facts(&self) -> &Facts {
         const {
-            &[
-                ALPHA_X,
-                ALPHA_Y,
-                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
-                Input { optional: false, ..PHI },
-                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
-            ]
+            &Facts {
+                name: aniso::glass::QUANTITY,
+                inputs: &[
+                    ALPHA_X,
+                    ALPHA_Y,
+                    Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
+                    Input { optional: false, ..PHI },
+                    Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
+                ],
+                outputs: &["R", "T", "E", "loss", "error"],
+                choices: &[Choice::Smith, Choice::Side],
+                tolerance: aniso::glass::TOLERANCE,
+                smallest_alpha: aniso::ALPHA[0],
+                fresnel: Some(Fresnel::Dielectric),
+                draws: monte_carlo::GLASS_DRAWS,
+                ..Facts::NONE
+            }
         }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["R", "T", "E", "loss", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith, Choice::Side]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        aniso::glass::TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        aniso::ALPHA[0]
-    }
-
-    fn fresnel(&self) -> Option<Fresnel> {
-        Some(Fresnel::Dielectric)
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -56,10 +42,6 @@ impl Quantity for GgxGlassAniso {
 
     fn microseconds(&self, _: &[&str]) -> f64 {
         1e4
-    }
-
-    fn draws(&self) -> &'static [Draw] {
-        monte_carlo::GLASS_DRAWS
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

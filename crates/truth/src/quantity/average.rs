@@ -5,7 +5,7 @@ use lobefit_math::ops;
 use rayon::prelude::*;
 
 use super::reflection::TRUTH_ERROR;
-use super::{ALPHA, Asked, Choice, Input, Quantity, Truth, Variant, check_unit};
+use super::{ALPHA, Asked, Choice, Facts, Quantity, Truth, Variant, check_unit};
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::walk::{Walks, white};
 use crate::integrate::{IntegrateError, reflection};
@@ -29,28 +29,19 @@ const SMALLEST: f64 = 1e-7;
 pub struct GgxAverage;
 
 impl Quantity for GgxAverage {
-    fn name(&self) -> &'static str {
-        "ggx-average"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        &[ALPHA]
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E_avg", "loss_avg", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        reflection::TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        reflection::SMALLEST_ALPHA
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "ggx-average",
+                inputs: &[ALPHA],
+                outputs: &["E_avg", "loss_avg", "error"],
+                choices: &[Choice::Smith],
+                tolerance: reflection::TOLERANCE,
+                smallest_alpha: reflection::SMALLEST_ALPHA,
+                draws: &Draw::ALL,
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -87,10 +78,6 @@ impl Quantity for GgxAverage {
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
         if outputs == ["E_avg"] { 0.1 } else { 1e4 }
-    }
-
-    fn draws(&self) -> &'static [Draw] {
-        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -23,7 +23,9 @@ use lobefit_math::{ops, panels};
 use rayon::prelude::*;
 
 use super::glass::GGX_GLASS;
-use super::{ALPHA, Asked, Choice, Input, Quantity, Residual, Truth, Use, Variant, check_domain, check_unit};
+use super::{
+    ALPHA, Asked, Choice, Facts, Input, Quantity, Residual, Truth, Use, Variant, check_domain, check_unit,
+};
 use crate::integrate::glass::{self, Side, table};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::walk::{Walks, escape};
@@ -181,36 +183,23 @@ fn internal(e_avg: f64, ior: f64) -> [f64; 2] {
 }
 
 impl Quantity for GgxCoat {
-    fn name(&self) -> &'static str {
-        "ggx-coat"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[ALPHA, Input::new("ior", [1.0, 3.0]).usually([1.1, 2.5])] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["escape", "K", "E_avg", "T_avg", "K_single", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        SMALLEST_ALPHA
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "ggx-coat",
+                inputs: &[ALPHA, Input::new("ior", [1.0, 3.0]).usually([1.1, 2.5])],
+                outputs: &["escape", "K", "E_avg", "T_avg", "K_single", "error"],
+                choices: &[Choice::Smith],
+                tolerance: TOLERANCE,
+                smallest_alpha: SMALLEST_ALPHA,
+                remark: "escape = 1 - K from inside, where nothing is lost; T_avg and K_single of single scattering",
+                ..Facts::NONE
+            }
+        }
     }
 
     fn uses(&self, column: &str) -> &'static [Use] {
         if column == self.outputs()[0] { &[ESCAPE, Use::VALUE] } else { &[Use::VALUE] }
-    }
-
-    fn remark(&self) -> &'static str {
-        "escape = 1 - K from inside, where nothing is lost; T_avg and K_single of single scattering"
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

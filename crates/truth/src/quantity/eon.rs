@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use lobefit_math::ops;
 
-use super::{Choice, Input, MU, Quantity, Variant};
+use super::{Facts, Input, MU, Quantity, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::brdf::Brdf;
 use crate::integrate::monte_carlo::{Run, Sampled, check_samples, column, replicas};
@@ -63,36 +63,18 @@ fn dot(a: Vec3, b: Vec3) -> f64 {
 }
 
 impl Quantity for EonSingle {
-    fn name(&self) -> &'static str {
-        "eon-single"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("roughness", [0.0, 1.0]).studied([0.5, 1.0]), MU] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "loss", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        1e-14
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        0.0
-    }
-
-    fn changes_at_alpha(&self) -> bool {
-        false
-    }
-
-    fn remark(&self) -> &'static str {
-        "roughness is the model's own, not squared"
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "eon-single",
+                inputs: &[Input::new("roughness", [0.0, 1.0]).studied([0.5, 1.0]), MU],
+                outputs: &["E", "loss", "error"],
+                tolerance: 1e-14,
+                changes_at_alpha: false,
+                remark: "roughness is the model's own, not squared",
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
+use super::{ALPHA, Asked, Choice, Facts, Fresnel, Input, MU, Quantity, Trace, Truth, Variant};
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{self, Energies, Kernel, Tabled};
-use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
+use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, count, glass};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
@@ -21,18 +21,39 @@ const FINEST: f64 = 1e-8;
 /// Reflected and transmitted energy, their sum and 1 less the sum, from either side.
 #[derive(Clone, Copy)]
 pub struct Glass {
-    name: &'static str,
+    facts: Facts,
     by: &'static dyn Lobes,
     /// Whether it is the lobe of the path tracer.
     is_traced: bool,
 }
 
+const fn facts(name: &'static str) -> Facts {
+    Facts {
+        name,
+        inputs: const {
+            &[
+                ALPHA,
+                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
+                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
+            ]
+        },
+        outputs: &["R", "T", "E", "loss", "error"],
+        choices: &[Choice::Smith, Choice::Side],
+        tolerance: glass::TOLERANCE,
+        smallest_alpha: glass::ALPHA[0],
+        fresnel: Some(Fresnel::Dielectric),
+        draws: monte_carlo::GLASS_DRAWS,
+        ..Facts::NONE
+    }
+}
+
 /// `ggx-glass`.
-pub static GGX_GLASS: Glass = Glass { name: Ggx::QUANTITY, by: &(Ggx as fn(f64) -> Ggx), is_traced: true };
+pub static GGX_GLASS: Glass =
+    Glass { facts: facts(Ggx::QUANTITY), by: &(Ggx as fn(f64) -> Ggx), is_traced: true };
 
 /// `beckmann-glass`.
 pub static BECKMANN_GLASS: Glass =
-    Glass { name: Beckmann::QUANTITY, by: &(Beckmann as fn(f64) -> Beckmann), is_traced: false };
+    Glass { facts: facts(Beckmann::QUANTITY), by: &(Beckmann as fn(f64) -> Beckmann), is_traced: false };
 
 /// Columns of alpha, mu and ior.
 type Columns<'a> = [&'a [f64]; 3];
@@ -239,38 +260,8 @@ fn in_groups<T: Send>(
 }
 
 impl Quantity for Glass {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const {
-            &[
-                ALPHA,
-                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
-                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
-            ]
-        }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["R", "T", "E", "loss", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith, Choice::Side]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        glass::TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        glass::ALPHA[0]
-    }
-
-    fn fresnel(&self) -> Option<Fresnel> {
-        Some(Fresnel::Dielectric)
+    fn facts(&self) -> &Facts {
+        &self.facts
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -298,10 +289,6 @@ impl Quantity for Glass {
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
         if outputs == ["R"] { 100.0 } else { 1e4 }
-    }
-
-    fn draws(&self) -> &'static [Draw] {
-        monte_carlo::GLASS_DRAWS
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -88,26 +88,84 @@ pub(crate) const ALPHA: Input = Input::new("alpha", [0.0, 1.0]).studied([0.5, 0.
 /// Cosine of the angle between view and normal. Its usual range is that of published comparisons.
 pub(crate) const MU: Input = Input::new("mu", [0.0, 1.0]).usually([0.01, 1.0]).studied([0.7, 0.11]);
 
-/// A function with a truth.
-pub trait Quantity: Sync {
+/// What is said of a quantity whatever its variant.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts {
     /// Its name, as `ggx-reflection`.
-    fn name(&self) -> &'static str;
-
+    pub name: &'static str,
     /// Its inputs, in the order in which [`Quantity::at`] takes them.
-    fn inputs(&self) -> &'static [Input];
-
+    pub inputs: &'static [Input],
     /// Its outputs, in the order in which [`Quantity::at`] gives them; the last is the error.
-    fn outputs(&self) -> &'static [&'static str];
-
+    pub outputs: &'static [&'static str],
     /// What a variant of it says. Nothing else of a [`Variant`] is looked at.
-    fn choices(&self) -> &'static [Choice];
-
+    pub choices: &'static [Choice],
     /// The largest error where no tolerance is asked for: the quantity's promise.
-    fn tolerance(&self, variant: &Variant) -> f64;
-
+    pub tolerance: f64,
     /// The smallest alpha above 0 at which there is a truth. At 0 itself, a mirror, there may be
     /// one all the same.
-    fn smallest_alpha(&self) -> f64;
+    pub smallest_alpha: f64,
+    /// The Fresnel term of the lobe whose directional albedo is its output E, if any.
+    pub fresnel: Option<Fresnel>,
+    /// Whether its values change most where mu is about alpha, as those of a microfacet lobe do;
+    /// else where mu is about the roughness.
+    pub changes_at_alpha: bool,
+    /// A remark for who lists the quantities; empty where inputs and outputs say all.
+    pub remark: &'static str,
+    /// What [`Quantity::second_opinion`] may draw; empty where it draws in a way of its own, whatever the
+    /// run says.
+    pub draws: &'static [Draw],
+}
+
+impl Facts {
+    /// Of a quantity that has none of this.
+    pub const NONE: Facts = Facts {
+        name: "",
+        inputs: &[],
+        outputs: &[],
+        choices: &[],
+        tolerance: 0.0,
+        smallest_alpha: 0.0,
+        fresnel: None,
+        changes_at_alpha: true,
+        remark: "",
+        draws: &[],
+    };
+}
+
+/// A function with a truth.
+pub trait Quantity: Sync {
+    /// What is said of it.
+    fn facts(&self) -> &Facts;
+
+    /// [`Facts::name`].
+    fn name(&self) -> &'static str {
+        self.facts().name
+    }
+
+    /// [`Facts::inputs`].
+    fn inputs(&self) -> &'static [Input] {
+        self.facts().inputs
+    }
+
+    /// [`Facts::outputs`].
+    fn outputs(&self) -> &'static [&'static str] {
+        self.facts().outputs
+    }
+
+    /// [`Facts::choices`].
+    fn choices(&self) -> &'static [Choice] {
+        self.facts().choices
+    }
+
+    /// [`Facts::tolerance`], which may depend on the variant.
+    fn tolerance(&self, _: &Variant) -> f64 {
+        self.facts().tolerance
+    }
+
+    /// [`Facts::smallest_alpha`].
+    fn smallest_alpha(&self) -> f64 {
+        self.facts().smallest_alpha
+    }
 
     /// What formulas of an output are used as. The first use that has the formula's arguments is
     /// meant by default. An output `E` or `E_avg` is all the energy that leaves a
@@ -126,20 +184,19 @@ pub trait Quantity: Sync {
         None
     }
 
-    /// The Fresnel term of the lobe whose directional albedo is its output E, if any.
+    /// [`Facts::fresnel`].
     fn fresnel(&self) -> Option<Fresnel> {
-        None
+        self.facts().fresnel
     }
 
-    /// Whether its values change most where mu is about alpha, as those of a microfacet lobe do;
-    /// else where mu is about the roughness.
+    /// [`Facts::changes_at_alpha`].
     fn changes_at_alpha(&self) -> bool {
-        true
+        self.facts().changes_at_alpha
     }
 
-    /// A remark for who lists the quantities; empty where inputs and outputs say all.
+    /// [`Facts::remark`].
     fn remark(&self) -> &'static str {
-        ""
+        self.facts().remark
     }
 
     /// The outputs at one point by quadrature. The last is the estimated error of the others, at
@@ -224,10 +281,9 @@ pub trait Quantity: Sync {
         Err(IntegrateError::NoSecondOpinion { quantity: self.name() })
     }
 
-    /// What [`Quantity::second_opinion`] may draw; empty where it draws in a way of its own, whatever the
-    /// run says.
+    /// [`Facts::draws`].
     fn draws(&self) -> &'static [Draw] {
-        &[]
+        self.facts().draws
     }
 
     /// Which output ways to compute it are compared by: E, or the first.

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::{
-    ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Rule, Trace, Truth, Use, Variant, check_unit,
+    ALPHA, Asked, Choice, Facts, Fresnel, MU, Quantity, Rule, Trace, Truth, Use, Variant, check_unit,
 };
 use crate::integrate::monte_carlo::{self, Draw, Run, Sampled, SampledReflection};
 use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, on_one_panel, split_of};
@@ -20,22 +20,36 @@ use crate::optics::schlick_smith::SchlickSmith;
 /// The loss is within 1e-6 of itself where mu >= 1e-4. Beckmann's falls faster than any power as
 /// alpha goes to 0, and is held to that above 1e-12.
 pub struct Reflection {
-    name: &'static str,
+    facts: Facts,
     by: &'static dyn Lobes,
     /// Whether it is the lobe of the path tracer and of the random walk.
     is_walked: bool,
 }
 
+const fn facts(name: &'static str) -> Facts {
+    Facts {
+        name,
+        inputs: &[ALPHA, MU],
+        outputs: &["E", "A", "B", "loss", "error"],
+        choices: &[Choice::Smith],
+        tolerance: reflection::TOLERANCE,
+        smallest_alpha: reflection::SMALLEST_ALPHA,
+        fresnel: Some(Fresnel::One),
+        draws: &Draw::ALL,
+        ..Facts::NONE
+    }
+}
+
 /// `ggx-reflection`.
 pub static GGX_REFLECTION: Reflection = {
     static LOBE: Lobed<Ggx> = Lobed::new(Ggx);
-    Reflection { name: reflection::QUANTITY, by: &LOBE, is_walked: true }
+    Reflection { facts: facts(reflection::QUANTITY), by: &LOBE, is_walked: true }
 };
 
 /// `beckmann-reflection`.
 pub static BECKMANN_REFLECTION: Reflection = {
     static LOBE: Lobed<Beckmann> = Lobed::new(Beckmann);
-    Reflection { name: "beckmann-reflection", by: &LOBE, is_walked: false }
+    Reflection { facts: facts("beckmann-reflection"), by: &LOBE, is_walked: false }
 };
 
 /// `ggx-reflection` as renderers compute it that follow Karis (2013): with Schlick's shadowing, by k
@@ -48,7 +62,7 @@ pub static SCHLICK_SMITH: [Reflection; 3] = {
         Lobed::new(SchlickSmith::of_alpha),
     ];
     const fn of(by: &'static Lobed<SchlickSmith>) -> Reflection {
-        Reflection { name: reflection::QUANTITY, by, is_walked: false }
+        Reflection { facts: facts(reflection::QUANTITY), by, is_walked: false }
     }
     [of(&LOBES[0]), of(&LOBES[1]), of(&LOBES[2])]
 };
@@ -263,41 +277,17 @@ impl Reflection {
 }
 
 impl Quantity for Reflection {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        &[ALPHA, MU]
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "A", "B", "loss", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        reflection::TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        reflection::SMALLEST_ALPHA
+    fn facts(&self) -> &Facts {
+        &self.facts
     }
 
     fn uses(&self, column: &str) -> &'static [Use] {
         if column == "E" { &[Use::VALUE, Use::NORMALISATION, Use::F0_BLEND] } else { &[Use::VALUE] }
     }
 
-    fn fresnel(&self) -> Option<Fresnel> {
-        Some(Fresnel::One)
-    }
-
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
-        let smith = variant.smith(self.name)?;
-        let v = self.by.at((self.name, smith), (x[0], x[1]), tolerance)?;
+        let smith = variant.smith(self.name())?;
+        let v = self.by.at((self.name(), smith), (x[0], x[1]), tolerance)?;
         Ok(vec![v.e, v.a, v.b, v.loss, v.error])
     }
 
@@ -311,7 +301,7 @@ impl Quantity for Reflection {
         check_unit(self, "mu", mu, 0.0)?;
         let inputs: Vec<(f64, f64)> = alpha.iter().copied().zip(mu.iter().copied()).collect();
         let split = outputs.iter().any(|output| *output != "E");
-        let rows = self.by.many((self.name, variant.smith(self.name)?), &inputs, split, tolerance)?;
+        let rows = self.by.many((self.name(), variant.smith(self.name())?), &inputs, split, tolerance)?;
         let of = |output: &str, (e, b): &(f64, f64)| match output {
             "E" => *e,
             "B" => *b,
@@ -333,18 +323,14 @@ impl Quantity for Reflection {
         outputs.iter().map(most).fold(0.0, f64::max)
     }
 
-    fn draws(&self) -> &'static [Draw] {
-        &Draw::ALL
-    }
-
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
-        let smith = variant.smith(self.name)?;
-        let v = self.by.drawn((self.name, smith), (x[0], x[1]), run)?;
+        let smith = variant.smith(self.name())?;
+        let v = self.by.drawn((self.name(), smith), (x[0], x[1]), run)?;
         Ok(vec![v.e, v.a, v.b, v.loss])
     }
 
     fn rules(&self, variant: &Variant, x: &[f64]) -> Result<Vec<Rule<'_>>, IntegrateError> {
-        Ok(self.by.rules(variant.smith(self.name)?, (x[0], x[1])))
+        Ok(self.by.rules(variant.smith(self.name())?, (x[0], x[1])))
     }
 
     fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {

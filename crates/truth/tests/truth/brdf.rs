@@ -9,7 +9,7 @@ use lobefit_truth::optics::distribution::{Distribution, Ggx};
 use lobefit_truth::optics::ggx::Vec3;
 use lobefit_truth::quantity::sheen::lobe as sheen;
 use lobefit_truth::quantity::{
-    BECKMANN_REFLECTION, Choice, GGX_REFLECTION, Input, Quantity, SheenCharlie, Variant,
+    BECKMANN_REFLECTION, Choice, Facts, GGX_REFLECTION, Input, Quantity, SheenCharlie, Variant,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -84,28 +84,18 @@ fn brdfs_have_the_albedos_of_their_reductions() {
 struct Glossy;
 
 impl Quantity for Glossy {
-    fn name(&self) -> &'static str {
-        "glossy"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha", [1e-3, 1.0]), Input::new("mu", [1e-6, 1.0])] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        1e-7
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        1e-3
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "glossy",
+                inputs: &[Input::new("alpha", [1e-3, 1.0]), Input::new("mu", [1e-6, 1.0])],
+                outputs: &["E", "error"],
+                choices: &[Choice::Smith],
+                tolerance: 1e-7,
+                smallest_alpha: 1e-3,
+                ..Facts::NONE
+            }
+        }
     }
 
     fn brdf(&self, variant: &Variant, x: &[f64]) -> Result<Brdf<'_>, IntegrateError> {

@@ -3,7 +3,7 @@
 mod integral;
 pub mod monte_carlo;
 
-use super::{ALPHA, Choice, GGX_REFLECTION, Input, MU, OverF0, Quantity, Residual, Use, Variant};
+use super::{ALPHA, Choice, Facts, GGX_REFLECTION, Input, MU, OverF0, Quantity, Residual, Use, Variant};
 use crate::integrate::monte_carlo::{Draw, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 pub use integral::{Specular, Split, TOLERANCE, coupling, factor};
@@ -22,28 +22,19 @@ pub const COUPLING: Use = Use {
 pub struct DiffuseCoupling;
 
 impl Quantity for DiffuseCoupling {
-    fn name(&self) -> &'static str {
-        "diffuse-coupling"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[ALPHA, MU, Input::new("f0", [0.0, 1.0])] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["factor", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith, Choice::Specular]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        reflection::SMALLEST_ALPHA
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "diffuse-coupling",
+                inputs: &[ALPHA, MU, Input::new("f0", [0.0, 1.0])],
+                outputs: &["factor", "error"],
+                choices: &[Choice::Smith, Choice::Specular],
+                tolerance: TOLERANCE,
+                smallest_alpha: reflection::SMALLEST_ALPHA,
+                draws: &Draw::ALL,
+                ..Facts::NONE
+            }
+        }
     }
 
     fn uses(&self, _: &str) -> &'static [Use] {
@@ -58,10 +49,6 @@ impl Quantity for DiffuseCoupling {
         let (smith, specular) = (variant.smith(self.name())?, variant.specular(self.name())?);
         let v = coupling(smith, x[0], x[1], x[2], specular, tolerance)?;
         Ok(vec![v.value, v.error])
-    }
-
-    fn draws(&self) -> &'static [Draw] {
-        &Draw::ALL
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

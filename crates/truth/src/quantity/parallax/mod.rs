@@ -4,7 +4,7 @@ pub mod footprint;
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Excuse, Input, Quantity, Residual, Truth, Use, Variant};
+use super::{ALPHA, Asked, Choice, Excuse, Facts, Input, Quantity, Residual, Truth, Use, Variant};
 use crate::integrate::IntegrateError;
 
 /// The width of the fetch: the first output.
@@ -36,32 +36,26 @@ static EXCUSE: Excuse = Excuse {
 pub struct ParallaxAlpha;
 
 impl Quantity for ParallaxAlpha {
-    fn name(&self) -> &'static str {
-        "parallax-alpha"
-    }
-
-    /// rho is the distance of the shading point to the wall over the distance of the probe.
-    fn inputs(&self) -> &'static [Input] {
+    fn facts(&self) -> &Facts {
         const {
-            let rho = Input::new("rho", footprint::RHO).usually([1.0 / 16.0, 8.0]);
-            &[ALPHA, Input { is_ratio: true, ..rho }]
+            &Facts {
+                name: "parallax-alpha",
+                // rho is the distance of the shading point to the wall over the distance of the probe.
+                inputs: &[
+                    ALPHA,
+                    Input { is_ratio: true, ..Input::new("rho", footprint::RHO).usually([1.0 / 16.0, 8.0]) },
+                ],
+                outputs: &[WIDTH, "tv", SATURATED, "error"],
+                choices: &[Choice::Kernel],
+                smallest_alpha: footprint::SMALLEST_ALPHA,
+                remark: "rho: distance of the shading point over that of the probe; without kernel: half-cosine; a table: --kernel",
+                ..Facts::NONE
+            }
         }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &[WIDTH, "tv", SATURATED, "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Kernel]
     }
 
     fn tolerance(&self, variant: &Variant) -> f64 {
         footprint::usual_tolerance(variant.kernel())
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        footprint::SMALLEST_ALPHA
     }
 
     fn uses(&self, column: &str) -> &'static [Use] {
@@ -70,10 +64,6 @@ impl Quantity for ParallaxAlpha {
 
     fn excused(&self, column: &str) -> Option<&'static Excuse> {
         (column == WIDTH).then_some(&EXCUSE)
-    }
-
-    fn remark(&self) -> &'static str {
-        "rho: distance of the shading point over that of the probe; without kernel: half-cosine; a table: --kernel"
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -27,7 +27,7 @@ use std::sync::LazyLock;
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Input, MU, Quantity, Truth, Variant, check_domain, check_unit};
+use super::{ALPHA, Asked, Choice, Facts, Input, MU, Quantity, Truth, Variant, check_domain, check_unit};
 use crate::integrate::monte_carlo::{
     Draws, Run, Sampled, check_positive, check_samples, column, of_replicas, refract, shadowing,
 };
@@ -203,32 +203,19 @@ fn sampled(smith: Smith, [alpha, mu, ior]: [f64; 3], samples: u64, mut draws: Dr
 }
 
 impl Quantity for RefractedWidth {
-    fn name(&self) -> &'static str {
-        "refracted-width"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[ALPHA, MU, Input::new("ior", [1.0, 3.0]).usually([1.0, 2.0])] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["roughness_refracted", "radius", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[Choice::Smith]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        SMALLEST_ALPHA
-    }
-
-    fn remark(&self) -> &'static str {
-        "from outside; of a chain of alpha = roughness^2; radius in radians"
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "refracted-width",
+                inputs: &[ALPHA, MU, Input::new("ior", [1.0, 3.0]).usually([1.0, 2.0])],
+                outputs: &["roughness_refracted", "radius", "error"],
+                choices: &[Choice::Smith],
+                tolerance: TOLERANCE,
+                smallest_alpha: SMALLEST_ALPHA,
+                remark: "from outside; of a chain of alpha = roughness^2; radius in radians",
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

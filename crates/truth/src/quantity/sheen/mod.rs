@@ -8,7 +8,7 @@ mod shadowed;
 
 use rayon::prelude::*;
 
-use super::{Asked, Choice, Input, MU, Quantity, Truth, Variant};
+use super::{Asked, Facts, Input, MU, Quantity, Truth, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::monte_carlo::{Run, Sampled};
 pub use integral::{SMALLEST_ALPHA, Sheen, TOLERANCE, albedo, sheen};
@@ -23,36 +23,19 @@ const RULE_ERROR: f64 = 1e-8;
 pub struct SheenCharlie;
 
 impl Quantity for SheenCharlie {
-    fn name(&self) -> &'static str {
-        "sheen-charlie"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha", [SMALLEST_ALPHA, 1.0]), MU] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        SMALLEST_ALPHA
-    }
-
-    fn changes_at_alpha(&self) -> bool {
-        false
-    }
-
-    fn remark(&self) -> &'static str {
-        "E exceeds 1 at grazing where alpha is below 0.2"
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "sheen-charlie",
+                inputs: &[Input::new("alpha", [SMALLEST_ALPHA, 1.0]), MU],
+                outputs: &["E", "error"],
+                tolerance: TOLERANCE,
+                smallest_alpha: SMALLEST_ALPHA,
+                changes_at_alpha: false,
+                remark: "E exceeds 1 at grazing where alpha is below 0.2",
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

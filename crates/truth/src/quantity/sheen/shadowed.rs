@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::facets::View;
 use crate::integrate::{IntegrateError, PanelRule};
-use crate::quantity::{Asked, Choice, Input, Quantity, Truth, Variant};
+use crate::quantity::{Asked, Facts, Input, Quantity, Truth, Variant};
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 
@@ -95,32 +95,18 @@ impl EstevezKulla {
 }
 
 impl Quantity for EstevezKulla {
-    fn name(&self) -> &'static str {
-        "sheen-charlie"
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha", [1e-4, 1.0]), Input::new("mu", [1e-6, 1.0])] }
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        &["E", "error"]
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        MANY_ERROR
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        1e-4
-    }
-
-    fn changes_at_alpha(&self) -> bool {
-        false
+    fn facts(&self) -> &Facts {
+        const {
+            &Facts {
+                name: "sheen-charlie",
+                inputs: &[Input::new("alpha", [1e-4, 1.0]), Input::new("mu", [1e-6, 1.0])],
+                outputs: &["E", "error"],
+                tolerance: MANY_ERROR,
+                smallest_alpha: 1e-4,
+                changes_at_alpha: false,
+                ..Facts::NONE
+            }
+        }
     }
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -7,16 +7,19 @@
 use std::sync::OnceLock;
 
 use super::super::Input;
-use super::{ALPHA, Lights, MU, Widened, mirrored, tilted};
+use super::{ALPHA, FACTS, Facts, Lights, MU, Widened, mirrored, tilted};
 use crate::optics::ggx::Vec3;
 use lobefit_math::{ops, vector};
 
 /// `averaged-width`.
 pub static AVERAGED_WIDTH: Widened = Widened {
-    name: "averaged-width",
-    inputs: &[ALPHA, MU, Input::new("mean_length", [0.5, 1.0])],
-    outputs: &["roughness_averaged", "radius", "error"],
-    remark: "of normals by von Mises and Fisher about their mean; radius in radians",
+    facts: Facts {
+        name: "averaged-width",
+        inputs: &[ALPHA, MU, Input::new("mean_length", [0.5, 1.0])],
+        outputs: &["roughness_averaged", "radius", "error"],
+        remark: "of normals by von Mises and Fisher about their mean; radius in radians",
+        ..FACTS
+    },
     lights: averaged,
     beside: None,
     nodes: &[11, 8, 9],

@@ -7,21 +7,24 @@
 use std::sync::OnceLock;
 
 use super::super::Input;
-use super::{ALPHA, Lights, MU, SMITH, Widened, mirrored};
+use super::{ALPHA, FACTS, Facts, Lights, MU, SMITH, Widened, mirrored};
 use crate::integrate::monte_carlo::{refract, shadowing};
 use crate::optics::ggx::{self, Vec3};
 
 /// `coated-width`.
 pub static COATED_WIDTH: Widened = Widened {
-    name: "coated-width",
-    inputs: &[
-        ALPHA,
-        MU,
-        Input::new("coat_roughness", [0.01, 1.0]),
-        Input::new("ior", [1.05, 2.0]).usually([1.05, 2.0]),
-    ],
-    outputs: &["roughness_coated", "radius", "error"],
-    remark: "alpha of the base, ior and roughness of the coat (alpha = roughness^2); radius in radians",
+    facts: Facts {
+        name: "coated-width",
+        inputs: &[
+            ALPHA,
+            MU,
+            Input::new("coat_roughness", [0.01, 1.0]),
+            Input::new("ior", [1.05, 2.0]).usually([1.05, 2.0]),
+        ],
+        outputs: &["roughness_coated", "radius", "error"],
+        remark: "alpha of the base, ior and roughness of the coat (alpha = roughness^2); radius in radians",
+        ..FACTS
+    },
     lights: coated,
     beside: None,
     nodes: &[9, 8, 9, 4],

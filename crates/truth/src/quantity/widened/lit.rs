@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use super::super::{Input, Residual, Use};
-use super::{ALPHA, Beside, Lights, MU, Means, SMITH, Widened, mirrored, tilted};
+use super::{ALPHA, Beside, FACTS, Facts, Lights, MU, Means, SMITH, Widened, mirrored, tilted};
 use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
 
@@ -24,10 +24,13 @@ pub const LIGHT: Use = Use {
 
 /// `lit-width`.
 pub static LIT_WIDTH: Widened = Widened {
-    name: "lit-width",
-    inputs: &[ALPHA, MU, Input::new("light_radius", [0.0, 0.5])],
-    outputs: &["roughness_lit", "radius", "normalisation", "error"],
-    remark: "light_radius and radius in radians; normalisation of the lobe at the light's nearest point",
+    facts: Facts {
+        name: "lit-width",
+        inputs: &[ALPHA, MU, Input::new("light_radius", [0.0, 0.5])],
+        outputs: &["roughness_lit", "radius", "normalisation", "error"],
+        remark: "light_radius and radius in radians; normalisation of the lobe at the light's nearest point",
+        ..FACTS
+    },
     lights: lit,
     beside: Some(Beside { of: normalisation, used: &[LIGHT] }),
     nodes: &[11, 8, 9],

@@ -29,7 +29,7 @@ pub use averaged::AVERAGED_WIDTH;
 pub use coated::COATED_WIDTH;
 pub use lit::{LIGHT, LIT_WIDTH};
 
-use super::{Asked, Choice, Input, Quantity, Truth, Use, Variant};
+use super::{Asked, Facts, Input, Quantity, Truth, Use, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::count;
 use crate::integrate::monte_carlo::shadowing;
@@ -55,13 +55,13 @@ type Light = Option<(Vec3, f64)>;
 /// Lights of a lobe.
 type Lights = Box<dyn Fn(&Draw) -> Light + Sync>;
 
+/// What all of them have.
+const FACTS: Facts = Facts { tolerance: TOLERANCE, smallest_alpha: ALPHA.domain[0], ..Facts::NONE };
+
 /// What widens a lobe.
 pub struct Widened {
-    name: &'static str,
-    /// alpha, mu, and how much it widens.
-    inputs: &'static [Input],
-    outputs: &'static [&'static str],
-    remark: &'static str,
+    /// The inputs are alpha, mu, and how much it widens.
+    facts: Facts,
     /// The lights of a view.
     lights: fn(Vec3, &[f64]) -> Lights,
     /// Another value of the bare lobe, where there is one.
@@ -328,7 +328,7 @@ impl Widened {
     fn known(&self) -> &Tensor {
         self.known.get_or_init(|| {
             let [roots] =
-                tabulated(self.inputs, self.nodes, |x| [self.spread(x, self.drawn, &UNMOVED).root()]);
+                tabulated(self.facts.inputs, self.nodes, |x| [self.spread(x, self.drawn, &UNMOVED).root()]);
             roots
         })
     }
@@ -336,7 +336,7 @@ impl Widened {
     /// The outputs of many points, but for the error.
     fn quick(&self, x: &[f64]) -> Vec<f64> {
         let place: Vec<f64> =
-            x.iter().zip(self.inputs).map(|(x, input)| coordinate(input.name, *x)).collect();
+            x.iter().zip(self.facts.inputs).map(|(x, input)| coordinate(input.name, *x)).collect();
         let root = self.known().at(&place);
         let mut values = vec![quick_alpha(root, x[1]).sqrt(), 2.0 * ops::atan(root * root)];
         values.extend(self.beside.as_ref().map(|own| {
@@ -348,16 +348,21 @@ impl Widened {
 
     /// A place beyond an end by rounding, on it.
     fn inside(&self, x: &[f64]) -> Vec<f64> {
-        let inputs = self.inputs.iter().zip(x);
+        let inputs = self.facts.inputs.iter().zip(x);
         inputs.map(|(input, x)| x.clamp(input.domain[0], input.domain[1])).collect()
     }
 
     fn check(&self, x: &[f64]) -> Result<(), IntegrateError> {
-        for (input, &value) in self.inputs.iter().zip(x) {
+        for (input, &value) in self.facts.inputs.iter().zip(x) {
             let [low, high] = input.domain;
             if !(low * (1.0 - super::ROUNDED)..=high * (1.0 + super::ROUNDED)).contains(&value) {
                 let domain = "is outside the quantity's domain";
-                return Err(IntegrateError::Domain { quantity: self.name, input: input.name, value, domain });
+                return Err(IntegrateError::Domain {
+                    quantity: self.facts.name,
+                    input: input.name,
+                    value,
+                    domain,
+                });
             }
         }
         Ok(())
@@ -365,37 +370,13 @@ impl Widened {
 }
 
 impl Quantity for Widened {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn inputs(&self) -> &'static [Input] {
-        self.inputs
-    }
-
-    fn outputs(&self) -> &'static [&'static str] {
-        self.outputs
-    }
-
-    fn choices(&self) -> &'static [Choice] {
-        &[]
-    }
-
-    fn tolerance(&self, _: &Variant) -> f64 {
-        TOLERANCE
-    }
-
-    fn smallest_alpha(&self) -> f64 {
-        ALPHA.domain[0]
+    fn facts(&self) -> &Facts {
+        &self.facts
     }
 
     fn uses(&self, column: &str) -> &'static [Use] {
-        let beside = self.beside.as_ref().filter(|_| self.outputs[2] == column);
+        let beside = self.beside.as_ref().filter(|_| self.facts.outputs[2] == column);
         beside.map_or(&[Use::VALUE], |own| own.used)
-    }
-
-    fn remark(&self) -> &'static str {
-        self.remark
     }
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
@@ -412,14 +393,14 @@ impl Quantity for Widened {
             let error = |at: (usize, &Vec<f64>)| 3.0 * sum::standard_error(at.1) / scale(at);
             reached = columns.iter().enumerate().map(error).fold(0.0, f64::max);
             if columns.iter().flatten().any(|value| !value.is_finite()) {
-                return Err(IntegrateError::NotFinite { quantity: self.name, place: place() });
+                return Err(IntegrateError::NotFinite { quantity: self.facts.name, place: place() });
             }
             if reached <= tolerance {
                 return Ok(columns.iter().map(|column| sum::mean(column)).chain([reached]).collect());
             }
             drawn *= 4;
         }
-        Err(IntegrateError::Tolerance { quantity: self.name, place: place(), reached, tolerance })
+        Err(IntegrateError::Tolerance { quantity: self.facts.name, place: place(), reached, tolerance })
     }
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
