@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
+use super::value::{self, ValueFits};
 use super::{BakeError, Called, JobSummary, Made};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, SafeRange};
@@ -40,8 +41,17 @@ pub trait Effect: Sync {
         None
     }
 
+    /// Its fits of one value over roughness and mu, by the names of their jobs.
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        &[]
+    }
+
     /// What a plan says of the jobs: one summary for each table and each family of fits.
-    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary>;
+    fn expects(&self, _scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        let of = |job: &Job| self.fits().iter().find(|fits| fits.of == job.name);
+        let own = |job| of(job).map(|fits| fits.expects(std::slice::from_ref(job)));
+        jobs.iter().filter_map(own).flatten().collect()
+    }
 
     /// Stages that the bake of the jobs announces, but for its page.
     fn stages(&self, _scene: &Scene, jobs: &[Job]) -> usize {
@@ -55,12 +65,15 @@ pub trait Effect: Sync {
 
     /// Its formulas, those with free parameters and published ones.
     fn formulas(&self) -> Vec<&'static Entry> {
-        Vec::new()
+        self.fits().iter().flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     /// The formulas that compete where the user searches for one to this target.
-    fn formulas_for(&self, _target: &Target) -> Vec<&'static Entry> {
-        Vec::new()
+    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
+        let suits = |fits: &&ValueFits| {
+            (fits.quantity.name(), fits.used_as()) == (target.quantity.name(), target.used_as)
+        };
+        self.fits().iter().filter(suits).flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     /// What fits of them keep beyond the target's domain.
@@ -125,7 +138,9 @@ pub trait Effect: Sync {
     ///
     /// # Errors
     /// A formula or a domain that is refused; a truth that cannot be integrated.
-    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError>;
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        value::bake(self.fits(), called, context)
+    }
 }
 
 impl fmt::Debug for dyn Effect {

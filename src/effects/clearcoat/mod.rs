@@ -1,12 +1,10 @@
 //! The effect `clearcoat`: how a dielectric surface, smooth or rough, darkens the base below it by internal
 //! reflection: a coat, or a lobe with the exact Fresnel term. Quantity `ggx-coat`.
 
-use super::context::Context;
-use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
+use super::demand::{Demand, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Note;
 use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
-use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
-use crate::approximate::target::Target;
+use super::{BakeError, Effect, ggx};
 use crate::approximate::{Entry, Fit, own, published};
 use crate::emit::call::{Around, How};
 use crate::emit::include::call;
@@ -14,7 +12,7 @@ use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Material, Scene};
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
-use lobefit_truth::quantity::{ESCAPE, GgxCoat, Quantity};
+use lobefit_truth::quantity::GgxCoat;
 
 /// The effect.
 pub struct Clearcoat;
@@ -112,21 +110,12 @@ impl Effect for Clearcoat {
         scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        const { &[FITS] }
+    }
+
     fn left_out(&self, _: &Scene) -> String {
         "no material has a coat, or a diffuse base below the exact Fresnel term".into()
-    }
-
-    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
-    }
-
-    fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&PUBLISHED).collect()
-    }
-
-    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == GgxCoat.name() && target.used_as == ESCAPE;
-        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
     }
 
     fn functions(&self) -> Vec<String> {
@@ -154,9 +143,5 @@ impl Effect for Clearcoat {
                 "The error is relative. The coat is taken for one that loses nothing between facets.",
             ],
         )]
-    }
-
-    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
     }
 }

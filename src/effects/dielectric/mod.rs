@@ -92,6 +92,10 @@ impl Effect for Dielectric {
         scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        const { &[FITS] }
+    }
+
     fn left_out(&self, scene: &Scene) -> String {
         if scene.materials.iter().all(|m| m.kind != Kind::Dielectric) {
             return "no material is a dielectric".into();
@@ -114,10 +118,6 @@ impl Effect for Dielectric {
         let [truth, fit] = FITS.seconds;
         let truth = if scene.mu[0] < MU_QUICK { SLOW_S } else { truth };
         ValueFits { seconds: [truth, fit], ..FITS }.expects(jobs)
-    }
-
-    fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&PUBLISHED).collect()
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {

@@ -2,17 +2,14 @@
 
 mod lobe;
 
-use super::context::Context;
-use super::demand::{Demand, Job};
+use super::Effect;
+use super::demand::Demand;
 use super::effect::Note;
 use super::value::{Functions, ValueFits};
 use super::who::{about, named, reasons, verb};
-use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
-use crate::data::Use;
 use crate::scene::{Material, Scene};
-use lobefit_truth::quantity::{EonSingle, Quantity};
+use lobefit_truth::quantity::EonSingle;
 
 /// The effect.
 pub struct Eon;
@@ -67,6 +64,10 @@ impl Effect for Eon {
         scene.materials.iter().enumerate().filter_map(demand).collect()
     }
 
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        const { &[FITS] }
+    }
+
     fn left_out(&self, scene: &Scene) -> String {
         let based = |m: &&Material| m.base.is_some();
         let (black, smooth): (Vec<&Material>, Vec<&Material>) =
@@ -78,19 +79,6 @@ impl Effect for Eon {
         let smooth = about(&smooth, |m| are(m, "diffuse", "smooth"));
         let black = about(&black, |m| are(m, "rough", "black"));
         reasons([smooth, black]).unwrap_or_else(|| "no material has a diffuse base".into())
-    }
-
-    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        FITS.expects(jobs)
-    }
-
-    fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&PUBLISHED).collect()
-    }
-
-    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == EonSingle.name() && target.used_as == Use::VALUE;
-        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
     }
 
     fn functions(&self) -> Vec<String> {
@@ -120,9 +108,5 @@ impl Effect for Eon {
 
     fn is_explored(&self) -> bool {
         true
-    }
-
-    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        FITS.bake(called, context)
     }
 }

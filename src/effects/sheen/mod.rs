@@ -9,14 +9,13 @@ use super::table::ValueTable;
 use super::value::{Functions, ValueFits};
 use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::approximate::target::Target;
-use crate::approximate::{Entry, Fit};
-use crate::data::{Layout, Use};
+use crate::approximate::Fit;
+use crate::data::Layout;
 use crate::scene::{Material, Scene, TableWant};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
-use lobefit_truth::quantity::{Quantity, SheenCharlie};
+use lobefit_truth::quantity::SheenCharlie;
 
 /// The effect.
 pub struct Sheen;
@@ -115,6 +114,10 @@ impl Effect for Sheen {
         scene.materials.iter().enumerate().filter_map(demand).collect()
     }
 
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        const { &[FITS] }
+    }
+
     fn left_out(&self, scene: &Scene) -> String {
         let why = self.unserved(scene).map(|why| format!("no sheen is rough: {why}"));
         why.unwrap_or_else(|| "no material has a sheen layer".into())
@@ -140,15 +143,6 @@ impl Effect for Sheen {
 
     fn sources(&self) -> Vec<&'static str> {
         self.formulas().into_iter().map(|entry| entry.source).chain([SCALE]).collect()
-    }
-
-    fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&PUBLISHED).collect()
-    }
-
-    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == SheenCharlie.name() && target.used_as == Use::VALUE;
-        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
     }
 
     fn prefixes(&self) -> &'static [&'static str] {

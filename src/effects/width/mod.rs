@@ -2,12 +2,11 @@
 //! refracts (quantity `refracted-width`), and for what something widens (`averaged-width`, `lit-width`,
 //! `coated-width`).
 
-use super::context::Context;
-use super::demand::{Demand, Job, Span};
+use super::demand::{Demand, Span};
 use super::effect::Note;
-use super::value::{self, IOR_WIDTH_MIN, ValueFits};
+use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, anisotropy, rough, stay_smooth};
-use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
+use super::{Effect, ggx};
 use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
 use crate::data::AlphaMap;
@@ -186,6 +185,10 @@ impl Effect for Width {
         all.flat_map(|of| FITS.iter().enumerate().filter_map(move |fits| demand(of, fits))).collect()
     }
 
+    fn fits(&self) -> &'static [ValueFits<'static>] {
+        &FITS
+    }
+
     fn left_out(&self, scene: &Scene) -> String {
         self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
             false => "no material transmits light or wants `widened`".into(),
@@ -200,17 +203,6 @@ impl Effect for Width {
             AlphaMap::RoughnessSquared => stay_smooth(m),
             _ => "it is of lobes with alpha = roughness^2, which the scene has not".into(),
         })
-    }
-
-    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        let own = |job: &Job| {
-            FITS.iter().find(|fits| fits.of == job.name).map(|fits| fits.expects(std::slice::from_ref(job)))
-        };
-        jobs.iter().filter_map(own).flatten().collect()
-    }
-
-    fn formulas(&self) -> Vec<&'static Entry> {
-        FITS.iter().flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
@@ -265,9 +257,5 @@ impl Effect for Width {
 
     fn without(&self, material: &Material) -> Option<&'static str> {
         anisotropy(material)
-    }
-
-    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        value::bake(&FITS, called, context)
     }
 }
