@@ -64,9 +64,10 @@ impl Progress for Bar {
 const LINES_APART: Duration = Duration::from_secs(10);
 
 /// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard error
-/// is no terminal, the stage that begins as a line, where ten seconds have gone since the last.
+/// is no terminal, the stage that begins as a line with the seconds so far, where ten have gone since the last.
 pub struct Spinner {
     bar: ProgressBar,
+    begun: Instant,
     /// When the last line of a log was written; none where no line is.
     line: Option<Mutex<Instant>>,
 }
@@ -80,7 +81,8 @@ impl Spinner {
         if shown {
             bar.enable_steady_tick(Duration::from_millis(100));
         }
-        Spinner { bar, line: (!quiet && !terminal).then(|| Mutex::new(Instant::now())) }
+        let begun = Instant::now();
+        Spinner { bar, begun, line: (!quiet && !terminal).then(|| Mutex::new(begun)) }
     }
 
     /// Names the stage that begins.
@@ -89,7 +91,7 @@ impl Spinner {
         let Some(Ok(mut last)) = self.line.as_ref().map(Mutex::lock) else { return };
         if last.elapsed() >= LINES_APART {
             *last = Instant::now();
-            say(name);
+            say(&format!("[{} s] {name}", self.begun.elapsed().as_secs()));
         }
     }
 }

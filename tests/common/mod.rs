@@ -91,7 +91,7 @@ pub fn bytes(folder: &Path) -> Vec<(String, Vec<u8>)> {
 /// Standard error as text, without the lines that name stages: `[3/14] fits of sheen`.
 pub fn stderr(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
-    let stage = |line: &&str| line.starts_with('[') && line.contains('/') && line.contains("] ");
+    let stage = |line: &&str| line.starts_with('[') && line.contains("] ");
     text.split_inclusive('\n').filter(|line| !stage(line)).collect()
 }
 

@@ -268,7 +268,7 @@ impl Gpu {
         if bytes.chunks_exact(4).all(finite) {
             return Ok(());
         }
-        Err(GpuError::Device(format!("{}, {}: a result is not finite", self.info.adapter, pass.name)))
+        Err(GpuError::NotFinite { adapter: self.info.adapter.clone(), function: pass.name.clone() })
     }
 
     fn wait(&self, doing: &str) -> Result<(), GpuError> {

@@ -25,6 +25,14 @@ pub enum GpuError {
     /// The device was not opened, or it or its driver failed at work.
     #[error("--gpu: {0}")]
     Device(String),
+    /// A function returned what is no number.
+    #[error("--gpu: {adapter}, {function}: a result is not finite")]
+    NotFinite {
+        /// Name of the device.
+        adapter: String,
+        /// The function.
+        function: String,
+    },
     /// The emitted code or manifest is not as this program writes it.
     #[error("{place}: {reason}")]
     Bake {
