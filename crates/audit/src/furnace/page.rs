@@ -127,7 +127,7 @@ fn energies(found: &FurnaceFindings) -> Result<Section, ReportError> {
         figures(&charts, "Energy that comes back in a white furnace; bars are its errors.")?,
         Block::Table(words::table(&columns, rows.collect(), caption)),
     ];
-    Ok(Section { id: "energy".into(), title: "Energy".into(), lead: String::new(), blocks })
+    Ok(Section::new("energy", "Energy", "", blocks))
 }
 
 /// The ends of the error bar of a cell.
@@ -139,10 +139,5 @@ fn ends(cell: &Cell, channel: usize) -> [(f64, f64); 2] {
 fn points(found: &FurnaceFindings) -> Section {
     let rows = found.judgement.points.iter().filter_map(|point| point.split_once(": "));
     let rows = rows.map(|(name, text)| (name.to_string(), text.to_string())).collect();
-    Section {
-        id: "verdict".into(),
-        title: "What was found".into(),
-        lead: String::new(),
-        blocks: vec![Block::Facts { rows }],
-    }
+    Section::new("verdict", "What was found", "", vec![Block::Facts { rows }])
 }

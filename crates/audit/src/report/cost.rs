@@ -102,12 +102,8 @@ impl AuditCost {
     /// For the page.
     pub(super) fn section(&self) -> Section {
         let rows = self.rows().into_iter().map(Vec::from);
-        Section {
-            id: "cost".into(),
-            title: "Compiled instructions".into(),
-            lead: self.lead(),
-            blocks: vec![Block::Table(words::table(COLUMNS, rows.collect(), ""))],
-        }
+        let table = words::table(COLUMNS, rows.collect(), "");
+        Section::new("cost", "Compiled instructions", self.lead(), vec![Block::Table(table)])
     }
 }
 

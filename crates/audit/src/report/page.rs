@@ -57,14 +57,14 @@ fn verdict(audit: &AuditFindings) -> Result<Section, ReportError> {
         blocks.push(Block::Text { text: without });
         blocks.push(Block::Facts { rows: otherwise.verdict.points().into_iter().map(owned).collect() });
     }
-    Ok(Section { id: "verdict".into(), title: "Verdict".into(), lead: String::new(), blocks })
+    Ok(Section::new("verdict", "Verdict", "", blocks))
 }
 
 fn conventions(audit: &AuditFindings) -> Section {
-    let best = &audit.conventions[0];
-    let axes = best.axes.iter().map(|a| a.axis.as_str());
+    let best = audit.conventions.first();
+    let axes = best.into_iter().flat_map(|best| &best.axes).map(|a| a.axis.as_str());
     let columns = axes.chain(["lobe|holds|max>|RMS>|times worse>"]).collect::<Vec<_>>().join("|");
-    let rows = audit.conventions.iter().map(|c| row(c, best.rank)).collect();
+    let rows = audit.conventions.iter().map(|c| row(c, best.map_or(c.rank, |best| best.rank))).collect();
     let table = words::table(&columns, rows, if audit.stated { "" } else { BEST_FIRST });
     let (title, lead) = if audit.stated {
         ("As the file says", "The file's own statement, held against the truth; nothing else was tried.")
@@ -74,13 +74,9 @@ fn conventions(audit: &AuditFindings) -> Section {
             "Every combination of input, coordinate, direction, registration, lobe and meaning is tried; these fit best.",
         )
     };
-    Section {
-        id: "conventions".into(),
-        title: title.into(),
-        lead: lead.into(),
-        blocks: vec![Block::Table(table)],
-    }
+    Section::new("conventions", title, lead, vec![Block::Table(table)])
 }
+
 /// What the table of conventions shows.
 const BEST_FIRST: &str = "The best first. Conventions are ranked by the geometric mean of the root mean square of all errors and of that of \
      the best four fifths, which a stale part does not touch; max and RMS are of all texels, the worst channel's.";
@@ -122,17 +118,10 @@ fn channel_section(
         let charts: Vec<Curves> = channel.curves.iter().map(chart).collect();
         blocks.push(figures(&charts, "What is held beside the truth (black).")?);
     }
-    Ok(Section {
-        id: format!("channel-{}", anchor(&channel.name)),
-        title: format!("Channel {}: {}", channel.name, channel.holds),
-        lead: if audit.stated {
-            "Errors of looking it up as the file says, and where they are."
-        } else {
-            "Errors under the best convention, and where they are."
-        }
-        .into(),
-        blocks,
-    })
+    let read = if audit.stated { "of looking it up as the file says" } else { "under the best convention" };
+    let title = format!("Channel {}: {}", channel.name, channel.holds);
+    let lead = format!("Errors {read}, and where they are.");
+    Ok(Section::new(format!("channel-{}", anchor(&channel.name)), title, lead, blocks))
 }
 
 /// Maps of a channel's errors; none of a table of one axis.

@@ -50,12 +50,9 @@ fn asked(job: &SearchJob, searched: &Searched) -> Section {
     if let Some(Model { family, unit, compiler, .. }) = &searched.model {
         rows.push(("Cheap on".into(), format!("{family}, by a model of {compiler}: {unit}")));
     }
-    Section {
-        id: "asked".into(),
-        title: "What was asked".into(),
-        lead: "The quantity, how the formulas are used, and what was searched.".into(),
-        blocks: [vec![Block::Facts { rows }], tried(searched)].concat(),
-    }
+    let blocks = [vec![Block::Facts { rows }], tried(searched)].concat();
+    let lead = "The quantity, how the formulas are used, and what was searched.";
+    Section::new("asked", "What was asked", lead, blocks)
 }
 
 fn tried(searched: &Searched) -> Vec<Block> {
@@ -92,13 +89,8 @@ fn frontier(searched: &Searched) -> Result<Section, ReportError> {
     if !searched.catalogue.is_empty() {
         blocks.push(Block::Table(others(searched)));
     }
-    Ok(Section {
-        id: "frontier".into(),
-        title: "Cost against error".into(),
-        lead: "Each form is the most accurate one found at its cost; its error is measured in f32 at points that were not searched on."
-            .into(),
-        blocks,
-    })
+    let lead = "Each form is the most accurate one found at its cost; its error is measured in f32 at points that were not searched on.";
+    Ok(Section::new("frontier", "Cost against error", lead, blocks))
 }
 
 /// Cost against error: the frontier, and published formulas.
@@ -144,10 +136,6 @@ fn formulas(searched: &Searched) -> Section {
         let heading = format!("{}: {}", r.hypothesis.name(), words::operations(r.ops));
         [Block::Heading { text: heading }, Block::Code { text: r.hypothesis.source().trim_end().into() }]
     });
-    Section {
-        id: "formulas".into(),
-        title: "The formulas".into(),
-        lead: "As written to the files beside this page; each is a hypothesis that lobefit fit takes.".into(),
-        blocks: blocks.collect(),
-    }
+    let lead = "As written to the files beside this page; each is a hypothesis that lobefit fit takes.";
+    Section::new("formulas", "The formulas", lead, blocks.collect())
 }
