@@ -63,8 +63,9 @@ impl Progress for Bar {
 /// Between lines of a log about work whose stages are not counted.
 const LINES_APART: Duration = Duration::from_secs(10);
 
-/// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard error
-/// is no terminal, the stage that begins as a line with the seconds so far, where ten have gone since the last.
+/// A spinner with the stage's name, for a verb whose stages are not counted beforehand; where standard
+/// error is no terminal, the stage that begins as a line with the seconds so far, where ten have gone
+/// since the last.
 pub struct Spinner {
     bar: ProgressBar,
     begun: Instant,

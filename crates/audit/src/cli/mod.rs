@@ -303,8 +303,9 @@ const SHADERS: [&str; 14] = [
 
 const SCRIPTS: [&str; 4] = ["js", "mjs", "ts", "mts"];
 
-/// Whether a file is read as a shader's functions: also a header or a text of which one is named, and not a
-/// shader that holds arrays alone, which are read as those of a text; only one with arrays is parsed for that.
+/// Whether a file is read as a shader's functions: also a header or a text of which one is named, and
+/// not a shader that holds arrays alone, which are read as those of a text; only one with arrays is
+/// parsed for that.
 fn is_shader(options: &Options, bytes: &[u8]) -> bool {
     let holds_functions = || options.source.holds_functions(bytes, &options.file.display().to_string());
     let is_of_arrays = || foreign::holds_arrays(bytes) && !holds_functions();
