@@ -80,8 +80,8 @@ pub fn table(columns: &str, rows: Vec<Vec<String>>, caption: &str) -> TextTable 
     TextTable { columns: heads(columns), rows, muted, names: None, caption: caption.into() }
 }
 
-/// The heads of columns, with a bar between any two, and whether a column is of figures, which a `>`
-/// after its head says: `name|ops>|max>|where`.
+/// The heads of columns, with a bar between any two, and which columns are of figures: those marked by a
+/// trailing `>`, as in `name|ops>|max>|where`.
 pub fn heads(columns: &str) -> Vec<(String, bool)> {
     let head = |head: &str| match head.strip_suffix('>') {
         Some(figures) => (figures.to_string(), true),
