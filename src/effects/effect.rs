@@ -48,9 +48,7 @@ pub trait Effect: Sync {
 
     /// What a plan says of the jobs: one summary for each table and each family of fits.
     fn expects(&self, _scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        let of = |job: &Job| self.fits().iter().find(|fits| fits.of == job.name);
-        let own = |job| of(job).map(|fits| fits.expects(std::slice::from_ref(job)));
-        jobs.iter().filter_map(own).flatten().collect()
+        value::expects(self.fits(), jobs)
     }
 
     /// Stages that the bake of the jobs announces, but for its page.
@@ -71,7 +69,8 @@ pub trait Effect: Sync {
     /// The formulas that compete where the user searches for one to this target.
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let suits = |fits: &&ValueFits| {
-            (fits.quantity.name(), fits.used_as()) == (target.quantity.name(), target.used_as)
+            let own = (fits.quantity.name(), fits.column, fits.used_as(), fits.side);
+            own == (target.quantity.name(), target.column, target.used_as, target.variant.side)
         };
         self.fits().iter().filter(suits).flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }

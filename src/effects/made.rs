@@ -11,7 +11,7 @@ use super::table::BakedTable;
 use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
 use crate::data::{Approximation, Use};
-use crate::emit::call::{Around, Call, How};
+use crate::emit::call::{Around, Call, How, TIMES};
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::emit::{compensation, include};
 use crate::report::explore::Explored;
@@ -235,6 +235,7 @@ impl Made {
             function: function.into(),
             name: a.name.clone(),
             file: file.map(String::from),
+            then: (a.used_as == Use::NORMALISATION).then(|| TIMES.into()),
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),
             cost: cost.clone(),

@@ -48,13 +48,14 @@ pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {
-    static ALL: [&dyn Effect; 15] = [
+    static ALL: [&dyn Effect; 16] = [
         &reflection::GGX,
         &anisotropy::Anisotropy,
         &glass::GGX,
         &aniso_glass::AnisoGlass,
         &reflection::BECKMANN,
         &glass::BECKMANN,
+        &glass::GlassCompensation,
         &dielectric::Dielectric,
         &width::Width,
         &coupling::DiffuseCoupling,

@@ -26,13 +26,14 @@ pub(super) const IOR_WIDTH_MIN: f64 = 0.4;
 
 /// What is fitted and how its page shows it.
 pub struct ValueFits<'a> {
-    /// A quantity whose inputs are alpha, mu if it has that, and those of `shown_at`. Formulas are fitted
-    /// for the first use of the column.
+    /// A quantity whose inputs are alpha, mu if it has that, and those of `shown_at`.
     pub quantity: &'static dyn Quantity,
     /// The side from which its light comes, of a quantity that has two.
     pub side: Option<Side>,
     /// The column that formulas stand for.
     pub column: &'static str,
+    /// What they are used as; none: as the column's first use.
+    pub used_as: Option<Use>,
     /// Formulas with free parameters.
     pub own: &'a [Entry],
     /// Published formulas: measured and reported, not emitted.
@@ -102,6 +103,23 @@ pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Mad
     Ok(made)
 }
 
+/// What a plan says of jobs: first their fits, then their tables.
+pub fn expects(all: &[ValueFits], jobs: &[Job]) -> Vec<JobSummary> {
+    let of = |job: &Job| all.iter().find(|own| own.of == job.name);
+    let fits = |job: &Job| {
+        // The bake of a job without fits is an error with its name.
+        let Some(own) = of(job) else {
+            return JobSummary::fits(job, "nothing that the effect has, so that `bake` fails", 0.0);
+        };
+        let ([truth, fit], count) = (own.seconds, own.own.len() * job.goals.norms.len());
+        let what = format!("{} of {}", own.column, own.of);
+        JobSummary::fits(job, &what, truth + count as f64 * fit).doubting(job, own.own)
+    };
+    let tables =
+        |job| of(job).and_then(|own| own.table.as_ref()).into_iter().flat_map(|table| table.expects(job));
+    jobs.iter().map(fits).chain(jobs.iter().flat_map(tables)).collect()
+}
+
 impl ValueFits<'_> {
     /// The demand of the material at place `of` in the scene for fits over its roughness.
     pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
@@ -131,23 +149,13 @@ impl ValueFits<'_> {
 
     /// What its formulas are used as.
     pub fn used_as(&self) -> Use {
-        self.quantity.uses(self.column)[0]
+        self.used_as.unwrap_or_else(|| self.quantity.uses(self.column)[0])
     }
 
     /// The region of a job; without a view, mu is 1.
     fn region(&self, job: &Job, scene: &Scene) -> Result<Region, BakeError> {
         let mu = if self.has_mu() { job.range("mu")? } else { [1.0; 2] };
         Ok(Region { roughness: job.range("roughness")?, mu, alpha_map: scene.alpha })
-    }
-
-    /// What a plan says of the jobs.
-    pub fn expects(&self, jobs: &[Job]) -> Vec<JobSummary> {
-        let [truth, fit] = self.seconds;
-        let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
-        let what = format!("{} of {}", self.column, self.of);
-        let fits = jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)).doubting(job, self.own));
-        let tables = jobs.iter().flat_map(|job| self.table.iter().flat_map(|table| table.expects(job)));
-        fits.chain(tables).collect()
     }
 
     /// Fits, their code and their page.
@@ -282,11 +290,18 @@ impl ValueFits<'_> {
         }
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
+        let residual = self.used_as().residual;
+        let (shown_as, error_of) = match residual {
+            Residual::Difference => (self.column.to_string(), self.column.to_string()),
+            Residual::Product => (format!("N = 1/{}", self.column), format!("{} N - 1", self.column)),
+            Residual::Quotient => (self.column.to_string(), format!("relative {}", self.column)),
+        };
+        let along: Vec<f64> = along.iter().map(|truth| residual.ideal(*truth)).collect();
         let finding = |one: &Selected| {
             let values = map.values(one.fit, 1.0)?;
-            let errors = values.iter().zip(&truth).map(|(value, truth)| value - truth);
+            let errors = values.iter().zip(&truth).map(|(value, truth)| residual.of(*value, *truth));
             let curves = lines.lines(&along, &lines.values(one.fit, 1.0)?);
-            page::fit(one, self.column.into(), curves, map.field(self.column, true, errors))
+            page::fit(one, shown_as.clone(), curves, map.field(&error_of, true, errors))
         };
         Ok(Findings {
             truths: vec![map.field(self.column, false, truth.iter().copied())],

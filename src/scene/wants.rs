@@ -58,7 +58,7 @@ pub struct WidenedWant {
 pub struct Wants {
     /// Different tables, in the scene's order.
     pub tables: Vec<TableWant>,
-    /// Fits of the isotropic lobe; never of glass.
+    /// Fits of the isotropic lobe; of glass what it takes back of the light that is lost between facets.
     pub fit: Option<FitWant>,
     /// Fits of R with the exact Fresnel term, of a dielectric with an index of refraction.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
@@ -95,7 +95,8 @@ struct WantsFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     tables: Maybe<List<OpenTable, { limits::TABLES }>>,
-    /// Formulas for the shader to evaluate.
+    /// Formulas for the shader to evaluate: of an isotropic lobe, and of GGX glass without anisotropy, of
+    /// reflection and transmission together, from either side.
     #[serde(default)]
     fit: Maybe<FitWant>,
     /// Formulas of the lobe's albedo with the exact Fresnel term in place of Schlick's: of a dielectric
@@ -189,7 +190,7 @@ impl TryFrom<WidenedFile> for WidenedWant {
     }
 }
 
-/// Fits of the normalisation N(alpha, mu) that makes E N = 1.
+/// Fits of the normalisation N that makes E N = 1: N(alpha, mu), of glass N(alpha, mu, ior).
 #[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Fit")]
 #[serde(deny_unknown_fields, default, expecting = "an object that describes fits")]
@@ -228,6 +229,19 @@ impl TryFrom<FitFile> for FitWant {
     }
 }
 
+impl FitWant {
+    /// The first field beside the goals that is asked for: of lobes that only reflect.
+    fn of_reflection(&self) -> Option<&'static str> {
+        let asked = [
+            (self.multiscatter, "multiscatter"),
+            (self.average, "average"),
+            (self.blend, "blend"),
+            (!self.hypotheses.is_empty(), "hypotheses"),
+        ];
+        asked.into_iter().find(|(is_asked, _)| *is_asked).map(|(_, field)| field)
+    }
+}
+
 impl TryFrom<WantsFile> for OpenWants {
     type Error = String;
 
@@ -262,9 +276,16 @@ impl OpenWants {
 
     /// The wants of a material with this lobe.
     pub(super) fn of(self, lobe: Lobe) -> Result<Wants, String> {
-        if lobe.is_glass() && self.fit.is_some() {
-            let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
-            return Err(about("wants.fit", message));
+        if let Some(fit) = self.fit.as_ref().filter(|_| lobe.is_glass()) {
+            if lobe == Lobe::AnisotropicGlass {
+                return Err(about(
+                    "wants.fit",
+                    "of anisotropic glass there are tables alone; ask for `wants.tables`",
+                ));
+            }
+            if let Some(field) = fit.of_reflection() {
+                return Err(about(&format!("wants.fit.{field}"), "it is of lobes that only reflect"));
+            }
         }
         let OpenWants { tables, fit, exact_fresnel, refracted_width, widened } = self;
         if refracted_width.is_some() && lobe != Lobe::Glass {

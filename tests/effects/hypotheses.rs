@@ -18,7 +18,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 172] = [
+const COSTS: [(&str, u32); 185] = [
     ("beckmann_norm_2", 2),
     ("beckmann_norm_3", 3),
     ("beckmann_norm_4", 4),
@@ -93,6 +93,19 @@ const COSTS: [(&str, u32); 172] = [
     ("eon_e_7", 7),
     ("eon_e_9", 9),
     ("eon_e_12", 12),
+    ("ggx_glass_outside_3", 3),
+    ("ggx_glass_outside_6", 6),
+    ("ggx_glass_outside_9", 9),
+    ("ggx_glass_outside_14", 14),
+    ("ggx_glass_outside_16", 16),
+    ("ggx_glass_outside_18", 18),
+    ("ggx_glass_outside_20", 20),
+    ("ggx_glass_inside_4", 4),
+    ("ggx_glass_inside_6", 6),
+    ("ggx_glass_inside_9", 9),
+    ("ggx_glass_inside_11", 11),
+    ("ggx_glass_inside_19", 19),
+    ("ggx_glass_inside_25", 25),
     ("ggx_dielectric_37", 37),
     ("ggx_dielectric_41", 41),
     ("ggx_dielectric_47", 47),

@@ -1,6 +1,7 @@
 //! A scene's bake, and its include files.
 
 use crate::baked_support::bake_scene;
+use lobefit::approximate::{Entry, Fit};
 use lobefit::bake::Baked;
 use lobefit::scene::Scene;
 use lobefit_shade::code::Language;
@@ -37,14 +38,15 @@ pub fn text(baked: &Baked, language: Language) -> String {
 /// ior, but for what the truths there are off by; no certificate is idle, for so large a part of it is met.
 pub fn certified(
     baked: &Baked,
-    formulas: usize,
+    formulas: &[Entry],
     (places, truths): (&[[f64; 3]], &[f64]),
     off: f64,
     part: f64,
 ) {
     let source = Source::parse("lobefit.wgsl", &text(baked, Language::Wgsl)).expect("it parses");
-    let emitted: Vec<_> = baked.fits.iter().filter(|fit| fit.emitted).collect();
-    assert_eq!(emitted.len(), formulas, "a formula has no fit");
+    let own = |fit: &&Fit| formulas.iter().any(|formula| formula.name() == fit.approximation.name);
+    let emitted: Vec<&Fit> = baked.fits.iter().filter(|fit| fit.emitted).filter(own).collect();
+    assert_eq!(emitted.len(), formulas.len(), "a formula has no fit");
     for fit in emitted {
         let (name, stated) = (fit.hypothesis.name(), fit.approximation.certificate.max_abs);
         let tape = source.tape(name, 0).expect("a function");
@@ -58,11 +60,8 @@ pub fn certified(
             f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
         };
         let residual = fit.approximation.used_as.residual;
-        let error = |(place, truth): (&'_ [f64; 3], &f64)| {
-            let [scale, target] = residual.scaled(*truth);
-            scale * value(place) - target
-        };
-        let errors = places.iter().zip(truths).map(|(place, truth)| (error((place, truth)), place));
+        let errors =
+            places.iter().zip(truths).map(|(place, truth)| (residual.of(value(place), *truth), place));
         let (error, place) = errors.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).expect("places");
         println!("{name}: {error:.5} at roughness, mu, ior {place:?}; stated {stated}");
         assert!(error.abs() <= stated + off, "{name}: {error} at {place:?}; stated {stated}");

@@ -63,7 +63,7 @@ fn the_emitted_share_is_that_of_facets_within_its_promise() {
     let share =
         |[roughness, _, ior]: &[f64; 3]| (1.0 - average(|mu| lobe(*roughness, mu, *ior))) / (ior * ior);
     let truths: Vec<f64> = places.iter().map(share).collect();
-    certified(&LACQUER, HYPOTHESES.len(), (&places, &truths), 5e-4, 0.6);
+    certified(&LACQUER, &HYPOTHESES, (&places, &truths), 5e-4, 0.6);
 }
 
 /// A smooth coat, with the least roughness that formulas are fitted over in place of its own, as the

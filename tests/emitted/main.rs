@@ -25,6 +25,7 @@ mod formats;
 mod fresh;
 mod furnace;
 mod furnace_coupling;
+mod glass_compensation;
 mod hardware;
 mod include;
 mod languages;

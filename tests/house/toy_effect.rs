@@ -7,7 +7,7 @@ use lobefit::data::{Layout, Norm, TexelFormat};
 use lobefit::effects::context::Context;
 use lobefit::effects::demand::{Demand, Job};
 use lobefit::effects::table::ValueTable;
-use lobefit::effects::value::ValueFits;
+use lobefit::effects::value::{self, ValueFits};
 use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
 use lobefit::scene::{Goals, Scene, TableWant};
 use lobefit_truth::integrate::IntegrateError;
@@ -42,6 +42,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &Minnaert,
     side: None,
     column: "E",
+    used_as: None,
     own: &[Entry {
         file: "minnaert_e.wgsl",
         source: "override a: f32 = 1.0;\noverride b: f32 = 0.1;\n\
@@ -82,7 +83,7 @@ impl Effect for Moon {
         "nothing is drawn as the moon is".into()
     }
     fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        with_table(|fits| fits.expects(jobs))
+        with_table(|fits| value::expects(&[fits], jobs))
     }
     fn formulas(&self) -> Vec<&'static Entry> {
         FITS.own.iter().collect()

@@ -39,6 +39,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &GgxCoat,
     side: None,
     column: "escape",
+    used_as: None,
     own: &HYPOTHESES,
     published: &PUBLISHED,
     role: "coat_escape",

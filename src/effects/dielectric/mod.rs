@@ -4,17 +4,15 @@
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Note;
-use super::value::{IOR_WIDTH_MIN, ValueFits};
+use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
-use crate::approximate::target::Target;
 use crate::approximate::{Entry, own, published};
-use crate::data::Use;
 use crate::emit::call::Call;
 use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Kind, Material, Scene};
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::{GGX_GLASS, Quantity};
+use lobefit_truth::quantity::GGX_GLASS;
 
 /// The effect.
 pub struct Dielectric;
@@ -33,7 +31,7 @@ pub const PUBLISHED: [Entry; 4] = published![
 
 /// Least alpha of a job. For narrower lobes, which are near Fresnel's own term, every value of the truth
 /// is an integral of its own.
-const ALPHA_MIN: f64 = 4e-4;
+pub(super) const ALPHA_MIN: f64 = 4e-4;
 
 /// Least cosine of which the truth is quick, and seconds of the truth with smaller ones.
 const MU_QUICK: f64 = 2e-4;
@@ -43,6 +41,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &GGX_GLASS,
     side: Some(Side::Outside),
     column: "R",
+    used_as: None,
     own: &HYPOTHESES,
     published: &PUBLISHED,
     role: "ggx_dielectric_albedo",
@@ -65,6 +64,12 @@ const OF_COATS: ValueFits = ValueFits {
     because: "with a coat whose base takes the albedo of its lobe",
     ..FITS
 };
+
+/// Seconds of the truth of a rough dielectric interface, and of one fit.
+pub(super) fn seconds(fits: &ValueFits, scene: &Scene) -> [f64; 2] {
+    let [truth, fit] = fits.seconds;
+    [if scene.mu[0] < MU_QUICK { SLOW_S } else { truth }, fit]
+}
 
 impl Effect for Dielectric {
     fn name(&self) -> &'static str {
@@ -115,16 +120,7 @@ impl Effect for Dielectric {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        let [truth, fit] = FITS.seconds;
-        let truth = if scene.mu[0] < MU_QUICK { SLOW_S } else { truth };
-        ValueFits { seconds: [truth, fit], ..FITS }.expects(jobs)
-    }
-
-    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == GGX_GLASS.name()
-            && (target.column, target.used_as) == (FITS.column, Use::VALUE)
-            && target.variant.side == FITS.side;
-        HYPOTHESES.iter().chain(&PUBLISHED).filter(|_| suits).collect()
+        value::expects(&[ValueFits { seconds: seconds(&FITS, scene), ..FITS }], jobs)
     }
 
     fn prefixes(&self) -> &'static [&'static str] {

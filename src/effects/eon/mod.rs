@@ -24,6 +24,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &EonSingle,
     side: None,
     column: "E",
+    used_as: None,
     own: &HYPOTHESES,
     published: &PUBLISHED,
     role: "eon_albedo",

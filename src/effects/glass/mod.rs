@@ -6,6 +6,7 @@
 //! |---|---|---|---|---|---|
 //! | each side | 128 x 128 x 32 | mu, `homogeneous-ior` | roughness | ior, `ior` | loss |
 
+pub mod compensation;
 mod path_tracer;
 mod table;
 
@@ -24,6 +25,7 @@ use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
 use lobefit_truth::quantity::{self, BECKMANN_GLASS, GGX_GLASS, Quantity};
 
+pub use compensation::GlassCompensation;
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
 

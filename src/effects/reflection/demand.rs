@@ -115,7 +115,8 @@ impl Reflection {
             let because = because(material, roughness);
             let tables = table::wanted(material, 2)
                 .filter_map(|want| table::demand(self, scene, (of, material), want, because.clone()));
-            let fit = material.wants.fit.as_ref().map(|want| Demand {
+            let fit = material.wants.fit.as_ref().filter(|_| !material.lobe().is_glass());
+            let fit = fit.map(|want| Demand {
                 job: FITS.into(),
                 rank: 1,
                 of,

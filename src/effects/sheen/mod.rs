@@ -6,7 +6,7 @@ use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::table::ValueTable;
-use super::value::{Functions, ValueFits};
+use super::value::{self, Functions, ValueFits};
 use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::Fit;
@@ -24,6 +24,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &SheenCharlie,
     side: None,
     column: "E",
+    used_as: None,
     own: &HYPOTHESES,
     published: &PUBLISHED,
     role: "sheen_albedo",
@@ -130,7 +131,7 @@ impl Effect for Sheen {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        with(&wanted(scene)).expects(jobs)
+        value::expects(&[with(&wanted(scene))], jobs)
     }
 
     fn stages(&self, scene: &Scene, jobs: &[Job]) -> usize {

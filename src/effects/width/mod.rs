@@ -7,8 +7,7 @@ use super::effect::Note;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, anisotropy, rough, stay_smooth};
 use super::{Effect, ggx};
-use crate::approximate::target::Target;
-use crate::approximate::{Entry, own, published};
+use crate::approximate::{own, published};
 use crate::data::AlphaMap;
 use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Material, Scene};
@@ -114,6 +113,7 @@ const WIDENED: ValueFits = ValueFits {
     quantity: &RefractedWidth,
     side: None,
     column: "",
+    used_as: None,
     own: &[],
     published: &[],
     role: "",
@@ -203,14 +203,6 @@ impl Effect for Width {
             AlphaMap::RoughnessSquared => stay_smooth(m),
             _ => "it is of lobes with alpha = roughness^2, which the scene has not".into(),
         })
-    }
-
-    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = |fits: &&ValueFits| {
-            let (quantity, column) = (target.quantity.name(), target.column);
-            (fits.quantity.name(), fits.column, fits.used_as()) == (quantity, column, target.used_as)
-        };
-        FITS.iter().filter(suits).flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
     }
 
     fn prefixes(&self) -> &'static [&'static str] {

@@ -20,8 +20,22 @@ fn not_a_sliced_table() -> Vec<Case> {
             tables(GLASS, "[{\"layout\":\"plain\"}]"),
             "materials[0].wants.tables[0].layout: `plain` is of lobes that only reflect; of glass give `optimised`",
         ),
-        case(of(GLASS, "\"fit\":{}"), "materials[0].wants.fit: it is of lobes that only reflect"),
-        case(of(GLASS, "\"fit\":{},\"tables\":[{}]"), "materials[0].wants.fit: it is of lobes that only"),
+        case(
+            of(GLASS, "\"fit\":{\"blend\":true}"),
+            "materials[0].wants.fit.blend: it is of lobes that only reflect",
+        ),
+        case(
+            of(GLASS, "\"fit\":{\"average\":true},\"tables\":[{}]"),
+            "materials[0].wants.fit.average: it is of",
+        ),
+        case(
+            of(&format!("{GLASS},\"anisotropy\":0.5"), "\"fit\":{}"),
+            "materials[0].wants.fit: of anisotropic glass there are tables alone",
+        ),
+        case(
+            of(&format!("{GLASS},\"distribution\":\"beckmann\""), "\"fit\":{}"),
+            "materials[0].wants.fit: it is of the distribution `ggx`",
+        ),
         case(
             tables(GLASS, "[{},{\"layout\":\"azimuth\"}]"),
             "materials[0].wants.tables[1].layout: `azimuth` is for anisotropic materials",

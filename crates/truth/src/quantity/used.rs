@@ -41,6 +41,18 @@ impl Residual {
             Residual::Quotient => [1.0 / truth, 1.0],
         }
     }
+
+    /// The error of a formula whose truth is this.
+    pub fn of(self, value: f64, truth: f64) -> f64 {
+        let [scale, target] = self.scaled(truth);
+        scale * value - target
+    }
+
+    /// The value without an error.
+    pub fn ideal(self, truth: f64) -> f64 {
+        let [scale, target] = self.scaled(truth);
+        target / scale
+    }
 }
 
 impl Use {

@@ -13,7 +13,6 @@ use crate::effects::context::Context;
 use crate::effects::demand::{Budget, Job};
 use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
-use crate::emit::call::TIMES;
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
 use crate::scene::Lobe;
@@ -125,10 +124,7 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
             made.called_by(vec![demand.caller()], &function, (&a, price), None);
             if let Some(call) = made.part.entries.calls.last_mut() {
                 let is_average = a.used_as == Use::VALUE && want.is_some_and(|want| want.multiscatter);
-                call.then = match a.used_as {
-                    Use::NORMALISATION => Some(TIMES.into()),
-                    _ => is_average.then(|| MULTISCATTER[4].into()),
-                };
+                call.then = call.then.take().or_else(|| is_average.then(|| MULTISCATTER[4].into()));
             }
         }
     }
