@@ -16,8 +16,21 @@ pub struct Costs {
     pub tables: Vec<TableEntry>,
     /// Times of functions of other scenes.
     pub times: Vec<GpuRecord>,
+    /// What longer searches found.
+    pub searches: Vec<CostSearch>,
     /// What accuracy costs offline, a processor each.
     pub offline: Vec<OfflineRecord>,
+}
+
+/// The frontier that a search found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CostSearch {
+    /// What its formulas stand for: the title of a job.
+    pub title: String,
+    /// What was typed.
+    pub command: String,
+    /// Operations and largest error of each formula, by rising cost.
+    pub found: Vec<(u32, f64)>,
 }
 
 /// What a cost is counted in.
@@ -49,6 +62,8 @@ pub struct CostPoint {
     pub name: String,
     /// Largest error.
     pub error: f64,
+    /// The same in half precision; none where it is not finite or not measured.
+    pub half: Option<f64>,
     /// Somebody else's.
     pub published: bool,
     /// Its cost in each unit; none where no compiled code is recorded.

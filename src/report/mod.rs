@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use crate::emit::manifest::Manifest;
 use crate::store::Files;
 pub use bar::{bar_from, without_absent};
-pub use cost::{CostJob, CostPoint, CostUnit, Costs};
+pub use cost::{CostJob, CostPoint, CostSearch, CostUnit, Costs};
 pub use findings::{
     Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
     Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Measured, Offer, Origin, Purpose, Role,

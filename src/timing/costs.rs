@@ -5,7 +5,7 @@ use super::isa::{IsaRecord, Precision};
 use super::priced::priced;
 use crate::approximate::Fit;
 use crate::bake::{BakeError, Baked};
-use crate::data::{Norm, Source, Vendor};
+use crate::data::{Form, Formula, Half, Norm, Source, Use, Vendor};
 use crate::emit::include::Include;
 use crate::report::{CostJob, CostPoint, CostUnit, GpuRecord};
 use lobefit_math::correlation::Correlation;
@@ -47,20 +47,19 @@ pub fn costs(
         let a = &fit.approximation;
         let specular = Specular::ALL.iter().find(|s| a.name.starts_with(&format!("coupling_{}_", s.name())));
         if let Some(specular) = specular {
-            lobe = format!(", under a {} lobe", specular.name());
+            lobe = specular.name().into();
         }
-        let about = match a.used_as.name {
-            "value" => format!("{} of {}", a.column, a.quantity),
-            _ if a.used_as.meaning.contains(&a.quantity) => a.quantity.clone(),
-            _ => format!("{}: {}", a.quantity, a.used_as.meaning),
-        };
-        let title = about + if a.used_as == COUPLING { &lobe } else { "" };
+        let title = title([&a.quantity, &a.column], a.used_as, Some(&lobe));
         let mut costs = vec![Some(f64::from(a.cost.ops))];
         for of in &counted {
             costs.push(of.cost(fit, &include)?);
         }
         let published = a.source != Source::Fitted;
-        let point = CostPoint { name: a.name.clone(), error: a.certificate.max_abs, published, costs };
+        let half = match &a.form {
+            Form::Formula(Formula { half: Some(Half::Measured(half)), .. }) => Some(half.max_abs),
+            _ => None,
+        };
+        let point = CostPoint { name: a.name.clone(), error: a.certificate.max_abs, half, published, costs };
         match jobs.iter_mut().find(|(known, _)| *known == title) {
             Some((_, job)) => job.points.push(point),
             None => {
@@ -80,6 +79,19 @@ pub fn costs(
         units[k + 1].unit += &followed;
     }
     Ok((units, jobs))
+}
+
+/// What formulas for a use stand for; of factors of what lies below, with the lobe above.
+pub fn title([quantity, column]: [&str; 2], used_as: Use, specular: Option<&str>) -> String {
+    let about = match used_as.name {
+        "value" => format!("{column} of {quantity}"),
+        _ if used_as.meaning.contains(quantity) => quantity.into(),
+        _ => format!("{quantity}: {}", used_as.meaning),
+    };
+    match specular.filter(|_| used_as == COUPLING) {
+        Some(specular) => format!("{about}, under a {specular} lobe"),
+        None => about,
+    }
 }
 
 /// How well a unit follows the times of another; none of fewer than three formulas.

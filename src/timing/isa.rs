@@ -247,11 +247,12 @@ impl IsaRecord {
     /// # Errors
     /// Bytes that are no such record, or one of another version.
     pub fn read(bytes: &[u8]) -> Result<IsaRecord, RecordError> {
-        let foreign = |e: serde_json::Error| RecordError::Foreign { of: "isa", reason: e.to_string() };
+        let foreign =
+            |e: serde_json::Error| RecordError::Foreign { of: "cost --isa --record", reason: e.to_string() };
         let Versioned { schema_version: found } = serde_json::from_slice(bytes).map_err(foreign)?;
         if found != VERSION {
             let reason = format!("schema_version {found}, this version reads {VERSION}");
-            return Err(RecordError::Foreign { of: "isa", reason });
+            return Err(RecordError::Foreign { of: "cost --isa --record", reason });
         }
         serde_json::from_slice(bytes).map_err(foreign)
     }

@@ -6,6 +6,7 @@ pub mod isa;
 pub mod offline;
 pub mod priced;
 pub mod record;
+pub mod searches;
 mod tables;
 
 use lobefit_shade::ShadeError;

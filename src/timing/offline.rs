@@ -80,7 +80,8 @@ fn at(study: &Study) -> String {
 /// # Errors
 /// Bytes that are no such record, one of another version.
 pub fn read(bytes: &[u8]) -> Result<OfflineRecord, RecordError> {
-    let foreign = |e: serde_json::Error| RecordError::Foreign { of: "offline", reason: e.to_string() };
+    let foreign =
+        |e: serde_json::Error| RecordError::Foreign { of: "cost --offline --record", reason: e.to_string() };
     let Versioned { schema_version } = serde_json::from_slice(bytes).map_err(foreign)?;
     if schema_version != SCHEMA_VERSION {
         return Err(foreign(serde::de::Error::custom(format!("schema_version {schema_version}"))));

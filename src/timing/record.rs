@@ -22,9 +22,9 @@ pub const FOLDER: &str = "reports/gpu";
 #[non_exhaustive]
 pub enum RecordError {
     /// No record of `lobefit cost` with this option.
-    #[error("no record of lobefit cost --{of} --record: {reason}")]
+    #[error("no record of lobefit {of}: {reason}")]
     Foreign {
-        /// The option.
+        /// The command.
         of: &'static str,
         /// What the reader says.
         reason: String,
@@ -55,7 +55,8 @@ pub enum RecordError {
 /// # Errors
 /// Bytes that are no such record, one of another version, times that are not positive.
 pub fn read(bytes: &[u8]) -> Result<GpuRecord, RecordError> {
-    let foreign = |e: serde_json::Error| RecordError::Foreign { of: "gpu", reason: e.to_string() };
+    let foreign =
+        |e: serde_json::Error| RecordError::Foreign { of: "cost --gpu --record", reason: e.to_string() };
     let Versioned { schema_version } = serde_json::from_slice(bytes).map_err(foreign)?;
     if schema_version != SCHEMA_VERSION {
         return Err(RecordError::Version { found: schema_version.to_string() });

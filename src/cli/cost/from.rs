@@ -5,10 +5,10 @@ use std::path::Path;
 use super::super::CliError;
 use super::RECORD_BYTES;
 use crate::emit::manifest::Manifest;
-use crate::report::{GpuRecord, OfflineRecord};
+use crate::report::{CostSearch, GpuRecord, OfflineRecord};
 use crate::store::{self, Files, MANIFEST};
 use crate::timing::isa::{self, IsaRecord};
-use crate::timing::{offline, record};
+use crate::timing::{offline, record, searches};
 
 /// Largest file of a bake that is read, bytes.
 const FILE_BYTES: u64 = 64 << 20;
@@ -53,6 +53,14 @@ pub fn counts_in(folder: &Path) -> Result<Vec<IsaRecord>, CliError> {
 /// A file that is no record.
 pub fn offline_in(folder: &Path) -> Result<Vec<OfflineRecord>, CliError> {
     all_in(folder, offline::FOLDER, offline::read)
+}
+
+/// Searches that are recorded in a folder.
+///
+/// # Errors
+/// A file that is no record.
+pub fn searches_in(folder: &Path) -> Result<Vec<CostSearch>, CliError> {
+    all_in(folder, searches::FOLDER, searches::read)
 }
 
 fn all_in<T>(

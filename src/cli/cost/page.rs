@@ -6,12 +6,12 @@ use super::super::CliError;
 use super::super::input::{self, Input};
 use super::super::output::{Outcome, print};
 use super::super::progress::Bar;
-use super::from::{bake_in, counts_in, offline_in, times_in};
+use super::from::{bake_in, counts_in, offline_in, searches_in, times_in};
 use super::{Options, origin};
 use crate::bake::{BakeError, Baked, Selection};
 use crate::emit::manifest::Manifest;
 use crate::plan;
-use crate::report::{Costs, GpuRecord, OfflineRecord, bar_from, cost_page};
+use crate::report::{CostSearch, Costs, GpuRecord, OfflineRecord, bar_from, cost_page};
 use crate::store::{Files, Folder, MANIFEST};
 use crate::timing::costs::costs;
 use crate::timing::isa::IsaRecord;
@@ -44,6 +44,7 @@ pub struct Beside {
     counts: Vec<IsaRecord>,
     times: Vec<GpuRecord>,
     offline: Vec<OfflineRecord>,
+    searches: Vec<CostSearch>,
     manifest: Manifest,
 }
 
@@ -54,9 +55,10 @@ impl Beside {
     /// A file that is no record; a folder without a manifest of this version.
     pub fn read(folder: &Path) -> Result<Beside, CliError> {
         let (counts, times, offline) = (counts_in(folder)?, times_in(folder)?, offline_in(folder)?);
+        let searches = searches_in(folder)?;
         let (files, _) = bake_in(folder)?;
         let manifest = Manifest::read(files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
-        Ok(Beside { counts, times, offline, manifest })
+        Ok(Beside { counts, times, offline, searches, manifest })
     }
 
     /// The page at `path` of the formulas of a scene, which is baked.
@@ -78,8 +80,9 @@ impl Beside {
             origin.pages = bar_from("").map_err(BakeError::from)?;
             origin = origin.with_figures("../manifest.json");
         }
-        let (tables, offline) = (self.manifest.entries.tables, self.offline);
-        Ok(cost_page(&Costs { origin, units, jobs, tables, times, offline }).map_err(BakeError::from)?)
+        let (tables, searches, offline) = (self.manifest.entries.tables, self.searches, self.offline);
+        Ok(cost_page(&Costs { origin, units, jobs, tables, times, searches, offline })
+            .map_err(BakeError::from)?)
     }
 }
 

@@ -4,8 +4,8 @@ use super::{SCREEN, figures, offline, words};
 use crate::emit::manifest::TableEntry;
 use crate::report::numbers::{brief, grouped, significant};
 use crate::report::{
-    Block, CostJob, CostPoint, CostUnit, Costs, Dot, GpuRecord, GpuRow, Page, ReportError, Scatter, Section,
-    Spread,
+    Block, CostJob, CostPoint, CostSearch, CostUnit, Costs, Dot, GpuRecord, GpuRow, Page, ReportError,
+    Scatter, Section, Spread,
 };
 
 /// Errors that a reader may ask for, falling.
@@ -20,6 +20,8 @@ const MANY: usize = 30;
 
 pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
     let mut sections = vec![frontiers(costs)?, digits(costs)];
+    sections.push(halves(costs));
+    sections.extend(searches(costs));
     for record in &costs.offline {
         sections.extend(offline::section(record)?);
     }
@@ -177,6 +179,73 @@ fn digits(costs: &Costs) -> Section {
             own; the one named has the fewest operations.",
         blocks.collect(),
     )
+}
+
+/// The frontier in half precision beside that in single precision.
+fn halves(costs: &Costs) -> Section {
+    let blocks = costs.jobs.iter().flat_map(|job| {
+        let own = || job.points.iter().filter(|point| !point.published);
+        let best = |budget: f64, error: fn(&CostPoint) -> Option<f64>| {
+            let within = own().filter(|point| point.costs[0] <= Some(budget));
+            let errors = within.filter_map(|point| Some((error(point)?, point.name.clone())));
+            errors.min_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        let mut budgets: Vec<f64> = own().filter_map(|point| point.costs[0]).collect();
+        budgets.sort_by(f64::total_cmp);
+        let at = |budget| [best(budget, |point| Some(point.error)), best(budget, |point| point.half)];
+        let mut rows = Vec::new();
+        let mut before = [None, None];
+        for budget in budgets {
+            let found = at(budget);
+            if found != before {
+                let cells = found.iter().flat_map(|best| match best {
+                    Some((error, name)) => [name.clone(), words::max(*error)],
+                    None => ["–".into(), "–".into()],
+                });
+                rows.push([budget.to_string()].into_iter().chain(cells).collect());
+            }
+            before = found;
+        }
+        let columns = "operations within>|best in f32|largest error>|best in f16|largest error>";
+        [Block::Heading { text: job.title.clone() }, Block::Table(words::table(columns, rows, &job.metric))]
+    });
+    Section::new(
+        "halves",
+        "Half precision",
+        "At every budget of operations the most accurate formula in f32, and in f16 with every operation rounded, with products fused into \
+            sums or without, whichever errs more.",
+        blocks.collect(),
+    )
+}
+
+/// The formulas beside what a longer search finds; none without a record of formulas that are here.
+fn searches(costs: &Costs) -> Option<Section> {
+    let beside = |search: &CostSearch| {
+        let job = costs.jobs.iter().find(|job| job.title == search.title)?;
+        let rows = search.found.iter().filter_map(|(ops, error)| {
+            let own =
+                job.points.iter().filter(|point| !point.published && point.costs[0] <= Some(f64::from(*ops)));
+            let best = own.min_by(|a, b| a.error.total_cmp(&b.error))?;
+            let [shipped, found] = [best.error, *error].map(words::max);
+            Some(vec![ops.to_string(), best.name.clone(), shipped, found, significant(best.error / error, 3)])
+        });
+        let columns = "operations>|best formula|its error>|error found>|ratio>";
+        let caption = format!("{}. Found by {}.", job.metric, search.command);
+        Some([
+            Block::Heading { text: job.title.clone() },
+            Block::Table(words::table(columns, rows.collect(), &caption)),
+        ])
+    };
+    let blocks: Vec<Block> = costs.searches.iter().filter_map(beside).flatten().collect();
+    (!blocks.is_empty()).then(|| {
+        Section::new(
+            "searches",
+            "What a longer search finds",
+            "The formulas above, and the frontier of a search that takes longer than theirs did. A ratio above 1 is what is left to find; below 1 the \
+                search misses what another found.",
+            blocks,
+        )
+    })
 }
 
 /// A row for each limit whose formulas the next limit does not keep.

@@ -82,6 +82,9 @@ const PRICED: usize = 4;
 /// Powers that a term may have of axes and helpers together.
 pub(super) const SLOTS: usize = 6;
 
+/// Forms of each cost that are built upon, usually.
+const WIDTH: usize = 24;
+
 impl Space {
     /// A space over axes with the usual limits: width 24, 3 sweeps, 14 coefficients, no helpers, no
     /// anchor.
@@ -98,7 +101,7 @@ impl Space {
             links: Vec::new(),
             max_ops,
             prices: None,
-            width: 24,
+            width: WIDTH,
             sweeps: 3,
             coefficients: 14,
             domain: None,
@@ -115,6 +118,11 @@ impl Space {
     /// only the most accurate of them matters: others may be cheaper.
     pub(super) fn finalists(&self, count: usize) -> usize {
         if self.prices.is_some() { PRICED * count } else { count }
+    }
+
+    /// What is kept where `count` are in a space of the usual width.
+    pub(super) fn widened(&self, count: usize) -> usize {
+        (count * self.width).div_ceil(WIDTH)
     }
 
     /// The space with an aid in addition; none where the link does not take the anchor's value.

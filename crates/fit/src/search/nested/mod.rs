@@ -29,7 +29,7 @@ use super::{Found, Progress};
 use crate::FitError;
 use lobefit_math::ops;
 
-/// Sums of a cost and of one set of products that are built upon.
+/// Sums of a cost and of one set of products that are built upon, in a space of the usual width.
 const WIDTH: usize = 50;
 
 /// Sums of a cost that are measured, of those ranked.
@@ -152,12 +152,12 @@ impl Beam<'_> {
             let mut level = self.grown(&levels[at - 1], 1, &mut seen);
             level.extend(self.grown(&levels[at - 2], 2, &mut seen));
             level.sort_by(better);
-            level.truncate(WIDTH);
+            level.truncate(self.space.widened(WIDTH));
             level.extend(self.annealed(&level));
             level.sort_by(better);
             let mut kept = BTreeSet::new();
             level.retain(|sum| kept.insert((sum.terms.clone(), bucket(sum.k))));
-            level.truncate(WIDTH);
+            level.truncate(self.space.widened(WIDTH));
             let best = level.first().map_or(f64::INFINITY, |sum| sum.max);
             progress(&Progress { trial: None, sweep: 0, sweeps: 1, ops, max_ops, forms: self.tried, best });
             levels[at] = level;
@@ -175,7 +175,7 @@ impl Beam<'_> {
 
     /// The ends of walks from the best sums of a level.
     fn annealed(&mut self, level: &[Sum]) -> Vec<Sum> {
-        let walks = level[..level.len().min(WALKS)].par_iter().enumerate();
+        let walks = level[..level.len().min(self.space.widened(WALKS))].par_iter().enumerate();
         let few = Beam { samples: self.few, ..*self };
         let n = self.samples.len();
         let end = |(seed, sum)| {
@@ -193,12 +193,12 @@ impl Beam<'_> {
         let mut candidates: Vec<Grown> = ranked.into_iter().flat_map(|(grown, _)| grown).collect();
         candidates.sort_by(|a, b| a.max.total_cmp(&b.max).then_with(|| a.terms.cmp(&b.terms)));
         candidates.retain(|grown| seen.insert((grown.terms.clone(), bucket(grown.from.k))));
-        candidates.truncate(MEASURED);
+        candidates.truncate(self.space.widened(MEASURED));
         let measured =
             |grown: &Grown| self.measured(&grown.terms, grown.from.k, &grown.from.weights, ROUNDS[0]);
         let mut sums: Vec<Sum> = candidates.par_iter().filter_map(measured).collect();
         sums.sort_by(better);
-        sums.truncate(WIDTH);
+        sums.truncate(self.space.widened(WIDTH));
         let mut sums: Vec<Sum> = sums.into_par_iter().map(|sum| self.tuned(sum)).collect();
         sums.sort_by(better);
         sums
