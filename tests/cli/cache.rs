@@ -1,11 +1,12 @@
 //! What bakes leave for others.
 
 use std::fs;
+use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
 use lobefit::store::Cache;
 
-use crate::common::{bytes, lobefit_with, names};
+use crate::common::{bytes, lobefit_with, names, start};
 
 const SCENE: &str = r#"{"schema_version": 1, "languages": ["wgsl"], "materials": [
     {"name": "steel", "kind": "metal", "f0": 0.6, "roughness": [0.2, 1], "wants": {"fit": {"max_ops": 8}}}
@@ -111,6 +112,42 @@ fn a_scene_with_more_in_it_is_spared_what_was_fitted_and_tabulated() {
     let (old, new) = (of(&before, "fit-"), of(&after, "fit-"));
     assert!(old.iter().all(|name| new.contains(name)) && old.len() < new.len(), "{old:?} {new:?}");
     assert!(of(&alone, "fit-").iter().all(|name| new.contains(name)));
+}
+
+#[test]
+fn an_interrupted_bake_goes_on_from_what_was_finished() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = folder.path().join("cache");
+    let scene = r#"{"schema_version": 1, "languages": ["wgsl"], "reports": false, "materials": [
+        {"name": "steel", "kind": "metal", "f0": 0.6, "roughness": [0.2, 1], "wants": {"fit": {"max_ops": 20}}},
+        {"name": "pane", "kind": "glass", "ior": 1.5, "roughness": [0.1, 1], "wants": {"tables": [{"size": [32, 32, 8]}]}}
+    ]}"#;
+    fs::write(folder.path().join("scene.json"), scene).unwrap();
+    let arguments = |out: &'static str| ["bake", "scene.json", "--threads", "1", "--out", out];
+    let mut child = start(&cache, folder.path(), &arguments("out"));
+    // The numbers of entries: one that is made again is another file of the same name.
+    let finished = || -> Vec<(String, u64)> {
+        let all = if cache.exists() { names(&cache) } else { Vec::new() };
+        let of_file = |name: String| Some((name.clone(), fs::metadata(cache.join(name)).ok()?.ino()));
+        all.into_iter().filter(|name| name.ends_with(".entry")).filter_map(of_file).collect()
+    };
+    while finished().len() < 3 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it was broken off");
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = finished();
+    assert!(
+        !folder.path().join("out").exists() && kept.iter().all(|(name, _)| !name.starts_with("part-")),
+        "{kept:?}"
+    );
+    for (cache, out) in [(&cache, "out"), (&folder.path().join("other"), "alone")] {
+        let output = lobefit_with(cache, folder.path(), &arguments(out), &[]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    assert!(bytes(&folder.path().join("out")) == bytes(&folder.path().join("alone")));
+    let all = finished();
+    assert!(all.len() > kept.len() && kept.iter().all(|entry| all.contains(entry)), "{kept:?} {all:?}");
 }
 
 #[test]
