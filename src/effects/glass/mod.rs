@@ -119,7 +119,7 @@ impl Family for Glass {
         let sides = sides.map(|e| Albedo { e, b: Vec::new() }).to_vec();
         let further = Further::new(move |i, points, memo| {
             memo.add(points.len());
-            let e = quantity.one_side((smith, Side::ALL[i]), &inputs(places(points)), JUDGED)?;
+            let (e, _) = quantity.one_side((smith, Side::ALL[i]), &inputs(places(points)), JUDGED)?;
             Ok(Albedo { e, b: Vec::new() })
         });
         Ok(Truths { sides, made: Made { evaluations, integration: JUDGED }, further })

@@ -1,5 +1,7 @@
 //! The page of what accuracy costs: charts of formulas, what the next digit costs, and integrators.
 
+use std::cmp::Ordering;
+
 use super::{SCREEN, figures, offline, words};
 use crate::emit::manifest::TableEntry;
 use crate::report::numbers::{brief, grouped, significant};
@@ -20,6 +22,7 @@ const MANY: usize = 30;
 
 pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
     let mut sections = vec![frontiers(costs)?, digits(costs)];
+    sections.extend(vendors(costs));
     sections.push(halves(costs));
     sections.extend(searches(costs));
     for record in &costs.offline {
@@ -179,6 +182,61 @@ fn digits(costs: &Costs) -> Section {
             own; the one named has the fewest operations.",
         blocks.collect(),
     )
+}
+
+/// For each formula of the frontier by operations what is cheaper on the GPUs of a vendor and errs no more; none
+/// where nothing is.
+fn vendors(costs: &Costs) -> Option<Section> {
+    let mut most = vec![0.0_f64; costs.units.len()];
+    let mut blocks = Vec::new();
+    for job in &costs.jobs {
+        let mut rows = Vec::new();
+        for own in frontier(job) {
+            let cheaper = |of: usize| {
+                let (cost, name) = cheapest(job, of, own.error)?;
+                let saved = 1.0 - cost / own.costs[of].filter(|own| *own > cost)?;
+                Some((saved, format!("{name} −{} %", brief(100.0 * saved, 2))))
+            };
+            let found: Vec<Option<(f64, String)>> = (1..costs.units.len()).map(cheaper).collect();
+            for (most, found) in most[1..].iter_mut().zip(&found) {
+                *most = found.as_ref().map_or(*most, |(saved, _)| most.max(*saved));
+            }
+            if found.iter().any(Option::is_some) {
+                let cells = found.into_iter().map(|found| found.map_or("same".into(), |(_, text)| text));
+                rows.push([own.name.clone(), words::max(own.error)].into_iter().chain(cells).collect());
+            }
+        }
+        if !rows.is_empty() {
+            let units =
+                costs.units[1..].iter().fold(String::new(), |all, unit| format!("{all}|{}", unit.name));
+            let columns = format!("fewest operations|largest error>{units}");
+            blocks.push(Block::Heading { text: job.title.clone() });
+            blocks.push(Block::Table(words::table(&columns, rows, &job.metric)));
+        }
+    }
+    let saved = costs.units[1..].iter().zip(&most[1..]);
+    let saved = saved.map(|(unit, most)| format!("{} {} %", unit.name, brief(100.0 * most, 2)));
+    let lead = format!(
+        "Of the formulas that the frontier by operations holds, those for which another costs less on the GPUs of a vendor and errs no more: its \
+            name and what it saves, of compiled code or of measured time. The most that is saved: {}.",
+        saved.collect::<Vec<_>>().join(", ")
+    );
+    (!blocks.is_empty()).then(|| Section::new("vendors", "What a vendor's own frontier saves", &lead, blocks))
+}
+
+/// The formulas of ours that none of as few operations beats, by rising operations.
+fn frontier(job: &CostJob) -> Vec<&CostPoint> {
+    let mut own: Vec<&CostPoint> = job.points.iter().filter(|point| !point.published).collect();
+    own.sort_by(|a, b| {
+        a.costs[0].partial_cmp(&b.costs[0]).unwrap_or(Ordering::Equal).then(a.error.total_cmp(&b.error))
+    });
+    let mut least = f64::INFINITY;
+    own.retain(|point| {
+        let better = point.error < least;
+        least = least.min(point.error);
+        better
+    });
+    own
 }
 
 /// The frontier in half precision beside that in single precision.

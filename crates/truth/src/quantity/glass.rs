@@ -15,6 +15,9 @@ use crate::points::Points;
 /// Points of one task: work is cut by index alone.
 const CHUNK: usize = 256;
 
+/// Fewest points for which the rules of rings that neighbours share are set up.
+const MANY: usize = 16;
+
 /// Finest tolerance of the rings that neighbours share.
 const FINEST: f64 = 1e-8;
 
@@ -185,7 +188,7 @@ impl Glass {
         }))
     }
 
-    /// E from one side alone, in less work than from both.
+    /// E from one side alone, in less work than from both, and the evaluations that it took.
     ///
     /// # Errors
     /// As [`Quantity::at`].
@@ -194,9 +197,9 @@ impl Glass {
         (smith, side): (Smith, Side),
         points: &Points,
         tolerance: f64,
-    ) -> Result<Vec<f64>, IntegrateError> {
-        let (all, _) = self.energies(smith, Some(side), points, tolerance)?;
-        Ok(all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect())
+    ) -> Result<(Vec<f64>, u64), IntegrateError> {
+        let (all, evaluations) = self.energies(smith, Some(side), points, tolerance)?;
+        Ok((all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect(), evaluations))
     }
 
     /// R from one side alone, in much less work than E, and the evaluations that it took.
@@ -272,7 +275,7 @@ impl Quantity for Glass {
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
         let Asked { variant, points, tolerance, .. } = *asked;
-        if asked.wants(&["loss", "error"]) || tolerance < 2.0 * FINEST || points.len() < CHUNK {
+        if asked.wants(&["loss", "error"]) || tolerance < 2.0 * FINEST || points.len() < MANY {
             return Ok(None);
         }
         let (places, side) = (asked.places(self)?, variant.side(self.name())?);
@@ -280,6 +283,11 @@ impl Quantity for Glass {
             let variant = (variant.smith(self.name())?, side);
             let (r, evaluations) = self.reflected(variant, points, 0.5 * tolerance)?;
             return Ok(Some(Truth { columns: vec![r], error: tolerance, evaluations }));
+        }
+        if asked.outputs == ["E"] {
+            let at = (variant.smith(self.name())?, side);
+            let (e, evaluations) = self.one_side(at, points, 0.5 * tolerance)?;
+            return Ok(Some(Truth { columns: vec![e], error: tolerance, evaluations }));
         }
         let [outside, inside] = self.both_sides(variant.smith(self.name())?, points, 0.5 * tolerance)?;
         let all = if side == Side::Outside { outside } else { inside };
