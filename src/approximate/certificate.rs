@@ -63,6 +63,7 @@ pub fn approximation(
         column: target.column.into(),
         used_as: target.used_as,
         smith: target.variant.smith,
+        side: target.variant.side,
         source,
         form: Form::Formula(form),
         certificate,

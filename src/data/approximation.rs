@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Certificate, Half, Smith, Table};
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Use;
 
 /// Run-time cost by the project's operation model.
@@ -76,6 +77,8 @@ pub struct Approximation {
     pub used_as: Use,
     /// Shadowing form, of a quantity that has one.
     pub smith: Option<Smith>,
+    /// The side of the view, of a quantity that has two.
+    pub side: Option<Side>,
     /// Where its numbers come from.
     pub source: Source,
     /// Table or formula.

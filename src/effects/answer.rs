@@ -30,7 +30,7 @@ const EVERY: usize = 3;
 pub(super) fn of_fits(fits: &[Fit], languages: &[Language]) -> Result<Vec<Purpose>, BakeError> {
     let groups = lobefit_math::groups(fits, |fit| {
         let a = &fit.approximation;
-        (&a.quantity, &a.column, a.used_as)
+        (&a.quantity, &a.column, a.used_as, a.side)
     });
     groups.iter().filter_map(|(_, group)| of_group(group, languages).transpose()).collect()
 }
@@ -44,10 +44,13 @@ fn of_group(group: &[&Fit], languages: &[Language]) -> Result<Option<Purpose>, B
     }
     let a = &best.approximation;
     let smith = a.smith.map_or_else(String::new, |smith| format!(", {} Smith", smith.name()));
+    let side = a.side.map_or_else(String::new, |side| format!(", from {}", side.name()));
     let about = match a.used_as.name {
-        "value" => format!("{} of {}{smith}.", a.column, a.quantity),
-        _ if a.used_as.meaning.contains(&a.quantity) => sentence(&format!("{}{smith}.", a.used_as.meaning)),
-        _ => format!("{}: {}{smith}.", a.quantity, a.used_as.meaning),
+        "value" => format!("{} of {}{smith}{side}.", a.column, a.quantity),
+        _ if a.used_as.meaning.contains(&a.quantity) => {
+            sentence(&format!("{}{smith}{side}.", a.used_as.meaning))
+        }
+        _ => format!("{}: {}{smith}{side}.", a.quantity, a.used_as.meaning),
     };
     Ok(Some(Purpose {
         name: best.hypothesis.name().into(),

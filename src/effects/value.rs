@@ -1,6 +1,7 @@
 //! Fits of one column of a quantity over alpha, mu and the inputs of `shown_at`: all that an effect
 //! needs whose shaders call formulas alone.
 
+use std::cell::LazyCell;
 use std::collections::BTreeMap;
 
 use super::context::Context;
@@ -81,6 +82,7 @@ pub struct Functions {
 /// As [`ValueFits::bake`]; a job of no such name.
 pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Made, BakeError> {
     let mut made = Made::new(called, None, "");
+    let is_shown = LazyCell::new(|| context.reports(called.effect));
     let mut page: Option<Findings> = None;
     for job in &called.work {
         let unknown = || BakeError::Internal(format!("{}: no fits of {}", called.effect, job.name));
@@ -88,7 +90,7 @@ pub fn bake(all: &[ValueFits], called: &Called, context: &Context) -> Result<Mad
         if !made.broken.is_empty() && !job.is_promised() {
             continue;
         }
-        let more = own.add(&mut made, job, context)?;
+        let more = own.add(&mut made, job, (context, &is_shown))?;
         page = match (page, more) {
             (Some(mut page), Some(more)) => {
                 page.join(more);
@@ -112,7 +114,7 @@ pub fn expects(all: &[ValueFits], jobs: &[Job]) -> Vec<JobSummary> {
             return JobSummary::fits(job, "nothing that the effect has, so that `bake` fails", 0.0);
         };
         let ([truth, fit], count) = (own.seconds, own.own.len() * job.goals.norms.len());
-        let what = format!("{} of {}", own.column, own.of);
+        let what = format!("{} of {}", own.words()[0], own.of);
         JobSummary::fits(job, &what, truth + count as f64 * fit).doubting(job, own.own)
     };
     let tables =
@@ -152,6 +154,16 @@ impl ValueFits<'_> {
         self.used_as.unwrap_or_else(|| self.quantity.uses(self.column)[0])
     }
 
+    /// What formulas stand for, and what their error is, on pages.
+    fn words(&self) -> [String; 2] {
+        let column = self.column;
+        match self.used_as().residual {
+            Residual::Difference => [column.into(), column.into()],
+            Residual::Product => [format!("N = 1/{column}"), format!("{column} N - 1")],
+            Residual::Quotient => [column.into(), format!("relative error of {column}")],
+        }
+    }
+
     /// The region of a job; without a view, mu is 1.
     fn region(&self, job: &Job, scene: &Scene) -> Result<Region, BakeError> {
         let mu = if self.has_mu() { job.range("mu")? } else { [1.0; 2] };
@@ -167,7 +179,12 @@ impl ValueFits<'_> {
     }
 
     /// Adds those of a job and gives their part of the page; nothing where promises are broken.
-    fn add(&self, made: &mut Made, job: &Job, context: &Context) -> Result<Option<Findings>, BakeError> {
+    fn add(
+        &self,
+        made: &mut Made,
+        job: &Job,
+        (context, is_shown): (&Context, &LazyCell<bool, impl FnOnce() -> bool>),
+    ) -> Result<Option<Findings>, BakeError> {
         let table = self.table.as_ref().map(|table| table.bake(job, context)).transpose()?;
         let (tables, broken) = table.unwrap_or_default();
         made.broken.extend(broken);
@@ -179,8 +196,11 @@ impl ValueFits<'_> {
         let FitSet { fits, dropped, nearest, .. } =
             approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.memo)?;
         let shown = self.shown(job)?;
-        let relative = if self.used_as().residual == Residual::Quotient { "relative " } else { "" };
-        let metric = format!("{relative}error of {} of the best fit", self.column);
+        let [_, error] = self.words();
+        let metric = format!(
+            "{} of the best fit",
+            if error == self.column { format!("error of {error}") } else { error }
+        );
         made.measured(page::smallest_error(&fits), &metric);
         made.promised(job, (&fits, &nearest), self.of, self.used_as());
         if !made.broken.is_empty() {
@@ -195,7 +215,6 @@ impl ValueFits<'_> {
             made.cautions.push((fit.hypothesis.name().into(), (of.said)(fit)?));
         }
         made.tables(context, tables)?;
-        let is_shown = context.reports(made.part.by.name());
         let findings = || self.findings(made, context, (&region, &shown), (&fits, &dropped));
         let findings = is_shown.then(findings).transpose()?;
         self.explored(made, job, (&fits, &region, &shown), context)?;
@@ -291,11 +310,7 @@ impl ValueFits<'_> {
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
         let residual = self.used_as().residual;
-        let (shown_as, error_of) = match residual {
-            Residual::Difference => (self.column.to_string(), self.column.to_string()),
-            Residual::Product => (format!("N = 1/{}", self.column), format!("{} N - 1", self.column)),
-            Residual::Quotient => (self.column.to_string(), format!("relative {}", self.column)),
-        };
+        let [shown_as, error_of] = self.words();
         let along: Vec<f64> = along.iter().map(|truth| residual.ideal(*truth)).collect();
         let finding = |one: &Selected| {
             let values = map.values(one.fit, 1.0)?;

@@ -221,6 +221,9 @@ pub struct FitEntry {
     pub used_as: String,
     /// Shadowing form; null of a quantity that has none.
     pub smith: Option<String>,
+    /// The side of the view: `outside` or `inside`, of a quantity that has two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side: Option<String>,
     /// Roughness to alpha.
     pub alpha_map: String,
     /// Function in the emitted code: numbers to a number.
@@ -433,6 +436,7 @@ impl FitEntry {
             column: approximation.column.clone(),
             used_as: approximation.used_as.name.into(),
             smith: approximation.smith.map(|smith| smith.name().into()),
+            side: approximation.side.map(|side| side.name().into()),
             alpha_map: alpha_map.into(),
             function: approximation.name.clone(),
             rgb: None,

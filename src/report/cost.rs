@@ -1,5 +1,7 @@
 //! What accuracy costs: every formula on the GPUs of every vendor.
 
+use std::collections::BTreeMap;
+
 use super::{GpuRecord, OfflineRecord, Origin};
 use crate::emit::manifest::TableEntry;
 
@@ -27,6 +29,8 @@ pub struct Costs {
 pub struct CostSearch {
     /// What its formulas stand for: the title of a job.
     pub title: String,
+    /// Where its errors hold, by input.
+    pub domain: BTreeMap<String, [f64; 2]>,
     /// What was typed.
     pub command: String,
     /// Operations and largest error of each formula, by rising cost.
@@ -51,6 +55,8 @@ pub struct CostJob {
     pub title: String,
     /// What their error is.
     pub metric: String,
+    /// Where it holds, by input.
+    pub domain: BTreeMap<String, [f64; 2]>,
     /// The formulas, those of ours first.
     pub points: Vec<CostPoint>,
 }

@@ -195,8 +195,8 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 /// A material.
 #[derive(Deserialize, JsonSchema)]
 // A diffuse base and a coat are a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric
-// either, glass `ior`. Tables with a third axis are for anisotropic materials and for glass, which
-// has not the approximations of lobes that only reflect.
+// either, glass `ior`. Tables with a third axis are for anisotropic materials and for glass, of
+// whose fits only the goals are open, and those of GGX without anisotropy.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
@@ -225,8 +225,19 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "ior": { "maximum": GLASS_IOR, "items": { "maximum": GLASS_IOR } },
                 "base": false,
                 "coat": false,
-                "wants": { "properties": { "fit": false, "exact_fresnel": false } },
+                "wants": { "properties": { "exact_fresnel": false } },
             },
+            "anyOf": [
+                { "properties": { "wants": { "properties": { "fit": false } } } },
+                { "properties": {
+                    "distribution": { "const": "ggx" },
+                    "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
+                    "wants": { "properties": { "fit": { "properties": {
+                        "average": { "const": false }, "multiscatter": { "const": false }, "blend": { "const": false },
+                        "hypotheses": { "maxItems": 0 },
+                    } } } },
+                } },
+            ],
         },
     ],
     "allOf" = [{ "anyOf": [

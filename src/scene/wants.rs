@@ -58,7 +58,7 @@ pub struct WidenedWant {
 pub struct Wants {
     /// Different tables, in the scene's order.
     pub tables: Vec<TableWant>,
-    /// Fits of the isotropic lobe; of glass what it takes back of the light that is lost between facets.
+    /// Fits of N of the isotropic lobe; of glass of N from either side.
     pub fit: Option<FitWant>,
     /// Fits of R with the exact Fresnel term, of a dielectric with an index of refraction.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
@@ -203,14 +203,14 @@ struct FitFile {
     /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
-    /// Also fit the average albedo E_avg(alpha); default false.
+    /// Also fit the average albedo E_avg(alpha); default false. Not of glass.
     average: Maybe<bool>,
     /// Also emit the reciprocal lobe of the light that is lost between facets (Kulla and Conty 2017), and
     /// E_avg, which it takes; default false.
     multiscatter: Maybe<bool>,
-    /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
+    /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false. Not of glass.
     blend: Maybe<bool>,
-    /// Hypotheses of your own: WGSL files, as relative paths from the scene file's folder, with `/`
+    /// Hypotheses of your own, not of glass: WGSL files, as relative paths from the scene file's folder, with `/`
     /// and without `..`.
     hypotheses: Maybe<List<Text<HypothesisPath>, { limits::HYPOTHESES }>>,
 }

@@ -9,6 +9,7 @@ use crate::data::{Form, Formula, Half, Norm, Source, Use, Vendor};
 use crate::emit::include::Include;
 use crate::report::{CostJob, CostPoint, CostUnit, GpuRecord};
 use lobefit_math::correlation::Correlation;
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::{COUPLING, Specular};
 
 /// What formulas are counted by: the record of a vendor's compiled code, or of times.
@@ -49,14 +50,19 @@ pub fn costs(
         if let Some(specular) = specular {
             lobe = specular.name().into();
         }
-        let title = title([&a.quantity, &a.column], a.used_as, Some(&lobe));
+        let title = title([&a.quantity, &a.column], a.used_as, Some(&lobe), a.side.map(Side::name));
         let mut costs = vec![Some(f64::from(a.cost.ops))];
         for of in &counted {
             costs.push(of.cost(fit, &include)?);
         }
         let published = a.source != Source::Fitted;
         let half = match &a.form {
-            Form::Formula(Formula { half: Some(Half::Measured(half)), .. }) => Some(half.max_abs),
+            // Fits of half precision have no other error.
+            Form::Formula(Formula { half: Some(Half::Measured(half)), .. })
+                if a.certificate.precision == "f32" =>
+            {
+                Some(half.max_abs)
+            }
             _ => None,
         };
         let point = CostPoint { name: a.name.clone(), error: a.certificate.max_abs, half, published, costs };
@@ -64,7 +70,8 @@ pub fn costs(
             Some((_, job)) => job.points.push(point),
             None => {
                 let metric = a.used_as.metric.into();
-                jobs.push((title.clone(), CostJob { title, metric, points: vec![point] }));
+                let domain = a.certificate.domain.clone();
+                jobs.push((title.clone(), CostJob { title, metric, domain, points: vec![point] }));
             }
         }
     }
@@ -81,16 +88,23 @@ pub fn costs(
     Ok((units, jobs))
 }
 
-/// What formulas for a use stand for; of factors of what lies below, with the lobe above.
-pub fn title([quantity, column]: [&str; 2], used_as: Use, specular: Option<&str>) -> String {
+/// What formulas for a use stand for; of factors of what lies below, with the lobe above, and with the side of the
+/// view where there are two.
+pub fn title(
+    [quantity, column]: [&str; 2],
+    used_as: Use,
+    specular: Option<&str>,
+    side: Option<&str>,
+) -> String {
     let about = match used_as.name {
         "value" => format!("{column} of {quantity}"),
         _ if used_as.meaning.contains(quantity) => quantity.into(),
         _ => format!("{quantity}: {}", used_as.meaning),
     };
-    match specular.filter(|_| used_as == COUPLING) {
-        Some(specular) => format!("{about}, under a {specular} lobe"),
-        None => about,
+    match (specular.filter(|_| used_as == COUPLING), side) {
+        (Some(specular), _) => format!("{about}, under a {specular} lobe"),
+        (None, Some(side)) => format!("{about}, from {side}"),
+        (None, None) => about,
     }
 }
 

@@ -26,6 +26,7 @@ struct Found {
     #[serde(rename = "use")]
     used_as: Use,
     specular: Option<String>,
+    side: Option<String>,
     cost: CostEntry,
     certificate: Certificate,
 }
@@ -43,7 +44,8 @@ pub fn read(bytes: &[u8]) -> Result<CostSearch, RecordError> {
     }
     let Document { command, fits } = serde_json::from_slice(bytes).map_err(foreign)?;
     let Some(first) = fits.first() else { return refuse("fits: the list is empty".into()) };
-    let title = title([&first.quantity, &first.column], first.used_as, first.specular.as_deref());
+    let of = (first.specular.as_deref(), first.side.as_deref());
+    let title = title([&first.quantity, &first.column], first.used_as, of.0, of.1);
     let found = fits.iter().map(|fit| (fit.cost.ops, fit.certificate.max_abs)).collect();
-    Ok(CostSearch { title, command, found })
+    Ok(CostSearch { title, domain: first.certificate.domain.clone(), command, found })
 }

@@ -1,8 +1,9 @@
 //! What bakes leave for others.
 
 use std::fs;
-use std::os::unix::fs::MetadataExt;
 use std::path::Path;
+#[cfg(unix)]
+use std::{os::unix::fs::MetadataExt, time::Duration};
 
 use lobefit::store::Cache;
 
@@ -114,6 +115,7 @@ fn a_scene_with_more_in_it_is_spared_what_was_fitted_and_tabulated() {
     assert!(of(&alone, "fit-").iter().all(|name| new.contains(name)));
 }
 
+#[cfg(unix)]
 #[test]
 fn an_interrupted_bake_goes_on_from_what_was_finished() {
     let folder = tempfile::tempdir().unwrap();
@@ -132,6 +134,7 @@ fn an_interrupted_bake_goes_on_from_what_was_finished() {
         all.into_iter().filter(|name| name.ends_with(".entry")).filter_map(of_file).collect()
     };
     while finished().len() < 3 {
+        std::thread::sleep(Duration::from_millis(2));
         assert!(child.try_wait().unwrap().is_none(), "it ended before it was broken off");
     }
     child.kill().unwrap();

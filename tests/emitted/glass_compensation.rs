@@ -1,4 +1,4 @@
-//! The effect glass-compensation: the emitted factor in WGSL times R + T of a textbook, and the formulas in
+//! The effects glass-outside and glass-inside: the emitted factor in WGSL times R + T of a textbook, and the formulas in
 //! docs/scene.md.
 #![allow(clippy::disallowed_methods)]
 
@@ -9,9 +9,15 @@ use crate::width::PANES;
 
 use lobefit::approximate::Fit;
 use lobefit::data::Smith;
-use lobefit::effects::glass::compensation::FITS;
+use lobefit::effects::Effect;
+use lobefit::effects::glass::compensation::{INSIDE, OUTSIDE};
+use lobefit::effects::value::ValueFits;
 use lobefit::emit::manifest::Manifest;
 use lobefit_truth::integrate::glass::Side;
+
+fn both() -> impl Iterator<Item = &'static ValueFits<'static>> {
+    [&OUTSIDE, &INSIDE].into_iter().flat_map(|effect| effect.fits())
+}
 
 /// Places at some indices of refraction of what is inside.
 fn places() -> Vec<[f64; 3]> {
@@ -32,7 +38,7 @@ fn sent_on(side: Side, [roughness, mu, ior]: [f64; 3], points: usize) -> f64 {
 
 #[test]
 fn the_emitted_factor_gives_back_what_the_textbook_loses() {
-    for fits in &FITS {
+    for fits in both() {
         let side = fits.side.expect("a side");
         let truths: Vec<f64> = places().into_iter().map(|place| sent_on(side, place, 1 << 12)).collect();
         certified(&PANES, fits.own, (&places(), &truths), 4e-3, 0.5);
@@ -63,11 +69,15 @@ fn the_page_has_every_formula() {
     };
     let lacking: Vec<String> = own.iter().map(row).filter(|row| !page.contains(row)).collect();
     assert!(lacking.is_empty(), "docs/scene.md has no row\n{}", lacking.join("\n"));
-    assert_eq!(own.len(), FITS.iter().map(|fits| fits.own.len()).sum::<usize>());
+    assert_eq!(own.len(), both().map(|fits| fits.own.len()).sum::<usize>());
     let count = own.len();
     assert_promised("tests/emitted/glass_compensation.rs", own);
     let manifest = Manifest::read(&PANES.files["manifest.json"]).expect("a manifest");
-    let calls = manifest.entries.calls.iter().filter(|call| call.effect == "glass-compensation");
+    let calls = manifest
+        .entries
+        .calls
+        .iter()
+        .filter(|call| ["glass-outside", "glass-inside"].contains(&call.effect.as_str()));
     let then: Vec<&str> = calls.filter_map(|call| call.then.as_deref()).collect();
     assert_eq!(then, vec!["f*N"; count]);
 }

@@ -219,7 +219,12 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"ior\":[1,2]", "\"f0\":0.04"),
                 ("\"ior\":[1,2],", ""),
                 ("\"roughness\":1", "\"roughness\":1,\"anisotropy\":1.5"),
-                ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{}"),
+                ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{\"blend\":true}"),
+                ("\"wants\":{\"tables\":[{\"format\":\"f32\"}]", "\"anisotropy\":0.5,\"wants\":{\"fit\":{}"),
+                (
+                    "\"wants\":{\"tables\":[{\"format\":\"f32\"}]",
+                    "\"distribution\":\"beckmann\",\"wants\":{\"fit\":{}",
+                ),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"tables\":[{\"layout\":\"plain\"}]"),
                 ("[{\"format\":\"f32\"}]", "[]"),
             ],

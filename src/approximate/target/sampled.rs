@@ -67,6 +67,9 @@ impl Sampled {
     }
 }
 
+/// Axes that points do not fill.
+const DEEP: usize = 3;
+
 impl Target {
     /// The map that makes alpha, where alpha is an input.
     fn map(&self) -> Option<AlphaMap> {
@@ -124,9 +127,11 @@ impl Target {
         })
     }
 
-    /// Whether truths are so dear that the largest error lies between the points to certify at.
+    /// Whether the largest error lies between the points to certify at: truths are dear, or points have to
+    /// fill three axes.
     pub fn is_sparse(&self) -> bool {
-        self.f0.is_none() && self.is_sought()
+        let spanned = self.axes.iter().filter(|axis| axis.is_spanned()).count();
+        self.f0.is_none() && (self.is_sought() || (spanned >= DEEP && self.is_moderate()))
     }
 
     /// `count` points in a box about a place, as wide as this part of each axis, and the place itself.

@@ -68,6 +68,11 @@ impl Target {
         self.effort().log2 <= SOUGHT.log2
     }
 
+    /// Whether a truth takes a hundred microseconds or more.
+    pub(super) fn is_moderate(&self) -> bool {
+        self.effort().log2 <= MODERATE.log2
+    }
+
     /// A bound on the error of the truths.
     pub fn truth_error(&self) -> f64 {
         self.asked().0.tolerance_of_many(&self.variant)

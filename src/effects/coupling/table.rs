@@ -64,6 +64,7 @@ pub fn of_published(
         column: "factor".into(),
         used_as: COUPLING,
         smith: Some(*smith),
+        side: None,
         source: Source::Published(
             "1 - E from table: the exact factor of (A, B) at texel centres, f16".into(),
         ),

@@ -1,4 +1,4 @@
-//! The effect `glass-compensation`: the factor on a rough dielectric interface, reflection and
+//! The effects `glass-outside` and `glass-inside`: the factor on a rough dielectric interface, reflection and
 //! transmission, that gives back what is lost between facets. Quantity `ggx-glass`, N with E N = 1 of
 //! E = R + T, from either side.
 
@@ -15,31 +15,28 @@ use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::GGX_GLASS;
 
-/// The effect.
-pub struct GlassCompensation;
+/// The effect, for a view from one side.
+pub struct GlassCompensation {
+    name: &'static str,
+    fits: &'static [ValueFits<'static>; 1],
+    prefixes: &'static [&'static str],
+}
 
-/// The fits for rays from outside and from inside.
-pub static FITS: [ValueFits; 2] = [
-    OUTSIDE,
-    ValueFits {
-        side: Some(Side::Inside),
-        own: &own![
-            "ggx_glass_inside_4",
-            "ggx_glass_inside_6",
-            "ggx_glass_inside_9",
-            "ggx_glass_inside_11",
-            "ggx_glass_inside_19",
-            "ggx_glass_inside_25"
-        ],
-        role: "ggx_glass_energy_compensation_inside",
-        of: "glass from inside",
-        caption: "E = R + T from inside: beyond the critical angle the interface reflects alone, and what the facets lose grows with the \
-                  index.",
-        ..OUTSIDE
-    },
-];
+/// For a view from outside.
+pub static OUTSIDE: GlassCompensation = GlassCompensation {
+    name: "glass-outside",
+    fits: &[FROM_OUTSIDE],
+    prefixes: &["ggx_glass_energy_compensation_outside"],
+};
 
-const OUTSIDE: ValueFits = ValueFits {
+/// For a view from inside.
+pub static INSIDE: GlassCompensation = GlassCompensation {
+    name: "glass-inside",
+    fits: &[FROM_INSIDE],
+    prefixes: &["ggx_glass_energy_compensation_inside"],
+};
+
+const FROM_OUTSIDE: ValueFits = ValueFits {
     quantity: &GGX_GLASS,
     side: Some(Side::Outside),
     column: "E",
@@ -62,10 +59,30 @@ const OUTSIDE: ValueFits = ValueFits {
     caption: "E = R + T from outside: what a rough interface sends on. The rest is lost between facets.",
     curves: &[0.1, 0.2, 0.4, 0.7, 1.0],
     shown_at: &[("ior", 1.5)],
-    seconds: [1.0, 0.4],
+    seconds: [1.5, 0.7],
     table: None,
     around: None,
 };
+
+const FROM_INSIDE: ValueFits = ValueFits {
+    side: Some(Side::Inside),
+    own: &own![
+        "ggx_glass_inside_6",
+        "ggx_glass_inside_9",
+        "ggx_glass_inside_11",
+        "ggx_glass_inside_19",
+        "ggx_glass_inside_25"
+    ],
+    role: "ggx_glass_energy_compensation_inside",
+    of: "glass from inside",
+    caption: "E = R + T from inside: what a rough interface sends on. Beyond the critical angle it reflects alone. The rest is lost \
+              between facets.",
+    ..FROM_OUTSIDE
+};
+
+/// Least index of refraction that a job has which need not begin lower: towards 1 the loss from inside changes
+/// ever faster.
+const IOR_MIN: f64 = 1.1;
 
 /// Glass of GGX's distribution that wants fits.
 fn wanting(material: &Material) -> bool {
@@ -74,48 +91,46 @@ fn wanting(material: &Material) -> bool {
 
 impl Effect for GlassCompensation {
     fn name(&self) -> &'static str {
-        "glass-compensation"
+        self.name
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
         let least = scene.alpha.roughness(ALPHA_MIN);
-        let rough = |(_, material): &(usize, &Material)| wanting(material) && material.roughness[1] >= least;
-        let demand = |(of, material): (usize, &Material), (rank, fits): (usize, &ValueFits)| {
-            let (want, ior) = material.wants.fit.as_ref().zip(material.ior)?;
+        let demand = |(of, material): (usize, &Material)| {
+            let (want, ior) = material.wants.fit.as_ref().filter(|_| wanting(material)).zip(material.ior)?;
             let [low, high] = material.roughness;
-            let mut demand = fits.demand(scene, of, [low.max(least), high], want.goals.clone());
-            demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, GLASS_IOR])));
-            Some(Demand { rank, ..demand })
+            let mut demand = self.fits[0].demand(scene, of, [low.max(least), high], want.goals.clone());
+            demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN.min(ior[0]), GLASS_IOR])));
+            (high >= least).then_some(demand)
         };
-        let all = scene.materials.iter().enumerate().filter(rough);
-        all.flat_map(|of| FITS.iter().enumerate().filter_map(move |fits| demand(of, fits))).collect()
+        scene.materials.iter().enumerate().filter_map(demand).collect()
     }
 
     fn fits(&self) -> &'static [ValueFits<'static>] {
-        &FITS
+        self.fits
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        let all = FITS.each_ref().map(|fits| ValueFits { seconds: seconds(fits, scene), ..*fits });
-        value::expects(&all, jobs)
+        let [fits] = self.fits;
+        value::expects(&[ValueFits { seconds: seconds(fits, scene), ..*fits }], jobs)
     }
 
     fn left_out(&self, scene: &Scene) -> String {
-        self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
-            true => "no glass wants `fit`".into(),
-            false => NO_GLASS.into(),
-        })
+        let is_glass = scene.materials.iter().any(|m| m.lobe().is_glass());
+        let without = if is_glass { "no glass wants `fit`" } else { NO_GLASS };
+        self.unserved(scene).unwrap_or_else(|| without.into())
     }
 
     fn unserved(&self, scene: &Scene) -> Option<String> {
         let smooth: Vec<&Material> = scene.materials.iter().filter(|m| wanting(m)).collect();
         about(&smooth, |m| {
-            format!("{} {} below alpha {ALPHA_MIN}, where next to nothing is lost", named(m), verb(m, "stay"))
+            let (named, stay) = (named(m), verb(m, "stay"));
+            format!("{named} {stay} below alpha {ALPHA_MIN}, where next to nothing is lost")
         })
     }
 
     fn prefixes(&self) -> &'static [&'static str] {
-        &["ggx_glass_energy_compensation_"]
+        self.prefixes
     }
 
     fn lobe(&self, scene: &Scene) -> String {
@@ -126,9 +141,9 @@ impl Effect for GlassCompensation {
         &[(
             &["ggx_glass_energy_compensation_"],
             &[
-                "`ggx_glass_energy_compensation_outside` and `ggx_glass_energy_compensation_inside` multiply glass's reflection and transmission alike, by the side that",
-                "the view is on: then neither side loses light between facets. ior is inside over outside for either side. Pass roughness and ior within",
-                "the stated domain.",
+                "`ggx_glass_energy_compensation_outside` and `_inside` multiply glass's reflection and transmission alike, by",
+                "the side that the view is on, in place of `ggx_compensate_glass`, never beside it. ior is inside over outside",
+                "for either side. Pass roughness, n_dot_v and ior within the stated domain.",
             ],
         )]
     }

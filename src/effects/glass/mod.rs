@@ -25,7 +25,6 @@ use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
 use lobefit_truth::quantity::{self, BECKMANN_GLASS, GGX_GLASS, Quantity};
 
-pub use compensation::GlassCompensation;
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
 

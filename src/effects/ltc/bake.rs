@@ -90,6 +90,7 @@ pub(super) fn bake(
             column: ["the share of a square light", "E, B"][k].into(),
             used_as: Use::VALUE,
             smith,
+            side: None,
             source: Source::Fitted,
             certificate: certificate(&error, &setting, format.name()),
             cost: Cost { ops, fetches: 1, bytes: table.bytes() },

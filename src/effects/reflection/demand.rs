@@ -171,7 +171,7 @@ impl Reflection {
         if rough.is_empty() {
             return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
         }
-        // What is rough and wants neither table nor fits is anisotropic, glass, or has the exact term.
+        // What is rough and is not of this effect is anisotropic, glass, or has the exact term.
         let (glass, others): (Vec<&Material>, Vec<&Material>) =
             rough.into_iter().partition(|m| m.lobe().is_glass());
         let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =

@@ -239,6 +239,7 @@ pub(super) fn finish(spec: &Spec, table: &Table, made: Made, judge: Judge) -> Re
         column: column.into(),
         used_as,
         smith: table.smith,
+        side: None,
         source: Source::Fitted,
         cost: Cost { ops, fetches: 1 << table.axes.len().saturating_sub(TEXTURE_AXES), bytes: table.bytes() },
         form: Form::Table(table.quantised()),

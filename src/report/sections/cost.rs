@@ -23,7 +23,7 @@ const MANY: usize = 30;
 pub(super) fn page(costs: &Costs) -> Result<Page, ReportError> {
     let mut sections = vec![frontiers(costs)?, digits(costs)];
     sections.extend(vendors(costs));
-    sections.push(halves(costs));
+    sections.extend(halves(costs));
     sections.extend(searches(costs));
     for record in &costs.offline {
         sections.extend(offline::section(record)?);
@@ -194,7 +194,7 @@ fn vendors(costs: &Costs) -> Option<Section> {
         for own in frontier(job) {
             let cheaper = |of: usize| {
                 let (cost, name) = cheapest(job, of, own.error)?;
-                let saved = 1.0 - cost / own.costs[of].filter(|own| *own > cost)?;
+                let saved = 1.0 - cost / own.costs[of].filter(|own| *own > cost && cost > 0.0)?;
                 Some((saved, format!("{name} −{} %", brief(100.0 * saved, 2))))
             };
             let found: Vec<Option<(f64, String)>> = (1..costs.units.len()).map(cheaper).collect();
@@ -239,47 +239,40 @@ fn frontier(job: &CostJob) -> Vec<&CostPoint> {
     own
 }
 
-/// The frontier in half precision beside that in single precision.
-fn halves(costs: &Costs) -> Section {
-    let blocks = costs.jobs.iter().flat_map(|job| {
-        let own = || job.points.iter().filter(|point| !point.published);
-        let best = |budget: f64, error: fn(&CostPoint) -> Option<f64>| {
-            let within = own().filter(|point| point.costs[0] <= Some(budget));
-            let errors = within.filter_map(|point| Some((error(point)?, point.name.clone())));
-            errors.min_by(|a, b| a.0.total_cmp(&b.0))
+/// More than this part of its error in single precision a formula adds in half, where that is told.
+const ADDED: f64 = 0.05;
+
+/// What half precision changes of the frontier; none where nothing is measured in both.
+fn halves(costs: &Costs) -> Option<Section> {
+    let mut blocks = Vec::new();
+    for job in &costs.jobs {
+        let row = |own: &&CostPoint| {
+            let within = job.points.iter().filter(|point| !point.published && point.costs[0] <= own.costs[0]);
+            let halves = within.filter_map(|point| Some((point.half?, &point.name)));
+            let (half, name) = halves.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            let is_told = *name != own.name || half > (1.0 + ADDED) * own.error;
+            is_told.then(|| vec![own.name.clone(), words::max(own.error), name.clone(), words::max(half)])
         };
-        let mut budgets: Vec<f64> = own().filter_map(|point| point.costs[0]).collect();
-        budgets.sort_by(f64::total_cmp);
-        let at = |budget| [best(budget, |point| Some(point.error)), best(budget, |point| point.half)];
-        let mut rows = Vec::new();
-        let mut before = [None, None];
-        for budget in budgets {
-            let found = at(budget);
-            if found != before {
-                let cells = found.iter().flat_map(|best| match best {
-                    Some((error, name)) => [name.clone(), words::max(*error)],
-                    None => ["–".into(), "–".into()],
-                });
-                rows.push([budget.to_string()].into_iter().chain(cells).collect());
-            }
-            before = found;
+        let rows: Vec<Vec<String>> = frontier(job).iter().filter_map(row).collect();
+        if !rows.is_empty() {
+            let columns = "best in f32|largest error>|best in f16 for no more operations|largest error>";
+            blocks.push(Block::Heading { text: job.title.clone() });
+            blocks.push(Block::Table(words::table(columns, rows, &job.metric)));
         }
-        let columns = "operations within>|best in f32|largest error>|best in f16|largest error>";
-        [Block::Heading { text: job.title.clone() }, Block::Table(words::table(columns, rows, &job.metric))]
-    });
-    Section::new(
-        "halves",
-        "Half precision",
-        "At every budget of operations the most accurate formula in f32, and in f16 with every operation rounded, with products fused into \
-            sums or without, whichever errs more.",
-        blocks.collect(),
-    )
+    }
+    let lead = format!(
+        "In f16 every operation is rounded, with products fused into sums or without, whichever errs more. At the budgets of operations that \
+            stand here another formula is the most accurate, or its error grows by more than {} %.",
+        100.0 * ADDED
+    );
+    (!blocks.is_empty()).then(|| Section::new("halves", "Half precision", lead, blocks))
 }
 
 /// The formulas beside what a longer search finds; none without a record of formulas that are here.
 fn searches(costs: &Costs) -> Option<Section> {
     let beside = |search: &CostSearch| {
-        let job = costs.jobs.iter().find(|job| job.title == search.title)?;
+        let is_same = |job: &&CostJob| (&job.title, &job.domain) == (&search.title, &search.domain);
+        let job = costs.jobs.iter().find(is_same)?;
         let rows = search.found.iter().filter_map(|(ops, error)| {
             let own =
                 job.points.iter().filter(|point| !point.published && point.costs[0] <= Some(f64::from(*ops)));
@@ -299,7 +292,7 @@ fn searches(costs: &Costs) -> Option<Section> {
         Section::new(
             "searches",
             "What a longer search finds",
-            "The formulas above, and the frontier of a search that takes longer than theirs did. A ratio above 1 is what is left to find; below 1 the \
+            "The formulas above, and the frontier of a longer search over the same domain. A ratio above 1 is what is left to find; below 1 the \
                 search misses what another found.",
             blocks,
         )

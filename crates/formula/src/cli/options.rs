@@ -41,8 +41,8 @@ pub(super) struct Options {
     /// code: amd, intel, adreno, mali or nvidia; neutral counts operations
     #[arg(long, value_name = "VENDOR", requires = "search", conflicts_with = "hypothesis", value_parser = gpus(), default_value = NEUTRAL)]
     pub cost: Gpus,
-    /// Forms of each cost that are built upon (--search only): more take longer and may find better
-    /// ones; without it, 24
+    /// Forms of each cost that are built upon, and twice as many nested sums (--search only): more
+    /// take longer and may find better ones; without it, 24
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub width: Option<u16>,
     /// What forms may have beside sums of powers (--search only): auto (what pays in narrow

@@ -296,7 +296,11 @@ impl Quantity for Glass {
     }
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
-        if outputs == ["R"] { 100.0 } else { 1e4 }
+        match outputs {
+            ["R"] => 100.0,
+            ["E"] => 300.0,
+            _ => 1e4,
+        }
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -50,8 +50,10 @@ impl Residual {
 
     /// The value without an error.
     pub fn ideal(self, truth: f64) -> f64 {
-        let [scale, target] = self.scaled(truth);
-        target / scale
+        match self {
+            Residual::Difference | Residual::Quotient => truth,
+            Residual::Product => 1.0 / truth,
+        }
     }
 }
 
