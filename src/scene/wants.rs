@@ -284,7 +284,7 @@ impl OpenWants {
                 ));
             }
             if let Some(field) = fit.of_reflection() {
-                return Err(about(&format!("wants.fit.{field}"), "it is of lobes that only reflect"));
+                return Err(about(format!("wants.fit.{field}"), "it is of lobes that only reflect"));
             }
         }
         let OpenWants { tables, fit, exact_fresnel, refracted_width, widened } = self;
