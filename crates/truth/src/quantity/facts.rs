@@ -49,7 +49,7 @@ pub struct Facts {
     pub inputs: &'static [Input],
     /// Its outputs, in the order in which `Quantity::at` gives them; the last is the error.
     pub outputs: &'static [&'static str],
-    /// What a variant of it says. Nothing else of a [`Variant`] is looked at.
+    /// What a variant of it says. Nothing else of a [`Variant`](super::Variant) is looked at.
     pub choices: &'static [Choice],
     /// The largest error where no tolerance is asked for: the quantity's promise.
     pub tolerance: f64,
