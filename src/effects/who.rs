@@ -12,6 +12,9 @@ const NAMED: usize = 3;
 /// Why a scene leaves out what is of glass, where it has none.
 pub(super) const NO_GLASS: &str = "no material transmits light";
 
+/// Why a scene leaves out functions of glass, where none of its glass wants them.
+pub(super) const NOT_ASKED: &str = "no glass asks for it (`fit`, `refracted_width`)";
+
 /// Materials with a rough specular lobe: place in the scene, material, roughness range.
 pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f64; 2])> {
     let materials = scene.materials.iter().enumerate();

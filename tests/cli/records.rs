@@ -358,3 +358,39 @@ fn options_that_do_not_go_together_are_wrong_usage() {
         assert!(!error.is_empty() && names(folder.path()).is_empty(), "{arguments:?}");
     }
 }
+
+/// A formula with half of the error of one of the bake, as a search might find it.
+#[test]
+fn what_a_longer_search_finds_stands_on_the_page_of_costs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    std::fs::write(at.join("scene.json"), SCENE).expect("written");
+    let (code, _, error) = run(at, &["bake", "scene.json"]);
+    assert_eq!(code, 0, "{error}");
+    let manifest: Value =
+        serde_json::from_slice(&std::fs::read(at.join("manifest.json")).expect("a file")).expect("JSON");
+    let mut fit = manifest["fits"][0].clone();
+    let error = fit["certificate"]["max_abs"].as_f64().expect("an error");
+    fit["certificate"]["max_abs"] = json!(0.5 * error);
+    let searches = at.join("reports/searches");
+    std::fs::create_dir_all(&searches).expect("a folder");
+    let page = |fits: Value| {
+        let document =
+            json!({"schema_version": SCHEMA_VERSION, "command": "lobefit fit --search", "fits": fits});
+        std::fs::write(searches.join("found.json"), document.to_string()).expect("written");
+        let (code, _, error) = run(at, &["cost", "scene.json", "--page", "page.html"]);
+        (code, error, std::fs::read_to_string(at.join("page.html")).unwrap_or_default())
+    };
+    let (code, error, html) = page(json!([fit]));
+    assert_eq!(code, 0, "{error}");
+    let section = html.split("What a longer search finds").nth(2).expect("a link and a section");
+    assert!(section.contains("Found by lobefit fit --search.") && section.contains(">2.00<"), "{section}");
+    fit["certificate"]["domain"]["mu"] = json!([0.5, 1.0]);
+    let (code, _, html) = page(json!([fit]));
+    assert!(code == 0 && !html.contains("What a longer search finds"), "errors over another domain");
+    let (code, error, _) = page(json!([]));
+    assert!(
+        code == 2 && error.contains("found.json: no record of lobefit fit --search: fits: the list"),
+        "{error}"
+    );
+}

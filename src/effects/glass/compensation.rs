@@ -8,7 +8,7 @@ use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::dielectric::{ALPHA_MIN, seconds};
 use crate::effects::effect::Note;
 use crate::effects::value::{self, IOR_WIDTH_MIN, ValueFits};
-use crate::effects::who::{NO_GLASS, about, named, verb};
+use crate::effects::who::{NO_GLASS, NOT_ASKED, about, named, verb};
 use crate::effects::{Effect, JobSummary, ggx};
 use crate::scene::limits::GLASS_IOR;
 use crate::scene::{Lobe, Material, Scene};
@@ -117,7 +117,7 @@ impl Effect for GlassCompensation {
 
     fn left_out(&self, scene: &Scene) -> String {
         let is_glass = scene.materials.iter().any(|m| m.lobe().is_glass());
-        let without = if is_glass { "no glass wants `fit`" } else { NO_GLASS };
+        let without = if is_glass { NOT_ASKED } else { NO_GLASS };
         self.unserved(scene).unwrap_or_else(|| without.into())
     }
 

@@ -5,7 +5,7 @@
 use super::demand::{Demand, Span};
 use super::effect::Note;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
-use super::who::{about, anisotropy, rough, stay_smooth};
+use super::who::{NOT_ASKED, about, anisotropy, rough, stay_smooth};
 use super::{Effect, ggx};
 use crate::approximate::{own, published};
 use crate::data::AlphaMap;
@@ -192,7 +192,7 @@ impl Effect for Width {
     fn left_out(&self, scene: &Scene) -> String {
         self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
             false => "no material transmits light or wants `widened`".into(),
-            true => "no glass wants `refracted_width`".into(),
+            true => NOT_ASKED.into(),
         })
     }
 
