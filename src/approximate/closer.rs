@@ -1,5 +1,5 @@
-//! The largest error of a formula where truths are dear: few points are measured, and the largest
-//! error lies between them. Boxes about the worst point of each cell close in on it.
+//! The largest error of a formula where truths are dear, or points have to fill three axes: few are
+//! measured, and the largest error lies between them. Boxes about the worst point of each cell close in on it.
 
 use super::Memo;
 use super::certificate::{certificate, worse};
@@ -35,7 +35,7 @@ pub struct Places<'a> {
 }
 
 /// The certificate at the points measured, its largest errors searched from the worst of these
-/// where truths are dear. RMS and mean are those of the points alone.
+/// where they are sparse. RMS and mean are those of the points alone.
 ///
 /// # Errors
 /// An input that the target does not have; a value that is not finite in this arithmetic; a truth that

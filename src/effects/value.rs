@@ -154,13 +154,18 @@ impl ValueFits<'_> {
         self.used_as.unwrap_or_else(|| self.quantity.uses(self.column)[0])
     }
 
-    /// What formulas stand for, and what their error is, on pages.
-    fn words(&self) -> [String; 2] {
+    /// On pages: what formulas stand for, a map of their errors, and their error.
+    fn words(&self) -> [String; 3] {
         let column = self.column;
         match self.used_as().residual {
-            Residual::Difference => [column.into(), column.into()],
-            Residual::Product => [format!("N = 1/{column}"), format!("{column} N - 1")],
-            Residual::Quotient => [column.into(), format!("relative error of {column}")],
+            Residual::Difference => [column.into(), column.into(), format!("error of {column}")],
+            Residual::Product => {
+                let (factor, error) = (format!("N = 1/{column}"), format!("{column} N - 1"));
+                [factor, error.clone(), format!("furnace error |{error}|")]
+            }
+            Residual::Quotient => {
+                [column.into(), format!("relative {column}"), format!("relative error of {column}")]
+            }
         }
     }
 
@@ -196,12 +201,8 @@ impl ValueFits<'_> {
         let FitSet { fits, dropped, nearest, .. } =
             approximate::fit_all(&self.wanted(job, context.scene, &region)?, &context.memo)?;
         let shown = self.shown(job)?;
-        let [_, error] = self.words();
-        let metric = format!(
-            "{} of the best fit",
-            if error == self.column { format!("error of {error}") } else { error }
-        );
-        made.measured(page::smallest_error(&fits), &metric);
+        let [_, _, metric] = self.words();
+        made.measured(page::smallest_error(&fits), &format!("{metric} of the best fit"));
         made.promised(job, (&fits, &nearest), self.of, self.used_as());
         if !made.broken.is_empty() {
             return Ok(None);
@@ -310,7 +311,7 @@ impl ValueFits<'_> {
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
         let residual = self.used_as().residual;
-        let [shown_as, error_of] = self.words();
+        let [shown_as, error_of, _] = self.words();
         let along: Vec<f64> = along.iter().map(|truth| residual.ideal(*truth)).collect();
         let finding = |one: &Selected| {
             let values = map.values(one.fit, 1.0)?;

@@ -210,8 +210,8 @@ struct FitFile {
     multiscatter: Maybe<bool>,
     /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false. Not of glass.
     blend: Maybe<bool>,
-    /// Hypotheses of your own, not of glass: WGSL files, as relative paths from the scene file's folder, with `/`
-    /// and without `..`.
+    /// Hypotheses of your own, not of glass: WGSL files, as relative paths from the scene file's folder,
+    /// with `/` and without `..`.
     hypotheses: Maybe<List<Text<HypothesisPath>, { limits::HYPOTHESES }>>,
 }
 

@@ -88,8 +88,8 @@ pub fn costs(
     Ok((units, jobs))
 }
 
-/// What formulas for a use stand for; of factors of what lies below, with the lobe above, and with the side of the
-/// view where there are two.
+/// What formulas for a use stand for; of factors of what lies below, with the lobe above, and with the
+/// side of the view where there are two.
 pub fn title(
     [quantity, column]: [&str; 2],
     used_as: Use,

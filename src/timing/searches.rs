@@ -1,4 +1,5 @@
-//! Records of searches: documents of `lobefit fit --search`, beside which the formulas of this version are seen.
+//! Records of searches: documents of `lobefit fit --search`, beside which the formulas of this version
+//! are seen.
 
 use serde::Deserialize;
 

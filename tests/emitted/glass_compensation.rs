@@ -1,5 +1,5 @@
-//! The effects glass-outside and glass-inside: the emitted factor in WGSL times R + T of a textbook, and the formulas in
-//! docs/scene.md.
+//! The effects glass-outside and glass-inside: the emitted factor in WGSL times R + T of a textbook, and
+//! the formulas in docs/scene.md.
 #![allow(clippy::disallowed_methods)]
 
 use crate::baked_support::assert_promised;

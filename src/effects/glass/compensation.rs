@@ -80,7 +80,7 @@ const FROM_INSIDE: ValueFits = ValueFits {
     ..FROM_OUTSIDE
 };
 
-/// Least index of refraction that a job has which need not begin lower: towards 1 the loss from inside changes
+/// Least index of refraction of a job that need not begin lower: towards 1 the loss from inside changes
 /// ever faster.
 const IOR_MIN: f64 = 1.1;
 

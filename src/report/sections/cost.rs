@@ -184,8 +184,8 @@ fn digits(costs: &Costs) -> Section {
     )
 }
 
-/// For each formula of the frontier by operations what is cheaper on the GPUs of a vendor and errs no more; none
-/// where nothing is.
+/// For each formula of the frontier by operations what is cheaper on the GPUs of a vendor and errs no
+/// more; none where nothing is.
 fn vendors(costs: &Costs) -> Option<Section> {
     let mut most = vec![0.0_f64; costs.units.len()];
     let mut blocks = Vec::new();
@@ -239,7 +239,7 @@ fn frontier(job: &CostJob) -> Vec<&CostPoint> {
     own
 }
 
-/// More than this part of its error in single precision a formula adds in half, where that is told.
+/// More than this part of its error in single precision a formula adds in half, where it has a row.
 const ADDED: f64 = 0.05;
 
 /// What half precision changes of the frontier; none where nothing is measured in both.
@@ -250,8 +250,8 @@ fn halves(costs: &Costs) -> Option<Section> {
             let within = job.points.iter().filter(|point| !point.published && point.costs[0] <= own.costs[0]);
             let halves = within.filter_map(|point| Some((point.half?, &point.name)));
             let (half, name) = halves.min_by(|a, b| a.0.total_cmp(&b.0))?;
-            let is_told = *name != own.name || half > (1.0 + ADDED) * own.error;
-            is_told.then(|| vec![own.name.clone(), words::max(own.error), name.clone(), words::max(half)])
+            let differs = *name != own.name || half > (1.0 + ADDED) * own.error;
+            differs.then(|| vec![own.name.clone(), words::max(own.error), name.clone(), words::max(half)])
         };
         let rows: Vec<Vec<String>> = frontier(job).iter().filter_map(row).collect();
         if !rows.is_empty() {
