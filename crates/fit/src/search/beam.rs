@@ -26,8 +26,12 @@ pub(super) struct Entry {
 }
 
 /// A dearer form is kept to be built upon if its error is below this multiple of the best of the
-/// cheaper ones.
+/// cheaper ones, and of what is known to be reached at its cost.
 const WORSE: f64 = 1.6;
+
+/// The cost from which on forms are measured by what else is known: cheaper ones grow into good ones
+/// that are found in no other way.
+const DEAR: u32 = 14;
 
 /// Entries of each cost and family, best first.
 type Levels = BTreeMap<(u32, Family), Vec<Entry>>;
@@ -45,14 +49,16 @@ fn family(form: &Form) -> Family {
 pub(super) struct Beam<'a> {
     space: &'a Space,
     data: Data<'a>,
+    /// Least errors of forms that are no quotients, by cost; none beyond the end.
+    least: &'a [f64],
     levels: Levels,
     seen: BTreeSet<Form>,
     tried: u64,
 }
 
 impl<'a> Beam<'a> {
-    pub fn new(space: &'a Space, data: Data<'a>) -> Beam<'a> {
-        Beam { space, data, levels: BTreeMap::new(), seen: BTreeSet::new(), tried: 0 }
+    pub fn new(space: &'a Space, data: Data<'a>, least: &'a [f64]) -> Beam<'a> {
+        Beam { space, data, least, levels: BTreeMap::new(), seen: BTreeSet::new(), tried: 0 }
     }
 
     /// Runs the search: the best forms of every cost, of all families.
@@ -147,7 +153,8 @@ impl<'a> Beam<'a> {
         let at = |ops: u32| self.levels.get(&(ops, family.clone()));
         let cheaper = (0..ops).filter_map(at).filter_map(|l| l.first()).map(|e| WORSE * e.score.max);
         let own = at(ops).filter(|l| l.len() >= self.space.width).and_then(|l| l.last());
-        cheaper.chain(own.map(|e| e.score.max)).fold(f64::INFINITY, f64::min)
+        let known = self.least.get(ops as usize).filter(|_| ops >= DEAR).map(|max| WORSE * max);
+        cheaper.chain(own.map(|e| e.score.max)).chain(known).fold(f64::INFINITY, f64::min)
     }
 }
 

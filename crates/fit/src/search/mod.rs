@@ -86,11 +86,13 @@ pub fn search(
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
     space.check(samples)?;
-    let mut found = solved(space, samples, progress)?;
-    found.extend(nested::found(space, samples, progress)?);
+    let mut found = nested::found(space, samples, progress)?;
+    let least = |ops: u32| found.iter().filter(|f| f.ops <= ops).map(|f| f.max).fold(f64::INFINITY, f64::min);
+    let least: Vec<f64> = (0..=space.max_ops + BEYOND).map(least).collect();
+    found.extend(solved(space, samples, &least, progress)?);
     for link in &space.links {
         let Some(space) = space.with(Aid::Link(*link)) else { continue };
-        found.extend(solved(&space, samples, progress)?);
+        found.extend(solved(&space, samples, &[], progress)?);
     }
     finish::best(found, space, space.max_ops)
 }
@@ -102,17 +104,18 @@ pub fn search(
 const BEYOND: u32 = 2;
 const WIDE: u32 = 16;
 
-/// The best forms of every cost.
+/// The best forms of every cost, of those that are not far behind the least errors known by cost.
 fn solved(
     space: &Space,
     samples: &SearchSamples,
+    least: &[f64],
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
     let ranked = samples.ranked();
     let reach = space.max_ops.max(WIDE.min(space.max_ops + BEYOND));
     let wide = Space { max_ops: reach, ..space.clone() };
     let levels = |ranked: &SearchSamples| {
-        let mut levels = beam::Beam::new(&wide, score::Data::new(&wide, ranked)).run(progress);
+        let mut levels = beam::Beam::new(&wide, score::Data::new(&wide, ranked), least).run(progress);
         levels.truncate(1 + space.max_ops as usize);
         levels
     };

@@ -125,7 +125,7 @@ impl PairSamples {
 /// The best forms of every cost, as long as they are not much worse than cheaper ones.
 fn candidates(space: &Space, samples: &SearchSamples, progress: &dyn Fn(&Progress)) -> Vec<Entry> {
     let ranked = samples.ranked();
-    let levels = Beam::new(space, Data::new(space, &ranked)).run(progress);
+    let levels = Beam::new(space, Data::new(space, &ranked), &[]).run(progress);
     let mut least = f64::INFINITY;
     let mut all = Vec::new();
     for level in levels {

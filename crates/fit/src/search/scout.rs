@@ -142,7 +142,7 @@ fn small(space: &Space) -> Space {
 
 fn narrow(space: &Space, samples: &SearchSamples, progress: &dyn Fn(&Progress)) -> Vec<Vec<Entry>> {
     let narrow = small(space);
-    Beam::new(&narrow, Data::new(&narrow, samples)).run(progress)
+    Beam::new(&narrow, Data::new(&narrow, samples), &[]).run(progress)
 }
 
 /// The smallest error of the chosen forms, at every cost or below.

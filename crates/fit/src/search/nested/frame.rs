@@ -24,6 +24,9 @@ pub(super) struct Level {
 /// A column whose part across the others is below this part of it depends on them.
 const DEPENDENT: f64 = 1e-9;
 
+/// The same of squares that are a difference: rounding leaves 1e-15 of them.
+const CANCELLED: f64 = 1e-12;
+
 impl Frame {
     /// None where a column depends on those before.
     pub fn new(
@@ -38,23 +41,26 @@ impl Frame {
             rest: target.to_vec(),
         };
         for column in columns {
-            let across = frame.across(column)?;
-            let weighted: Vec<f64> = weights.iter().zip(&across).map(|(w, x)| w * x).collect();
-            let along = product(&weighted, &frame.rest);
-            take(&mut frame.rest, along, &across);
-            frame.weighted.push(weighted);
-            frame.basis.push(across);
+            frame.push(column)?;
         }
         Some(frame)
     }
 
-    /// A column without its parts along the basis, of length 1. Twice, as one pass leaves rounding
-    /// errors of the parts that it takes away.
+    /// One column more; none where it depends on those before.
+    pub fn push(&mut self, column: Vec<f64>) -> Option<()> {
+        let across = self.across(column)?;
+        let weighted: Vec<f64> = self.weights.iter().zip(&across).map(|(w, x)| w * x).collect();
+        let along = product(&weighted, &self.rest);
+        take(&mut self.rest, along, &across);
+        self.weighted.push(weighted);
+        self.basis.push(across);
+        Some(())
+    }
+
+    /// A column without its parts along the basis, of length 1.
     pub fn across(&self, mut column: Vec<f64>) -> Option<Vec<f64>> {
         let whole = dot(&self.weights, &column, &column).sqrt();
-        for (own, weighted) in
-            self.basis.iter().zip(&self.weighted).chain(self.basis.iter().zip(&self.weighted))
-        {
+        for (own, weighted) in self.basis.iter().zip(&self.weighted) {
             let along = product(weighted, &column);
             take(&mut column, along, own);
         }
@@ -64,6 +70,15 @@ impl Frame {
         }
         column.iter_mut().for_each(|x| *x /= length);
         Some(column)
+    }
+
+    /// What a column takes away of the weighted squares; 0 where it depends on the basis.
+    pub fn gain(&self, column: &[f64]) -> f64 {
+        let weighted: Vec<f64> = self.weights.iter().zip(column).map(|(w, x)| w * x).collect();
+        let whole = product(&weighted, column);
+        let square = |own: &Vec<f64>| product(&weighted, own).powi(2);
+        let across = whole - self.basis.iter().map(square).sum::<f64>();
+        if across > CANCELLED * whole { product(&weighted, &self.rest).powi(2) / across } else { 0.0 }
     }
 
     /// The sets of one or two columns across the basis that take most away of the weighted squares.
@@ -87,17 +102,20 @@ impl Frame {
     }
 
     /// Rounds of Lawson's for the basis and columns across it: the one with the smallest largest
-    /// residual. None where the least squares have no solution.
-    pub fn lawson(&self, others: &[&[f64]], rounds: usize) -> Option<Level> {
+    /// residual. None where the least squares have no solution, or two rounds leave more than a limit.
+    pub fn lawson(&self, others: &[&[f64]], rounds: usize, limit: f64) -> Option<Level> {
         let columns: Vec<&[f64]> =
             self.basis.iter().map(Vec::as_slice).chain(others.iter().copied()).collect();
         let mut weights = self.weights.clone();
         let mut best: Option<Level> = None;
-        for _ in 0..rounds {
+        for round in 0..rounds {
             let residuals = self.residuals(&columns, &weights)?;
             let max = residuals.iter().fold(0.0_f64, |top, r| top.max(r.abs()));
             if best.as_ref().is_none_or(|level| max < level.max) {
                 best = Some(Level { max, weights: weights.clone() });
+            }
+            if round == 1 && best.as_ref().is_some_and(|level| level.max > limit) {
+                return None;
             }
             weights.iter_mut().zip(&residuals).for_each(|(w, r)| *w *= r.abs());
             let sum: f64 = weights.iter().sum();

@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use self::frame::{Frame, coefficients};
-use self::tree::{Steps, Terms, additions, column, text};
+use self::tree::{Monomials, Steps, Terms, additions, text};
 use super::draft::Draft;
 use super::finish::finished;
 use super::form::Term;
@@ -55,9 +55,16 @@ const FACTORS: [f64; 4] = [1.12, 1.0 / 1.12, 1.35, 1.0 / 1.35];
 /// The first k.
 const FIRST: [f64; 3] = [0.7, 1.4, 2.8];
 
-/// Walks from the best sums of a cost, and the samples, of all and of the edges, that they see.
-const WALKS: usize = 24;
+/// Walks from the best sums of a cost and a set of products; and the samples, of all and of the
+/// edges, that walks see.
+const WALKS: usize = 8;
 const FEWER: [usize; 2] = [160, 120];
+
+/// Sums of a cost, with whatever products, that walk on at last; and moves of a walk for every
+/// monomial, at first and at last.
+const ELITE: usize = 10;
+const MOVES: usize = 140;
+const LONG: usize = 1500;
 
 /// Sums of each cost that are solved on all samples.
 const FINALISTS: usize = 6;
@@ -82,18 +89,31 @@ pub(super) fn found(
     let (ranked, few) = (samples.ranked(), samples.some(FEWER));
     let finalists = space.finalists(FINALISTS);
     let mut levels: Vec<Vec<(Steps, Sum)>> = vec![Vec::new(); 1 + space.max_ops as usize];
+    let mut tried = 0;
     for steps in space.helpers.iter().filter_map(|helper| Steps::of(space, *helper)).flat_map(products) {
         let mut beam = Beam { space, steps: &steps, samples: &ranked, few: &few, tried: 0 };
         for (level, found) in levels.iter_mut().zip(beam.run(progress)) {
             level.extend(found.into_iter().take(finalists).map(|sum| (steps.clone(), sum)));
         }
+        tried += beam.tried;
     }
-    let best = |mut level: Vec<(Steps, Sum)>| {
-        level.sort_by(|a, b| better(&a.1, &b.1));
+    // The best of all reciprocals and products walk on, for longer.
+    let sort = |level: &mut Vec<(Steps, Sum)>| level.sort_by(|a, b| better(&a.1, &b.1));
+    for (ops, level) in levels.iter_mut().enumerate().filter(|(_, level)| !level.is_empty()) {
+        sort(level);
+        let elite = level[..level.len().min(space.widened(ELITE))].par_iter().enumerate();
+        let walked = elite.filter_map(|(seed, (steps, sum))| {
+            let beam = Beam { space, steps, samples: &ranked, few: &few, tried: 0 };
+            Some((steps.clone(), beam.annealed(sum, seed as u64, LONG)?))
+        });
+        let walked: Vec<(Steps, Sum)> = walked.collect();
+        level.extend(walked);
+        sort(level);
         level.truncate(finalists);
-        level
-    };
-    let finalists: Vec<(Steps, Sum)> = levels.into_iter().flat_map(best).collect();
+        let (ops, max_ops, best) = (ops as u32, space.max_ops, level[0].1.max);
+        progress(&Progress { trial: None, sweep: 0, sweeps: 1, ops, max_ops, forms: tried, best });
+    }
+    let finalists: Vec<(Steps, Sum)> = levels.into_iter().flatten().collect();
     let solved = finalists.par_iter().map(|(steps, sum)| solve(space, steps, sum, &ranked, samples));
     let solved: Vec<Option<Found>> = solved.collect::<Result<_, _>>()?;
     Ok(solved.into_iter().flatten().collect())
@@ -153,7 +173,10 @@ impl Beam<'_> {
             level.extend(self.grown(&levels[at - 2], 2, &mut seen));
             level.sort_by(better);
             level.truncate(self.space.widened(WIDTH));
-            level.extend(self.annealed(&level));
+            let walks = level[..level.len().min(self.space.widened(WALKS))].par_iter().enumerate();
+            let walked = walks.filter_map(|(seed, sum)| self.annealed(sum, seed as u64, MOVES));
+            let walked: Vec<Sum> = walked.collect();
+            level.extend(walked);
             level.sort_by(better);
             let mut kept = BTreeSet::new();
             level.retain(|sum| kept.insert((sum.terms.clone(), bucket(sum.k))));
@@ -173,17 +196,13 @@ impl Beam<'_> {
         FIRST.iter().map(seed).collect()
     }
 
-    /// The ends of walks from the best sums of a level.
-    fn annealed(&mut self, level: &[Sum]) -> Vec<Sum> {
-        let walks = level[..level.len().min(self.space.widened(WALKS))].par_iter().enumerate();
+    /// The end of a walk from a sum, of so many moves for every monomial.
+    fn annealed(&self, sum: &Sum, seed: u64, moves: usize) -> Option<Sum> {
         let few = Beam { samples: self.few, ..*self };
         let n = self.samples.len();
-        let end = |(seed, sum)| {
-            let end = few.walk(sum, seed as u64)?;
-            let sum = self.measured(&end.terms, end.k, &vec![1.0 / n as f64; n], ROUNDS[1])?;
-            Some(self.tuned(sum))
-        };
-        walks.filter_map(end).collect()
+        let end = few.walk(sum, seed, moves)?;
+        let sum = self.measured(&end.terms, end.k, &vec![1.0 / n as f64; n], ROUNDS[1])?;
+        Some(self.tuned(sum))
     }
 
     /// The best sums of one or two terms more, but for those seen before.
@@ -207,15 +226,16 @@ impl Beam<'_> {
     /// The sums of one or two terms more that a sum may grow into, the best by weighted least
     /// squares measured by a few rounds; and how many there were.
     fn ranked<'b>(&self, from: &'b Sum, more: usize) -> (Vec<Grown<'b>>, u64) {
-        let inverse = self.inverse(from.k);
-        let Some(frame) = self.frame(&from.terms, &inverse, &from.weights) else { return (Vec::new(), 0) };
+        let mut columns = self.monomials(from.k);
+        let Some(frame) = self.framed(&from.terms, &mut columns, &from.weights) else { return (Vec::new(), 0) };
         let near = additions(self.space, self.steps, &from.terms);
         let mut pool: Vec<(Term, Vec<f64>)> = Vec::new();
         let mut add = |term: Term| {
             if let Some(k) = pool.iter().position(|(own, _)| *own == term) {
                 return Some(k);
             }
-            pool.push((term, frame.across(self.column(&inverse, &term))?));
+            columns.compute([&term]);
+            pool.push((term, frame.across(columns.of(&term).to_vec())?));
             Some(pool.len() - 1)
         };
         let mut sets: Vec<Vec<usize>> = Vec::new();
@@ -237,7 +257,7 @@ impl Beam<'_> {
         let best = frame.best(&columns, sets, BEST);
         let grown = |set: &Vec<usize>| {
             let others: Vec<&[f64]> = set.iter().map(|k| columns[*k]).collect();
-            let max = frame.lawson(&others, FEW)?.max;
+            let max = frame.lawson(&others, FEW, f64::INFINITY)?.max;
             let mut terms: Terms = from.terms.iter().copied().chain(set.iter().map(|k| pool[*k].0)).collect();
             terms.sort_unstable();
             Some(Grown { from, terms, max })
@@ -246,7 +266,7 @@ impl Beam<'_> {
     }
 
     fn measured(&self, terms: &Terms, k: f64, weights: &[f64], rounds: usize) -> Option<Sum> {
-        let level = self.frame(terms, &self.inverse(k), weights)?.lawson(&[], rounds)?;
+        let level = self.framed(terms, &mut self.monomials(k), weights)?.lawson(&[], rounds, f64::INFINITY)?;
         Some(Sum { terms: terms.clone(), k, weights: level.weights, max: level.max })
     }
 
@@ -259,16 +279,16 @@ impl Beam<'_> {
         more.filter(|more| more.max < best.max).unwrap_or(best)
     }
 
-    fn inverse(&self, k: f64) -> Vec<f64> {
-        self.steps.helper.values(&self.samples.axes, k)
+    fn monomials(&self, k: f64) -> Monomials<'_> {
+        Monomials::new(self.samples, self.steps.helper.values(&self.samples.axes, k))
     }
 
-    fn column(&self, inverse: &[f64], term: &Term) -> Vec<f64> {
-        column(&self.samples.axes, inverse, &self.samples.scale, term)
+    fn framed(&self, terms: &Terms, columns: &mut Monomials, weights: &[f64]) -> Option<Frame> {
+        columns.compute(terms);
+        self.frame(terms.iter().map(|term| columns.of(term).to_vec()), weights)
     }
 
-    fn frame(&self, terms: &Terms, inverse: &[f64], weights: &[f64]) -> Option<Frame> {
-        let columns = terms.iter().map(|term| self.column(inverse, term));
+    fn frame(&self, columns: impl IntoIterator<Item = Vec<f64>>, weights: &[f64]) -> Option<Frame> {
         let even = SHARE / weights.len() as f64;
         let weights: Vec<f64> = weights.iter().map(|w| (1.0 - SHARE) * w + even).collect();
         Frame::new(columns, &target(self.space, self.samples), &weights)
@@ -294,9 +314,9 @@ fn solve(
         // A polynomial, found cheaper elsewhere.
         return Ok(None);
     }
-    let inverse = steps.helper.values(&ranked.axes, sum.k);
-    let columns: Vec<Vec<f64>> =
-        sum.terms.iter().map(|term| column(&ranked.axes, &inverse, &ranked.scale, term)).collect();
+    let mut monomials = Monomials::new(ranked, steps.helper.values(&ranked.axes, sum.k));
+    monomials.compute(&sum.terms);
+    let columns: Vec<Vec<f64>> = sum.terms.iter().map(|term| monomials.of(term).to_vec()).collect();
     let Some(mut values) = coefficients(&columns, &target(space, ranked), &sum.weights) else {
         return Ok(None);
     };

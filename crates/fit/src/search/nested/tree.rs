@@ -1,9 +1,11 @@
 //! Connected monomials: every one is another one times a step, so that their sum is one nested
 //! Horner tree in which each costs a multiply-add.
 
+use std::collections::BTreeMap;
+
 use super::super::form::Term;
 use super::super::helper::{Helper, multiply};
-use super::super::space::{SLOTS, Space};
+use super::super::space::{SLOTS, SearchSamples, Space};
 
 /// What monomials are multiplied by to give others: the arguments, a reciprocal, and products of
 /// these that are computed once.
@@ -103,6 +105,13 @@ pub(super) type Place = (Option<usize>, usize);
 
 /// The places of terms, of 1 itself none; none at all where a term is not reached.
 pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<Option<Place>>> {
+    let reached = reached(steps, terms);
+    let whole = terms.iter().zip(&reached).all(|(term, place)| place.is_some() || *term == [0; SLOTS]);
+    whole.then_some(reached)
+}
+
+/// The places of the terms that are reached.
+fn reached(steps: &Steps, terms: &Terms) -> Vec<Option<Place>> {
     let root = [0; SLOTS];
     let mut reached: Vec<Option<Place>> = vec![None; terms.len()];
     let mut order: Vec<(Option<usize>, Term)> = vec![(None, root)];
@@ -120,8 +129,22 @@ pub(super) fn nested(steps: &Steps, terms: &Terms) -> Option<Vec<Option<Place>>>
             }
         }
     }
-    let whole = terms.iter().zip(&reached).all(|(term, place)| place.is_some() || *term == root);
-    whole.then_some(reached)
+    reached
+}
+
+/// Of additions those with which every term is reached.
+pub(super) fn connecting(steps: &Steps, terms: &Terms, additions: Terms) -> Terms {
+    let reached = reached(steps, terms);
+    let lost: Vec<&Term> = terms.iter().zip(&reached).filter(|(_, at)| at.is_none()).map(|(t, _)| t).collect();
+    let lost: Vec<&Term> = lost.into_iter().filter(|term| **term != [0; SLOTS]).collect();
+    let leads = |from: &Term| steps.steps.iter().any(|(_, step)| lost.contains(&&times(from, step)));
+    let connects = |term: &Term| {
+        leads(term) && {
+            let all: Terms = terms.iter().chain([term]).copied().collect();
+            nested(steps, &all).is_some()
+        }
+    };
+    if lost.is_empty() { additions } else { additions.into_iter().filter(connects).collect() }
 }
 
 /// A monomial times a step.
@@ -131,15 +154,39 @@ fn times(term: &Term, step: &Term) -> Term {
     product
 }
 
-/// A monomial's values.
-pub(super) fn column(axes: &[Vec<f64>], inverse: &[f64], scale: &[f64], term: &Term) -> Vec<f64> {
-    let mut column = scale.to_vec();
-    for (factor, power) in axes.iter().map(Vec::as_slice).chain([inverse]).zip(term) {
-        if *power > 0 {
-            multiply(&mut column, factor, *power);
+/// The values of monomials at samples, each computed once.
+pub(super) struct Monomials<'a> {
+    samples: &'a SearchSamples,
+    inverse: Vec<f64>,
+    columns: BTreeMap<Term, Vec<f64>>,
+}
+
+impl<'a> Monomials<'a> {
+    /// Of the samples' axes and the reciprocal's values there.
+    pub fn new(samples: &'a SearchSamples, inverse: Vec<f64>) -> Monomials<'a> {
+        Monomials { samples, inverse, columns: BTreeMap::new() }
+    }
+
+    /// Computes those that are missing.
+    pub fn compute<'t>(&mut self, terms: impl IntoIterator<Item = &'t Term>) {
+        for term in terms {
+            let computed = || {
+                let mut column = self.samples.scale.clone();
+                for (factor, power) in self.samples.axes.iter().chain([&self.inverse]).zip(term) {
+                    if *power > 0 {
+                        multiply(&mut column, factor, *power);
+                    }
+                }
+                column
+            };
+            self.columns.entry(*term).or_insert_with(computed);
         }
     }
-    column
+
+    /// One that has been computed.
+    pub fn of(&self, term: &Term) -> &[f64] {
+        &self.columns[term]
+    }
 }
 
 /// The sum as WGSL: lets, then the nested tree; coefficients `c0, c1, ...` by term, `k0` inside the
