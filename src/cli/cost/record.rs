@@ -1,4 +1,4 @@
-//! Records of times on a graphics processor as files: the JSON, and its page beside it.
+//! Records as files: the JSON and, of times on a graphics processor, its page beside it.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::timing::{offline, record};
 /// Largest record that is read, bytes.
 pub const RECORD_BYTES: u64 = 16 << 20;
 
-/// A record and its page: the folder they lie in, and their names there.
+/// A record and its page, where it has one: the folder they lie in, and their names there.
 pub struct RecordPlace {
     folder: PathBuf,
     names: [String; 2],
@@ -33,7 +33,7 @@ impl RecordPlace {
                 names: [format!("{stem}.json"), format!("{stem}.html")],
             }),
             _ => Err(CliError::Usage(format!(
-                "{option} {}: a name that ends with .json is called for; the page lies beside it",
+                "{option} {}: a name that ends with .json is called for",
                 crate::scene::escape::visible(&shown)
             ))),
         }
@@ -55,10 +55,26 @@ impl RecordPlace {
         let shown = self.folder.join(&self.names[0]).display().to_string();
         let (page, figures) =
             record::page(record).map_err(|source| CliError::Record { file: shown, source })?;
-        let [json, html] = self.names.clone();
-        let written = folder.write(&Files::from([(json, figures), (html, page.into_bytes())]))?;
+        self.write_bytes(folder, figures, Some(page.into_bytes()), quiet)
+    }
+
+    /// Writes a record, with or without a page, and says so unless told to be quiet.
+    ///
+    /// # Errors
+    /// Files that cannot be written.
+    pub fn write_bytes(
+        &self,
+        folder: &mut Folder,
+        record: Vec<u8>,
+        page: Option<Vec<u8>>,
+        quiet: bool,
+    ) -> Result<(), CliError> {
+        let named = self.names.iter().cloned().zip([Some(record), page]);
+        let all: Files = named.filter_map(|(name, bytes)| Some((name, bytes?))).collect();
+        let names = all.keys().cloned().collect::<Vec<_>>().join(", ");
+        let written = folder.write(&all)?;
         if !quiet {
-            print(format!("{}: {}\n", self.names.join(", "), files(&written)).as_bytes())?;
+            print(format!("{names}: {}\n", files(&written)).as_bytes())?;
         }
         Ok(())
     }
@@ -75,7 +91,7 @@ pub(super) fn offline(options: &Options, path: &Path) -> Result<Outcome, CliErro
     };
     let record = offline::offline(device(1), offline::MOST, say)?;
     let bytes = offline_record(&record).map_err(BakeError::from)?;
-    folder.write(&Files::from([(place.names[0].clone(), bytes)]))?;
+    place.write_bytes(&mut folder, bytes, None, options.quiet)?;
     Ok(Outcome::Done)
 }
 

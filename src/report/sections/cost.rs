@@ -268,23 +268,37 @@ fn halves(costs: &Costs) -> Option<Section> {
     (!blocks.is_empty()).then(|| Section::new("halves", "Half precision", lead, blocks))
 }
 
+/// Part of an error by which two are not told apart.
+const SAME: f64 = 0.005;
+
 /// The formulas beside what a longer search finds; none without a record of formulas that are here.
 fn searches(costs: &Costs) -> Option<Section> {
     let beside = |search: &CostSearch| {
         let is_same = |job: &&CostJob| (&job.title, &job.domain) == (&search.title, &search.domain);
         let job = costs.jobs.iter().find(is_same)?;
-        let rows = search.found.iter().filter_map(|(ops, error)| {
+        let beside = search.found.iter().filter_map(|(ops, error)| {
             let own =
                 job.points.iter().filter(|point| !point.published && point.costs[0] <= Some(f64::from(*ops)));
             let best = own.min_by(|a, b| a.error.total_cmp(&b.error))?;
-            let [shipped, found] = [best.error, *error].map(words::max);
-            Some(vec![ops.to_string(), best.name.clone(), shipped, found, significant(best.error / error, 3)])
+            Some((ops, best, error, best.error / error))
         });
+        let (same, others): (Vec<_>, Vec<_>) = beside.partition(|(.., ratio)| (ratio - 1.0).abs() < SAME);
+        let row = |(ops, best, error, ratio): (&u32, &CostPoint, &f64, f64)| {
+            let [shipped, found] = [best.error, *error].map(words::max);
+            vec![ops.to_string(), best.name.clone(), shipped, found, significant(ratio, 3)]
+        };
+        let rows = others.into_iter().map(row).collect();
         let columns = "operations>|best formula|its error>|error found>|ratio>";
-        let caption = format!("{}. Found by {}.", job.metric, search.command);
+        let caption = format!(
+            "{}. The same error, within {} %, was found at {}. Found by {}.",
+            job.metric,
+            100.0 * SAME,
+            words::count(same.len(), "other budget", "other budgets"),
+            search.command
+        );
         Some([
             Block::Heading { text: job.title.clone() },
-            Block::Table(words::table(columns, rows.collect(), &caption)),
+            Block::Table(words::table(columns, rows, &caption)),
         ])
     };
     let blocks: Vec<Block> = costs.searches.iter().filter_map(beside).flatten().collect();

@@ -5,9 +5,10 @@ mod options;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use crate::fitting::{self, Certified};
+use crate::fitting::{self, Certified, FittingError};
 use crate::search;
 use lobefit::cli::CliError;
+use lobefit::cli::cost::RecordPlace;
 use lobefit::cli::declared;
 use lobefit::cli::output::{self, Outcome, print, say};
 use lobefit::cli::progress::Spinner;
@@ -88,18 +89,27 @@ fn fitted(options: &Options) -> Result<Outcome, CliError> {
 /// A search for formulas.
 fn searched(options: &Options) -> Result<Outcome, CliError> {
     let job = options.search_job()?;
-    publish(options, "integrating", |spinner, written| {
+    let place = options.record.as_deref().map(|path| RecordPlace::of("--record", path)).transpose()?;
+    let mut folder = place.as_ref().map(RecordPlace::open).transpose()?;
+    let mut record = None;
+    let outcome = publish(options, "integrating", |spinner, written| {
         let searched = search::run(&job, &|at| spinner.stage(&told(at)))?;
         let problems: Vec<String> = searched.problem(job.limit).into_iter().collect();
         let wanted = written && problems.is_empty();
         let files = if wanted { search::files(&job, &searched)? } else { Files::new() };
+        record = Some(search::record(&job, &searched).bytes().map_err(FittingError::from)?);
         let shown = if options.json {
             search::document(&job, &searched)?
         } else {
             lines(&search::summary(&searched, written))
         };
         Ok(Made { shown, problems, files })
-    })
+    })?;
+    if let (Outcome::Done, Some(place), Some(folder), Some(record)) = (&outcome, &place, &mut folder, record)
+    {
+        place.write_bytes(folder, record, None, options.quiet || options.json)?;
+    }
+    Ok(outcome)
 }
 
 /// What a fit or a search came to.

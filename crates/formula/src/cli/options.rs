@@ -117,6 +117,10 @@ pub(super) struct Options {
     /// Folder for the page, the figures and the code, created if missing
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// File for operations and errors of what was found (--search only), shown on the page of costs by
+    /// `lobefit cost --page` where it lies in reports/searches
+    #[arg(long, value_name = "FILE.json", requires = "search", conflicts_with = "hypothesis")]
+    pub record: Option<PathBuf>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Print the result as JSON

@@ -8,7 +8,7 @@ mod pair;
 mod space;
 
 pub use aids::{AidKind, Aids, Tried};
-pub use output::{document, files, summary};
+pub use output::{document, files, record, summary};
 
 use std::sync::Arc;
 

@@ -9,12 +9,14 @@ use crate::fitting::catalogue::{CatalogueFit, by_scene, ways_out};
 use crate::fitting::document::{TOOL, as_object, hash};
 use crate::fitting::one::approximation;
 use crate::fitting::{FittingError, words};
+use lobefit::approximate::target::Target;
 use lobefit::data::Approximation;
 use lobefit::emit::header::{place, short};
 use lobefit::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use lobefit::report::html;
 use lobefit::report::words::count;
 use lobefit::store::Files;
+use lobefit::timing::searches::{FoundForm, SearchRecord};
 use lobefit_fit::Goal;
 
 /// A table of the frontier, then each formula.
@@ -146,6 +148,24 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
     let mut bytes = serde_json::to_vec_pretty(&document)?;
     bytes.push(b'\n');
     Ok(bytes)
+}
+
+/// What `lobefit cost --page` shows beside the formulas of this version.
+pub fn record(job: &SearchJob, searched: &Searched) -> SearchRecord {
+    let Target { quantity, column, used_as, variant, .. } = &searched.target;
+    let form = |point: &Point| FoundForm { ops: point.ops, max_abs: point.certificate.max_abs };
+    let domain = searched.points.first().map(|point| point.certificate.domain.clone());
+    SearchRecord {
+        schema_version: SCHEMA_VERSION,
+        command: job.command.clone(),
+        quantity: quantity.name().into(),
+        column: (*column).into(),
+        used_as: *used_as,
+        specular: variant.specular.map(|specular| specular.name().into()),
+        side: variant.side.map(|side| side.name().into()),
+        domain: domain.unwrap_or_default(),
+        found: searched.points.iter().map(form).collect(),
+    }
 }
 
 /// Every file: the page, the document, a hypothesis for each point of the frontier.

@@ -52,9 +52,31 @@ fn coupling_factors_are_searched_for_every_specular() {
     let narrow =
         ["--to", "diffuse-coupling", "--fix", "specular=normalised", "--max-ops", "6", "--width", "2"];
     let [one, three] = ["1", "3"].map(|threads| {
-        frontier(folder.path(), &[&narrow[..], &["--threads", threads]].concat()).0["fits"].clone()
+        let record = ["--threads", threads, "--record", "found.json"];
+        frontier(folder.path(), &[&narrow[..], &record].concat()).0["fits"].clone()
     });
     assert_eq!(one, three);
+    // The record has what the page of costs compares.
+    let record = std::fs::read(folder.path().join("found.json")).expect("a record");
+    let record: Value = serde_json::from_slice(&record).expect("JSON");
+    assert_eq!(
+        (&record["specular"], &record["domain"]),
+        (&"normalised".into(), &one[0]["certificate"]["domain"])
+    );
+    let found = record["found"].as_array().expect("a list");
+    let figures = |of: &Value, ops: &str, error: &str| (of.pointer(ops).cloned(), of.pointer(error).cloned());
+    let found: Vec<_> = found.iter().map(|form| figures(form, "/ops", "/max_abs")).collect();
+    let fits = one.as_array().expect("a list").iter();
+    assert_eq!(found, fits.map(|fit| figures(fit, "/cost/ops", "/certificate/max_abs")).collect::<Vec<_>>());
+    // A name that is no record's is refused before the work.
+    let output =
+        lobefit(folder.path(), &[&["fit", "--search", "--record", "found.txt"][..], &narrow].concat(), b"");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("--record found.txt: a name that ends with .json"),
+        "{}",
+        stderr(&output)
+    );
     let options = ["--to", "diffuse-coupling", "--width", "2"];
     for (specular, ops, bar) in [("single", "8", 0.23), ("normalised", "8", 0.09), ("compensated", "8", 0.28)]
     {

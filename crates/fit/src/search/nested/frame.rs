@@ -76,9 +76,12 @@ impl Frame {
     pub fn gain(&self, column: &[f64]) -> f64 {
         let weighted: Vec<f64> = self.weights.iter().zip(column).map(|(w, x)| w * x).collect();
         let whole = product(&weighted, column);
-        let square = |own: &Vec<f64>| product(&weighted, own).powi(2);
+        let square = |own: &Vec<f64>| {
+            let along = product(&weighted, own);
+            along * along
+        };
         let across = whole - self.basis.iter().map(square).sum::<f64>();
-        if across > CANCELLED * whole { product(&weighted, &self.rest).powi(2) / across } else { 0.0 }
+        if across > CANCELLED * whole { square(&self.rest) / across } else { 0.0 }
     }
 
     /// The sets of one or two columns across the basis that take most away of the weighted squares.

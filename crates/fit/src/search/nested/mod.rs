@@ -57,14 +57,14 @@ const FIRST: [f64; 3] = [0.7, 1.4, 2.8];
 
 /// Walks from the best sums of a cost and a set of products; and the samples, of all and of the
 /// edges, that walks see.
-const WALKS: usize = 8;
+const WALKS: usize = 16;
 const FEWER: [usize; 2] = [160, 120];
 
 /// Sums of a cost, with whatever products, that walk on at last; and moves of a walk for every
 /// monomial, at first and at last.
 const ELITE: usize = 10;
 const MOVES: usize = 140;
-const LONG: usize = 1500;
+const LONG: usize = 1200;
 
 /// Sums of each cost that are solved on all samples.
 const FINALISTS: usize = 6;
@@ -227,7 +227,9 @@ impl Beam<'_> {
     /// squares measured by a few rounds; and how many there were.
     fn ranked<'b>(&self, from: &'b Sum, more: usize) -> (Vec<Grown<'b>>, u64) {
         let mut columns = self.monomials(from.k);
-        let Some(frame) = self.framed(&from.terms, &mut columns, &from.weights) else { return (Vec::new(), 0) };
+        let Some(frame) = self.framed(&from.terms, &mut columns, &from.weights) else {
+            return (Vec::new(), 0);
+        };
         let near = additions(self.space, self.steps, &from.terms);
         let mut pool: Vec<(Term, Vec<f64>)> = Vec::new();
         let mut add = |term: Term| {
@@ -266,7 +268,8 @@ impl Beam<'_> {
     }
 
     fn measured(&self, terms: &Terms, k: f64, weights: &[f64], rounds: usize) -> Option<Sum> {
-        let level = self.framed(terms, &mut self.monomials(k), weights)?.lawson(&[], rounds, f64::INFINITY)?;
+        let level =
+            self.framed(terms, &mut self.monomials(k), weights)?.lawson(&[], rounds, f64::INFINITY)?;
         Some(Sum { terms: terms.clone(), k, weights: level.weights, max: level.max })
     }
 

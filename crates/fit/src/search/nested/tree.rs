@@ -96,8 +96,10 @@ const DEGREE: u8 = 6;
 
 fn allowed(space: &Space, term: &Term) -> bool {
     let zeros = space.anchor.iter().flat_map(|a| &a.zeros);
-    let within = space.axes.iter().zip(term).all(|(axis, power)| *power <= axis.degree);
-    within && term[space.axes.len()] <= DEGREE && zeros.into_iter().all(|k| term[*k] > 0)
+    // Factors of the reciprocal take powers of the inputs back.
+    let inverse = term[space.axes.len()];
+    let within = space.axes.iter().zip(term).all(|(axis, power)| *power <= axis.degree + inverse);
+    within && inverse <= DEGREE && zeros.into_iter().all(|k| term[*k] > 0)
 }
 
 /// How a monomial is reached: from which term, `None` being 1, and by which step.
@@ -135,7 +137,8 @@ fn reached(steps: &Steps, terms: &Terms) -> Vec<Option<Place>> {
 /// Of additions those with which every term is reached.
 pub(super) fn connecting(steps: &Steps, terms: &Terms, additions: Terms) -> Terms {
     let reached = reached(steps, terms);
-    let lost: Vec<&Term> = terms.iter().zip(&reached).filter(|(_, at)| at.is_none()).map(|(t, _)| t).collect();
+    let lost: Vec<&Term> =
+        terms.iter().zip(&reached).filter(|(_, at)| at.is_none()).map(|(t, _)| t).collect();
     let lost: Vec<&Term> = lost.into_iter().filter(|term| **term != [0; SLOTS]).collect();
     let leads = |from: &Term| steps.steps.iter().any(|(_, step)| lost.contains(&&times(from, step)));
     let connects = |term: &Term| {
