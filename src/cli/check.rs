@@ -21,6 +21,7 @@ use crate::plan;
 use crate::report::without_absent;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
+use crate::timing::{offline, searches};
 use counts::Counts;
 use records::Record;
 
@@ -315,13 +316,19 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("fits/hypotheses/")
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
-            || entry.kind == Kind::File && (counts::placed(name) || name.starts_with("reports/offline/"))
+            || entry.kind == Kind::File && (counts::placed(name) || unread(name))
             || entry.kind == Kind::File && [BUILD_FILE, PAGE].contains(&name)
             || entry.kind == Kind::File && studies::placed(name);
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);
         !allowed && !baked
     });
     Ok(strays)
+}
+
+/// Whether a file is a record that a check has nothing to say of: times of integrators, searches.
+fn unread(name: &str) -> bool {
+    let folders = [offline::FOLDER, searches::FOLDER];
+    folders.iter().any(|folder| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/')))
 }
 
 /// Whether what a shader reads changed, and where.

@@ -388,6 +388,8 @@ fn what_a_longer_search_finds_stands_on_the_page_of_costs() {
     assert_eq!(code, 0, "{error}");
     let section = html.split("What a longer search finds").nth(2).expect("a link and a section");
     assert!(section.contains("Found by lobefit fit --search.") && section.contains(">2.00<"), "{section}");
+    let (code, printed, error) = run(at, &["check", "scene.json"]);
+    assert!(code == 0 && printed.contains("follow from their recipe\n"), "{printed}{error}");
     record["domain"]["mu"] = json!([0.5, 1.0]);
     let (code, _, html) = page(&record);
     assert!(code == 0 && !html.contains("What a longer search finds"), "errors over another domain");
