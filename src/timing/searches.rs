@@ -52,7 +52,7 @@ pub struct FoundForm {
 }
 
 impl SearchRecord {
-    /// The record as JSON, minified: a form a line is not read by people.
+    /// The record as JSON, on one line.
     ///
     /// # Errors
     /// A number that JSON does not have.
