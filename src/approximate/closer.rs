@@ -1,5 +1,6 @@
 //! The largest error of a formula where truths are dear, or points have to fill three axes: few are
-//! measured, and the largest error lies between them. Boxes about the worst point of each cell close in on it.
+//! measured, and the largest error lies between them. Boxes about the worst point of each cell close in
+//! on it.
 
 use super::Memo;
 use super::certificate::{certificate, worse};

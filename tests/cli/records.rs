@@ -384,10 +384,16 @@ fn what_a_longer_search_finds_stands_on_the_page_of_costs() {
         let (code, _, error) = run(at, &["cost", "scene.json", "--page", "page.html"]);
         (code, error, std::fs::read_to_string(at.join("page.html")).unwrap_or_default())
     };
-    let (code, error, html) = page(&record);
-    assert_eq!(code, 0, "{error}");
+    let (code, message, html) = page(&record);
+    assert_eq!(code, 0, "{message}");
     let section = html.split("What a longer search finds").nth(2).expect("a link and a section");
     assert!(section.contains("Found by lobefit fit --search.") && section.contains(">2.00<"), "{section}");
+    let half = record["found"][0]["max_abs"].take();
+    record["found"][0]["max_abs"] = json!(error);
+    let (_, _, html) = page(&record);
+    let section = html.split("What a longer search finds").nth(2).expect("a link and a section");
+    assert!(section.contains("was found at every budget. Found by") && !section.contains("<th"), "{section}");
+    record["found"][0]["max_abs"] = half;
     let (code, printed, error) = run(at, &["check", "scene.json"]);
     assert!(code == 0 && printed.contains("follow from their recipe\n"), "{printed}{error}");
     record["domain"]["mu"] = json!([0.5, 1.0]);

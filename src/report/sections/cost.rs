@@ -287,19 +287,22 @@ fn searches(costs: &Costs) -> Option<Section> {
             let [shipped, found] = [best.error, *error].map(words::max);
             vec![ops.to_string(), best.name.clone(), shipped, found, significant(ratio, 3)]
         };
-        let rows = others.into_iter().map(row).collect();
-        let columns = "operations>|best formula|its error>|error found>|ratio>";
+        let rows: Vec<Vec<String>> = others.into_iter().map(row).collect();
+        let at = match rows.is_empty() {
+            true => "every budget".into(),
+            false => words::count(same.len(), "other budget", "other budgets"),
+        };
+        let (metric, within) = (&job.metric, 100.0 * SAME);
         let caption = format!(
-            "{}. The same error, within {} %, was found at {}. Found by {}.",
-            job.metric,
-            100.0 * SAME,
-            words::count(same.len(), "other budget", "other budgets"),
+            "{metric}. The same error, within {within} %, was found at {at}. Found by {}.",
             search.command
         );
-        Some([
-            Block::Heading { text: job.title.clone() },
-            Block::Table(words::table(columns, rows, &caption)),
-        ])
+        let columns = "operations>|best formula|its error>|error found>|ratio>";
+        let beside = match rows.is_empty() {
+            true => Block::Text { text: caption },
+            false => Block::Table(words::table(columns, rows, &caption)),
+        };
+        Some([Block::Heading { text: job.title.clone() }, beside])
     };
     let blocks: Vec<Block> = costs.searches.iter().filter_map(beside).flatten().collect();
     (!blocks.is_empty()).then(|| {

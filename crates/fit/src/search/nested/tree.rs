@@ -137,9 +137,9 @@ fn reached(steps: &Steps, terms: &Terms) -> Vec<Option<Place>> {
 /// Of additions those with which every term is reached.
 pub(super) fn connecting(steps: &Steps, terms: &Terms, additions: Terms) -> Terms {
     let reached = reached(steps, terms);
-    let lost: Vec<&Term> =
-        terms.iter().zip(&reached).filter(|(_, at)| at.is_none()).map(|(t, _)| t).collect();
-    let lost: Vec<&Term> = lost.into_iter().filter(|term| **term != [0; SLOTS]).collect();
+    let places = terms.iter().zip(&reached);
+    let lost = places.filter(|(term, place)| place.is_none() && **term != [0; SLOTS]);
+    let lost: Vec<&Term> = lost.map(|(term, _)| term).collect();
     let leads = |from: &Term| steps.steps.iter().any(|(_, step)| lost.contains(&&times(from, step)));
     let connects = |term: &Term| {
         leads(term) && {
