@@ -16,8 +16,8 @@ use crate::scene::UNNAMED;
 const SMALL: f64 = 600.0;
 
 /// The page as HTML: one self-contained file without network. What makes it longer than a few
-/// screens is folded. A script sorts and filters its tables, copies its code and says the values
-/// under the pointer; without it the page is whole.
+/// screens is folded, and a fold of many bytes is packed. A script sorts and filters its tables,
+/// copies its code, says the values under the pointer and unpacks; without it all the rest is there.
 pub fn html(page: &Page) -> String {
     let mut out = String::new();
     head(&mut out, page);
@@ -191,26 +191,33 @@ fn block(out: &mut String, block: &Block) {
         }
         Block::Table(table) => text_table(out, table),
         Block::Live { data, still } => live(out, data, still),
-        Block::Packed(blocks) => packed(out, blocks),
+        Block::Packed(blocks) => {
+            let mut text = String::new();
+            blocks.iter().for_each(|one| self::block(&mut text, one));
+            out.push_str(&packed(&text));
+        }
         Block::Fold { summary, blocks } => {
             put(out, format_args!("<details>\n<summary>{}</summary>\n", Broken(summary)));
-            opened(out, blocks);
+            let mut text = String::new();
+            opened(&mut text, blocks);
+            let data = packed(&text);
+            // What a link leads to has to be there before the fold is opened.
+            let anchored = text
+                .split('<')
+                .any(|tag| tag.split(' ').nth(1).is_some_and(|first| first.starts_with("id=")));
+            out.push_str(if anchored || data.len() + SAVED > text.len() { &text } else { &data });
             out.push_str("</details>\n");
         }
     }
 }
 
-/// Blocks that the script of the page unpacks.
-fn packed(out: &mut String, blocks: &[Block]) {
-    let mut text = String::new();
-    blocks.iter().for_each(|one| block(&mut text, one));
+/// Bytes that packing a fold has to save.
+const SAVED: usize = 8 << 10;
+
+/// Markup that the script of the page unpacks.
+fn packed(text: &str) -> String {
     let data = STANDARD.encode(compress_to_vec_zlib(text.as_bytes(), 10));
-    put(
-        out,
-        format_args!(
-            "<div data-packed=\"{data}\"><p>A script of this page unpacks what stands here.</p></div>\n"
-        ),
-    );
+    format!("<div data-packed=\"{data}\"><p>A script of this page unpacks what stands here.</p></div>\n")
 }
 
 /// Blocks of a fold. What is folded once more is open in it, below its line.

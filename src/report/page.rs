@@ -112,7 +112,7 @@ pub enum Block {
         /// The blocks; the first are seen at first.
         of: Vec<(String, Vec<Block>)>,
     },
-    /// Blocks that the page holds packed until their part of a switch, or their fold, is seen.
+    /// Blocks that the page holds packed until their part of a switch is seen.
     Packed(Vec<Block>),
     /// Blocks that are shown when their line is opened.
     Fold {

@@ -62,6 +62,9 @@ fn cheapest(job: &CostJob, of: usize, limit: f64) -> Option<(f64, &str)> {
     best.map(|(cost, point)| (cost, point.name.as_str()))
 }
 
+const CODE: &str = "In f32, of the whole shader: it loads the inputs, and stores them and the result. What it costs is what it has more than the \
+    same shader without the formula.";
+
 /// A chart of each job, for each unit.
 fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
     let mut of = Vec::new();

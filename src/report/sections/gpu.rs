@@ -122,7 +122,7 @@ fn plain(id: &str, title: &str, lead: &str, rows: &[&GpuRow]) -> Section {
     Section::new(id, title, lead, blocks)
 }
 
-/// Rows of a page that is not packed.
+/// Rows of a page of which nothing is folded.
 const FEW: usize = 40;
 
 fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
@@ -134,7 +134,7 @@ fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
     if rows.len() > FEW {
         let summary = "The other charts, and all figures".into();
         let rest = blocks.split_off(1);
-        blocks.push(Block::Fold { summary, blocks: vec![Block::Packed(rest)] });
+        blocks.push(Block::Fold { summary, blocks: rest });
     }
     Ok(Section::new("fits", "Fits", FITS, blocks))
 }

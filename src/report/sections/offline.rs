@@ -43,7 +43,7 @@ pub(super) fn section(record: &OfflineRecord) -> Result<Option<Section>, ReportE
         quantities.iter().filter_map(|studies| Some(lookups(&studies[0], studies[0].tables.as_ref()?)));
     blocks.push(folded("Tables", tables.map(Block::Table).collect()));
     for studies in others {
-        blocks.push(folded(&studies[0].quantity, vec![Block::Packed(of(studies)?)]));
+        blocks.push(folded(&studies[0].quantity, of(studies)?));
     }
     Ok(Some(Section::new(
         "offline",
