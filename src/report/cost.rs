@@ -38,7 +38,7 @@ pub struct CostSearch {
 }
 
 /// What a cost is counted in.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CostUnit {
     /// The vendor and family of GPUs, `AMD navi21`, or the device; of operations what is counted.
     pub name: String,
@@ -46,6 +46,8 @@ pub struct CostUnit {
     pub counted: String,
     /// What is counted, by what compiler, and of published formulas.
     pub unit: String,
+    /// Machine code of formulas by their names, where a compiler was asked.
+    pub code: Vec<(String, String)>,
 }
 
 /// Formulas that approximate the same for the same use.

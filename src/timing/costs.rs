@@ -40,8 +40,8 @@ pub fn costs(
     let compiled = Vendor::ALL.into_iter().filter_map(record);
     let counted: Vec<Counted> = compiled.chain(times.iter().map(Counted::Timed)).collect();
     let mut units =
-        vec![CostUnit { name: "operations".into(), counted: String::new(), unit: "operations".into() }];
-    units.extend(counted.iter().map(Counted::unit));
+        vec![CostUnit { name: "operations".into(), unit: "operations".into(), ..CostUnit::default() }];
+    units.extend(counted.iter().map(|of| of.unit(baked, &include)));
     let mut jobs: Vec<(String, CostJob)> = Vec::new();
     let mut lobe = String::new();
     for fit in baked.fits.iter().filter(|fit| fit.norm() != Norm::Rms.name()) {
@@ -120,13 +120,14 @@ fn followed(units: &[CostUnit], jobs: &[CostJob], [of, timed]: [usize; 2]) -> Op
 }
 
 impl Counted<'_> {
-    fn unit(&self) -> CostUnit {
+    fn unit(&self, baked: &Baked, include: &Include) -> CostUnit {
         let (vendor, record) = match self {
             Counted::Compiled(vendor, record) => (*vendor, record),
             Counted::Timed(record) => {
                 let unit = "picoseconds of a call on a full device, of published ones those that are emitted";
                 let name = record.device.adapter.clone();
-                return CostUnit { name, counted: "picoseconds".into(), unit: unit.into() };
+                let (counted, unit) = ("picoseconds".into(), unit.into());
+                return CostUnit { name, counted, unit, ..CostUnit::default() };
             }
         };
         let priced = priced(vendor);
@@ -138,7 +139,13 @@ impl Counted<'_> {
             priced.unit,
             record.compiler()
         );
-        CostUnit { name, counted, unit }
+        let listings = record.listings.as_ref().filter(|listings| listings.family == priced.family);
+        let text = |fit: &Fit| {
+            let name = fit.hypothesis.name();
+            include.hash(name).filter(|hash| record.is_of(name, hash))?;
+            Some((name.to_owned(), listings?.texts.get(name)?.clone()))
+        };
+        CostUnit { name, counted, unit, code: baked.fits.iter().filter_map(text).collect() }
     }
 
     /// What the compiled code of a formula of ours costs, if it is of this code; of a published one,

@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Versioned;
+use super::listings::Listings;
 use super::record::RecordError;
 use crate::emit::include::Include;
 use crate::emit::manifest::{Entries, Manifest};
@@ -40,6 +41,10 @@ pub struct IsaRecord {
     pub functions: BTreeMap<String, IsaFunction>,
     /// By function, family and precision.
     pub rows: Vec<IsaRow>,
+    /// Machine code, of a record that has the family by which the vendor is priced
+    /// ([`super::priced`]).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub listings: Option<Listings>,
 }
 
 /// A function of the bake.

@@ -3,6 +3,7 @@
 
 pub mod costs;
 pub mod isa;
+pub mod listings;
 pub mod offline;
 pub mod priced;
 pub mod record;

@@ -18,7 +18,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 184] = [
+const COSTS: [(&str, u32); 186] = [
     ("beckmann_norm_2", 2),
     ("beckmann_norm_3", 3),
     ("beckmann_norm_4", 4),
@@ -43,8 +43,10 @@ const COSTS: [(&str, u32); 184] = [
     ("ggx_norm_i13", 13),
     ("ggx_norm_i14", 14),
     ("ggx_norm_i15", 15),
+    ("ggx_norm_i15w", 15),
     ("ggx_norm_i16", 16),
     ("ggx_norm_i17", 17),
+    ("ggx_norm_i18", 18),
     ("ggx_norm_i19", 19),
     ("ggx_norm_i20", 20),
     ("ggx_eavg_3", 3),
@@ -341,7 +343,7 @@ fn published_formulas_have_the_errors_that_were_measured_of_them() {
 
 /// Largest error when that is minimised, rms when that is; from the published study of the forms,
 /// and from the search.
-const REACHED: [(&str, f64, f64); 22] = [
+const REACHED: [(&str, f64, f64); 24] = [
     ("ggx_norm_r8", 0.055, 0.02),
     ("ggx_norm_i10", 0.0323, 0.0155),
     ("ggx_norm_i11", 0.0234, 0.0103),
@@ -349,9 +351,11 @@ const REACHED: [(&str, f64, f64); 22] = [
     ("ggx_norm_i13", 0.01134, 0.0048),
     ("ggx_norm_i14", 0.00972, 0.0057),
     ("ggx_norm_i15", 0.00713, 0.0038),
+    ("ggx_norm_i15w", 0.00624, 0.003),
     ("ggx_norm_i16", 0.0049, 0.002),
     ("ggx_norm_i17", 0.0034, 0.0015),
-    ("ggx_norm_i19", 0.00242, 0.00107),
+    ("ggx_norm_i18", 0.00255, 0.0011),
+    ("ggx_norm_i19", 0.0019, 0.0009),
     ("ggx_norm_i20", 0.0017, 0.0008),
     ("ggx_norm_n2", 0.513, 0.128),
     ("ggx_norm_r1", 0.513, 0.122),

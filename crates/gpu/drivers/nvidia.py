@@ -15,6 +15,7 @@ those numbers again, and its counts are subtracted. Corners of a room are argume
 a table are left out: in C they read memory, without a texture unit.
 """
 
+import base64
 import ctypes
 import json
 import pathlib
@@ -22,8 +23,11 @@ import re
 import subprocess
 import sys
 import tempfile
+import zlib
 
 ARCHITECTURES = ["sm_75", "sm_89", "sm_90"]
+# Whose machine code the record keeps.
+LISTED = "sm_90"
 THREADS = 64
 HELD = {"low", "high", "probe"}
 
@@ -167,6 +171,17 @@ def counts(listing):
     return found
 
 
+def machine_code(listing, names):
+    """The instructions of the kernels that call functions, by the names of the functions."""
+    texts = {}
+    for section in re.split(r"^\.text\.", listing, flags=re.M)[1:]:
+        name = re.match(r"\w+", section)[0].removeprefix("with_")
+        if name in names:
+            lines = re.findall(r"/\*[0-9a-f]{4,}\*/\s+(.*?) *;", section.split("\n.section", 1)[0])
+            texts[name] = "\n".join(line for line in lines if line != "NOP")
+    return texts
+
+
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
@@ -190,6 +205,8 @@ def main():
             file.flush()
             listing = subprocess.run([disassemblers[0], "-c", file.name], capture_output=True, text=True, check=True).stdout
         found = counts(listing)
+        if architecture == LISTED:
+            texts = machine_code(listing, without)
         for name, base in without.items():
             whole = found[f"with_{name}"]
             row = {key: whole[key] - found[base][key] for key in whole}
@@ -207,6 +224,9 @@ def main():
         "functions": {},
         "rows": [],
     }
+    if LISTED in architectures:
+        texts = json.dumps(dict(sorted(texts.items())), separators=(",", ":")).encode()
+        whole["listings"] = {"family": LISTED, "packed": base64.b64encode(zlib.compress(texts, 9)).decode()}
 
     def line(value):
         return json.dumps(value, separators=(",", ":"))

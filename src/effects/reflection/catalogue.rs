@@ -4,7 +4,7 @@
 use crate::approximate::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
-pub const NORMALISATIONS: [Entry; 22] = own![
+pub const NORMALISATIONS: [Entry; 24] = own![
     "ggx_norm_r1",
     "ggx_norm_n2",
     "ggx_norm_r2",
@@ -22,8 +22,10 @@ pub const NORMALISATIONS: [Entry; 22] = own![
     "ggx_norm_i13",
     "ggx_norm_i14",
     "ggx_norm_i15",
+    "ggx_norm_i15w",
     "ggx_norm_i16",
     "ggx_norm_i17",
+    "ggx_norm_i18",
     "ggx_norm_i19",
     "ggx_norm_q20",
     "ggx_norm_i20",

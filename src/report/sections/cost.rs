@@ -77,13 +77,23 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
         );
         // The first chart of operations stands in the page, for readers without scripts.
         let (open, rest) = charts.split_at(usize::from(i == 0).min(charts.len()));
-        let rest = Block::Packed(vec![figures(rest, &caption)?]);
-        let blocks = if open.is_empty() {
-            vec![rest]
+        let rest = vec![figures(rest, &caption)?];
+        let mut blocks = if open.is_empty() {
+            vec![Block::Packed(rest)]
         } else {
             let summary = "What else formulas stand for".into();
-            vec![figures(open, &caption)?, Block::Fold { summary, blocks: vec![rest] }]
+            vec![figures(open, &caption)?, Block::Fold { summary, blocks: rest }]
         };
+        if !unit.code.is_empty() {
+            let code = unit.code.iter().flat_map(|(name, text)| {
+                [Block::Heading { text: name.clone() }, Block::Code { text: text.clone() }]
+            });
+            let blocks_of_code = std::iter::once(Block::Text { text: CODE.into() }).chain(code).collect();
+            blocks.push(Block::Fold {
+                summary: format!("Machine code of {} formulas", unit.code.len()),
+                blocks: blocks_of_code,
+            });
+        }
         of.push((unit.name.clone(), blocks));
     }
     of.extend(

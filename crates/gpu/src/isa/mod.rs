@@ -16,9 +16,12 @@ use std::path::{Path, PathBuf};
 use family::Driver;
 use lobefit::bake::Progress;
 use lobefit::cli::CliError;
+use lobefit::data::Vendor;
 use lobefit::emit::include::Include;
 use lobefit::store::{self, Files, MANIFEST};
 use lobefit::timing::isa::{IsaFunction, IsaLeftOut, IsaRecord, IsaRow, Precision, VERSION, operations};
+use lobefit::timing::listings::Listings;
+use lobefit::timing::priced::priced;
 use lobefit_shade::code::{Float, Language};
 use shader::Shader;
 use worker::{Machine, Source};
@@ -53,9 +56,11 @@ struct Jobs {
 /// What the compiler made of everything.
 struct Compiled {
     record: IsaRecord,
-    /// Function, family, precision and the code of the whole shader.
-    assembly: Vec<(String, String, Precision, String)>,
+    assembly: Vec<Listed>,
 }
+
+/// Function, family, precision and the code of the whole shader.
+type Listed = (String, String, Precision, String);
 
 impl Jobs {
     /// All functions of an include file, in those of the precisions that it can have.
@@ -198,8 +203,29 @@ fn compile_by(
         left_out: jobs.left_out.clone(),
         functions: jobs.functions.clone(),
         rows,
+        listings: listings(driver.name, families, &assembly),
     };
     Ok(Compiled { record, assembly })
+}
+
+/// Machine code in f32 of the family that stands for the vendor, if it is among those compiled for.
+fn listings(driver: &str, families: &[String], assembly: &[Listed]) -> Option<Listings> {
+    let priced = Vendor::ALL.into_iter().map(priced).find(|priced| priced.driver == driver);
+    let family = priced.map(|priced| priced.family).filter(|of| families.iter().any(|f| f == of))?;
+    let of = assembly.iter().filter(|(_, of, precision, _)| of == family && *precision == Precision::F32);
+    let texts = of.map(|(name, .., text)| (name.clone(), tidy(text))).collect();
+    Some(Listings { family: family.into(), texts })
+}
+
+/// Machine code without the bytes that encode it, and without empty lines.
+fn tidy(text: &str) -> String {
+    let encoding = |code: &str| code.chars().all(|c| c.is_ascii_hexdigit() || c == ' ');
+    let line = |line: &str| {
+        let cut =
+            line.rsplit_once("; ").filter(|(_, code)| encoding(code)).map_or(line, |(before, _)| before);
+        cut.trim_end().replace('\t', "  ")
+    };
+    text.lines().map(line).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
 }
 
 fn row(driver: &Driver, job: &Job, family: &str, machines: [&Machine; 2]) -> Result<IsaRow, GpuError> {
