@@ -1,11 +1,12 @@
-override c0: f32 = -0.16075507;
-override c1: f32 = 0.19879048;
-override c2: f32 = 0.70542556;
-override k: f32 = 1.1717598;
+override c0: f32 = 0.18118042;
+override c1: f32 = 0.41454476;
+override c2: f32 = -0.2148915;
+override c3: f32 = -0.52241546;
+override k: f32 = 1.1098683;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
 /// Eight operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
 fn charlie_e_8(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
-    return inverse * (c0 + roughness * (c1 + c2 * inverse));
+    return c0 + inverse * (c1 + mu * (c2 + inverse * c3));
 }

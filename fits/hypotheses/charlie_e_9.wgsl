@@ -1,12 +1,13 @@
-override c0: f32 = 0.23822255;
-override c1: f32 = 0.5550799;
-override c2: f32 = -0.8318336;
-override c3: f32 = -1.4433854;
-override k: f32 = 1.6119812;
+override c0: f32 = 0.30344838;
+override c1: f32 = -0.29889357;
+override c2: f32 = 0.008059041;
+override c3: f32 = 1.3113897;
+override c4: f32 = -1.8206201;
+override k: f32 = 1.6280998;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
 /// Nine operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
 fn charlie_e_9(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
-    return c0 + inverse * (c1 + mu * inverse * (c2 + c3 * roughness));
+    return c0 + inverse * (c1 + inverse * (c2 + roughness * (c3 + mu * c4)));
 }

@@ -1,13 +1,14 @@
-override b0: f32 = 1.075831;
-override b1: f32 = -1.0886486;
-override b2: f32 = 16.134933;
-override b3: f32 = 1.4612972;
-override b4: f32 = 24.6241;
+override c0: f32 = -0.0068734335;
+override d0: f32 = 0.006682909;
+override d1: f32 = 0.0994904;
+override d2: f32 = 0.03696017;
+override d3: f32 = -1.1857314;
+override d4: f32 = 3.3122663;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
-/// Twelve operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.
+/// Twelve operations: -B/E is a quotient.
 fn coupling_normalised_12(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    let falloff = b3 + b4 * mu;
-    let divisor = b0 + b1 * roughness + b2 * alpha + mu * falloff;
-    return (1.0 - f0) * (1.0 - (1.0 - mu) / divisor);
+    let mu2 = mu * mu;
+    let divisor = d0 + d1 * alpha + mu * (d2 + alpha * (d3 + d4 * roughness) + mu2);
+    return (1.0 + c0 / divisor) * (1.0 - f0);
 }

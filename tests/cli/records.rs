@@ -14,6 +14,7 @@ use lobefit::report::{
 };
 use lobefit::scene::Scene;
 use lobefit::timing::isa::{IsaFunction, IsaRecord, IsaRow, Precision};
+use lobefit::timing::listings::Listings;
 use lobefit::timing::record::{METHOD, missing, page, read, stale};
 use serde_json::{Value, json};
 
@@ -86,6 +87,51 @@ fn check_fails_where_a_function_compiles_to_more_than_its_record_says() {
     std::fs::write(at.join(&file), "{}").expect("written");
     let (code, text, _) = run(at, &["check", "-"]);
     assert!(code == 1 && text.contains("no record of lobefit cost --isa --record"), "{text}");
+}
+
+/// Machine code of a record stands on the page of costs where it is of the code at hand.
+#[test]
+fn machine_code_stands_on_the_page_of_costs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    std::fs::write(at.join("scene.json"), SCENE).expect("written");
+    let (code, _, error) = run(at, &["bake", "scene.json"]);
+    assert_eq!(code, 0, "{error}");
+    let scene = Scene::from_json(SCENE, "scene.json").expect("a scene");
+    let baked = bake_scene(&scene).expect("a bake");
+    let hash = Include::of(&baked.files).and_then(|include| include.hash(NAME)).expect("the function");
+    let mut record = IsaRecord {
+        schema_version: lobefit::timing::isa::VERSION,
+        command: "lobefit cost --isa".into(),
+        scene: "test".into(),
+        driver: "radv".into(),
+        version: "1".into(),
+        left_out: Vec::new(),
+        functions: [(NAME.into(), IsaFunction::of(&hash, Some(5)))].into(),
+        rows: Vec::new(),
+        listings: Some(Listings {
+            family: "navi21".into(),
+            texts: [(NAME.into(), "v_add_f32 v0, v1, v2 ; <&>".into())].into(),
+        }),
+    };
+    std::fs::create_dir_all(at.join("reports/isa")).expect("a folder");
+    let page = |bytes: &[u8]| {
+        std::fs::write(at.join("reports/isa/radv-1.json"), bytes).expect("written");
+        let (code, _, error) = run(at, &["cost", "scene.json", "--page", "page.html"]);
+        (code, error, std::fs::read_to_string(at.join("page.html")).unwrap_or_default())
+    };
+    let bytes = record.bytes().expect("JSON");
+    assert_eq!(IsaRecord::read(&bytes).as_ref(), Ok(&record));
+    let (code, error, html) = page(&bytes);
+    assert_eq!(code, 0, "{error}");
+    assert!(html.contains("<summary>Machine code of 1 formula</summary>"));
+    assert!(html.contains("v_add_f32 v0, v1, v2 ; &lt;&amp;&gt;"));
+    record.functions.insert(NAME.into(), IsaFunction::of(&"0".repeat(64), Some(5)));
+    let (_, _, html) = page(&record.bytes().expect("JSON"));
+    assert!(!html.contains("Machine code of"), "of other code");
+    let torn = String::from_utf8(bytes).expect("text").replace("\"packed\": \"", "\"packed\": \"AAAA");
+    let (code, error, _) = page(torn.as_bytes());
+    assert!(code == 2 && error.contains("radv-1.json: no record of lobefit cost --isa --record"), "{error}");
 }
 
 fn row(name: &str, function: Option<&str>, code: Option<String>) -> GpuRow {

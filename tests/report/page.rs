@@ -4,6 +4,9 @@ use crate::report_support;
 
 use std::path::Path;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
 use lobefit::report::{self, Block, File, Origin, Page, ReportError, Section, html};
 use lobefit::store::Files;
 use report_support::{findings, origin, timings};
@@ -233,6 +236,27 @@ fn tables_and_packed_figures_are_as_tall_as_they_are_shown() {
     let packed = || Block::Packed(vec![figure(3000)]);
     assert!(!shown(vec![packed()]).contains("<details>"));
     assert!(shown(vec![packed(), packed()]).contains("<summary>More"));
+}
+
+/// A fold of many bytes is packed, unless a link leads into it.
+#[test]
+fn folds_of_many_bytes_are_packed() {
+    let shown = |cell: &str, rows: usize, block: Option<Block>| {
+        let table = Block::Table(report::words::table("of|value>", vec![vec![cell.into(); 2]; rows], ""));
+        let blocks = std::iter::once(table).chain(block).collect();
+        let fold = Block::Fold { summary: "More".into(), blocks };
+        html(&Page::new("", origin(), "", vec![Section::new("a", "A", "", vec![fold])]))
+    };
+    let packed = shown("a cell", 1000, None);
+    let data = packed.split("data-packed=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("packed");
+    let bytes = STANDARD.decode(data).expect("base64");
+    let text = miniz_oxide::inflate::decompress_to_vec_zlib(&bytes).expect("zlib");
+    assert_eq!(String::from_utf8(text).expect("text").matches("a cell").count(), 2000);
+    assert!(!packed.contains("a cell") && packed.contains("A script of this page unpacks"));
+    assert_eq!(shown("a cell", 10, None).matches("a cell").count(), 20, "little is saved");
+    let anchor = Block::Approximation { name: "ggx_norm_i14".into() };
+    let anchored = shown("a cell", 1000, Some(anchor));
+    assert_eq!(anchored.matches("a cell").count(), 2000, "a link leads there");
 }
 
 /// A page that stands alone has a bar of its own parts, and of its figures where these are written.

@@ -4,23 +4,26 @@ use super::published::{LIGHTS, OWN_SPECULAR, PUBLISHED};
 use crate::approximate::{Entry, own};
 use lobefit_truth::quantity::Specular;
 
-const NORMALISED: [Entry; 9] = own![
+const NORMALISED: [Entry; 11] = own![
     "coupling_normalised_7",
     "coupling_normalised_8",
+    "coupling_normalised_9",
+    "coupling_normalised_10",
     "coupling_normalised_11",
     "coupling_normalised_12",
     "coupling_normalised_13",
     "coupling_normalised_14",
     "coupling_normalised_15",
-    "coupling_normalised_17",
+    "coupling_normalised_16",
     "coupling_normalised_18",
 ];
 
 const SINGLE: [Entry; 4] =
     own!["coupling_single_7", "coupling_single_16", "coupling_single_22", "coupling_single_30",];
 
-const COMPENSATED: [Entry; 4] = own![
+const COMPENSATED: [Entry; 5] = own![
     "coupling_compensated_7",
+    "coupling_compensated_14",
     "coupling_compensated_17",
     "coupling_compensated_24",
     "coupling_compensated_32",

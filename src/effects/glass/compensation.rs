@@ -43,8 +43,10 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
     used_as: Some(Use::NORMALISATION),
     own: &own![
         "ggx_glass_outside_3",
+        "ggx_glass_outside_4",
         "ggx_glass_outside_6",
         "ggx_glass_outside_9",
+        "ggx_glass_outside_11",
         "ggx_glass_outside_14",
         "ggx_glass_outside_16",
         "ggx_glass_outside_18",
@@ -69,7 +71,9 @@ const FROM_INSIDE: ValueFits = ValueFits {
     own: &own![
         "ggx_glass_inside_6",
         "ggx_glass_inside_9",
+        "ggx_glass_inside_10",
         "ggx_glass_inside_11",
+        "ggx_glass_inside_16",
         "ggx_glass_inside_19",
         "ggx_glass_inside_25"
     ],

@@ -3,11 +3,14 @@
 use crate::approximate::{Entry, own, published};
 
 /// E(alpha, mu) with free parameters, by rising cost.
-pub const HYPOTHESES: [Entry; 8] = own![
+pub const HYPOTHESES: [Entry; 11] = own![
     "charlie_e_8",
     "charlie_e_9",
+    "charlie_e_10",
     "charlie_e_11",
+    "charlie_e_13",
     "charlie_e_14",
+    "charlie_e_15",
     "charlie_e_16",
     "charlie_e_rational",
     "charlie_e_exp",

@@ -90,7 +90,7 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
             });
             let blocks_of_code = std::iter::once(Block::Text { text: CODE.into() }).chain(code).collect();
             blocks.push(Block::Fold {
-                summary: format!("Machine code of {} formulas", unit.code.len()),
+                summary: format!("Machine code of {}", words::count(unit.code.len(), "formula", "formulas")),
                 blocks: blocks_of_code,
             });
         }

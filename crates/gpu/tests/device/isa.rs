@@ -123,6 +123,15 @@ fn large(x: f32) -> f32 {\n    return x * 70000.0;\n}\n",
     assert_eq!(record.left_out.iter().filter(|out| out.function == "large").count(), 2, "70000 is no f16");
     let listing = run(folder.path(), &["--assembly", "ratio", "--families", "navi21"]).expect("as before").1;
     assert!(listing.starts_with("; ratio, navi21, f32\n") && listing.contains("v_rcp_f32"), "{listing}");
+    let kept = record.listings.expect("machine code");
+    assert_eq!((kept.family.as_str(), kept.texts.len()), ("navi21", record.functions.len()));
+    let instructions = |text: &str| -> Vec<String> {
+        text.split_whitespace().filter(|word| word.starts_with("v_")).map(String::from).collect()
+    };
+    let text = &kept.texts["ratio"];
+    assert!(!text.contains("; ") && instructions(text) == instructions(&listing), "{text}");
+    let of_others = run(folder.path(), &["--json", "--families", "gfx1100"]).expect("as before").1;
+    assert_eq!(self::record(&of_others).listings, None, "a family that does not stand for the vendor");
 }
 
 #[test]
