@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-/// What a compiler made of each function in f32 for one family: the whole shader, which loads what the
+/// What a compiler made of functions in f32 for one family: the whole shader, which loads what the
 /// function takes, and stores it and the result.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

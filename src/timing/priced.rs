@@ -49,10 +49,10 @@ pub fn priced(vendor: Vendor) -> Priced {
         Vendor::Nvidia => Priced {
             driver: "nvidia-nvrtc",
             family: "sm_90",
-            unit: "instructions, a move of a literal being 1.8 and a transcendental one 3.4",
+            unit: "instructions, a move of a literal being 1.6 and a transcendental one 2.9",
             cost: |counts| {
                 let [vector, moves, transcendental] = timed(counts);
-                Some(vector + 1.8 * moves + 3.4 * transcendental)
+                Some(vector + 1.6 * moves + 2.9 * transcendental)
             },
         },
     }

@@ -208,7 +208,7 @@ fn vendors(costs: &Costs) -> Option<Section> {
             let cheaper = |of: usize| {
                 let (cost, name) = cheapest(job, of, own.error)?;
                 let saved = 1.0 - cost / own.costs[of].filter(|own| *own > cost && cost > 0.0)?;
-                Some((saved, format!("{name} −{} %", brief(100.0 * saved, 2))))
+                Some((saved, format!("{name} −{}\u{a0}%", brief(100.0 * saved, 2))))
             };
             let found: Vec<Option<(f64, String)>> = (1..costs.units.len()).map(cheaper).collect();
             for (most, found) in most[1..].iter_mut().zip(&found) {

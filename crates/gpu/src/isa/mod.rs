@@ -209,11 +209,15 @@ fn compile_by(
 }
 
 /// Machine code in f32 of the family that stands for the vendor, if it is among those compiled for.
+/// A function with other constants, or for three channels, is left to `--assembly`.
 fn listings(driver: &str, families: &[String], assembly: &[Listed]) -> Option<Listings> {
     let priced = Vendor::ALL.into_iter().map(priced).find(|priced| priced.driver == driver);
     let family = priced.map(|priced| priced.family).filter(|of| families.iter().any(|f| f == of))?;
     let of = assembly.iter().filter(|(_, of, precision, _)| of == family && *precision == Precision::F32);
-    let texts = of.map(|(name, .., text)| (name.clone(), tidy(text))).collect();
+    let texts = of
+        .filter(|(name, ..)| !["_rms", "_rgb"].iter().any(|end| name.ends_with(end)))
+        .map(|(name, .., text)| (name.clone(), tidy(text)))
+        .collect();
     Some(Listings { family: family.into(), texts })
 }
 
