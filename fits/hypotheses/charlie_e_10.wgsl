@@ -7,7 +7,7 @@ override c5: f32 = 3.4458816;
 override k: f32 = 2.0453992;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Ten operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Ten operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_10(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     return c0 + inverse * (c1 + roughness * c2 + alpha * (c3 + inverse * (c4 + inverse * c5)));

@@ -8,7 +8,7 @@ override c6: f32 = 3.5639892;
 override k: f32 = 2.028106;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Eleven operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Eleven operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_11(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     return c0 + inverse * (c1 + roughness * c3 + alpha * (c4 + inverse * (c5 + inverse * c6))) + mu * c2;

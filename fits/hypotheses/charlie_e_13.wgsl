@@ -9,7 +9,7 @@ override c7: f32 = -17.254286;
 override k: f32 = 1.0891752;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Thirteen operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Thirteen operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_13(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     let ratio = roughness * inverse;

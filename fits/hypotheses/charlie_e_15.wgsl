@@ -12,7 +12,7 @@ override c10: f32 = 105.72418;
 override k: f32 = 1.704764;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Fifteen operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Fifteen operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_15(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     return c0 + roughness * (c1 + inverse * (c2 + inverse * (c3 + mu * (c4 + inverse * (c5 + roughness * (c6

@@ -5,7 +5,7 @@ override c3: f32 = -0.52241546;
 override k: f32 = 1.1098683;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Eight operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Eight operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_8(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     return c0 + inverse * (c1 + mu * (c2 + inverse * c3));

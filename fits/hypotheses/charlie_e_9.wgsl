@@ -6,7 +6,7 @@ override c4: f32 = -1.8206201;
 override k: f32 = 1.6280998;
 
 /// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
-/// Nine operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
+/// Nine operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_9(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     return c0 + inverse * (c1 + inverse * (c2 + roughness * (c3 + mu * c4)));

@@ -1,9 +1,9 @@
-override c0: f32 = -0.0068734335;
-override d0: f32 = 0.006682909;
-override d1: f32 = 0.0994904;
-override d2: f32 = 0.03696017;
-override d3: f32 = -1.1857314;
-override d4: f32 = 3.3122663;
+override c0: f32 = -0.006297163;
+override d0: f32 = 0.006303467;
+override d1: f32 = 0.08680039;
+override d2: f32 = 0.030167827;
+override d3: f32 = -1.0750084;
+override d4: f32 = 3.1800454;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Twelve operations: -B/E is a quotient.

@@ -1,12 +1,12 @@
-override c0: f32 = -0.0012554596;
-override c1: f32 = -0.020443523;
-override c2: f32 = 0.029483592;
-override d0: f32 = 0.0012432323;
-override d1: f32 = 0.02080427;
-override d2: f32 = 0.026566282;
-override d3: f32 = -0.042498812;
-override d4: f32 = 0.9245607;
-override d5: f32 = 0.122603945;
+override c0: f32 = -0.0013873224;
+override c1: f32 = -0.023976993;
+override c2: f32 = 0.03537486;
+override d0: f32 = 0.0013887112;
+override d1: f32 = 0.023142776;
+override d2: f32 = 0.029608855;
+override d3: f32 = -0.04620782;
+override d4: f32 = 1.0571222;
+override d5: f32 = 0.1515121;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Fifteen operations: -B/E is a quotient.

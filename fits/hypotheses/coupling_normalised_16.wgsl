@@ -1,13 +1,13 @@
-override c0: f32 = -0.0013238874;
-override c1: f32 = -0.020091519;
-override c2: f32 = 0.029238537;
-override d0: f32 = 0.0013187019;
-override d1: f32 = -0.00014492264;
-override d2: f32 = 0.022230765;
-override d3: f32 = 0.026221137;
-override d4: f32 = -0.04032816;
-override d5: f32 = 0.8816236;
-override d6: f32 = 0.12341293;
+override c0: f32 = -0.0013622693;
+override c1: f32 = -0.020335196;
+override c2: f32 = 0.029672956;
+override d0: f32 = 0.0013642003;
+override d1: f32 = -0.00024342872;
+override d2: f32 = 0.023144713;
+override d3: f32 = 0.02638056;
+override d4: f32 = -0.03921041;
+override d5: f32 = 0.86574525;
+override d6: f32 = 0.12702073;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Sixteen operations: -B/E is a quotient.

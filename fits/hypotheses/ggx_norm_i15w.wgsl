@@ -9,9 +9,9 @@ override c7: f32 = 75.21013;
 override k: f32 = 1.6251414;
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
-/// Fifteen operations, of less error than ggx_norm_i15, for the range of f32: squares of the reciprocal overflow a half where mu and
-/// alpha are small. A nested sum in which each monomial is another one times a step. mu and alpha times the reciprocal depend on
-/// mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness. Exactly 1 for a mirror.
+/// Fifteen operations, of less error than ggx_norm_i15, for the range of f32: a coefficient times the square of the reciprocal
+/// overflows a half where mu and alpha are small. A nested sum in which each monomial is another one times a step. mu and alpha times
+/// the reciprocal depend on mu/alpha alone, so the layer mu ~ alpha is resolved at every roughness. Exactly 1 for a mirror.
 fn ggx_norm_i15w(alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let ratio = alpha * inverse;

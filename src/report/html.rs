@@ -17,7 +17,7 @@ const SMALL: f64 = 600.0;
 
 /// The page as HTML: one self-contained file without network. What makes it longer than a few
 /// screens is folded, and a fold of many bytes is packed. A script sorts and filters its tables,
-/// copies its code, says the values under the pointer and unpacks; without it all the rest is there.
+/// copies its code, says the values under the pointer and unpacks: without it what is packed is not seen.
 pub fn html(page: &Page) -> String {
     let mut out = String::new();
     head(&mut out, page);
@@ -200,19 +200,27 @@ fn block(out: &mut String, block: &Block) {
             put(out, format_args!("<details>\n<summary>{}</summary>\n", Broken(summary)));
             let mut text = String::new();
             opened(&mut text, blocks);
-            let data = packed(&text);
             // What a link leads to has to be there before the fold is opened.
-            let anchored = text
-                .split('<')
-                .any(|tag| tag.split(' ').nth(1).is_some_and(|first| first.starts_with("id=")));
-            out.push_str(if anchored || data.len() + SAVED > text.len() { &text } else { &data });
+            let kept = text.len() < PACKED_FROM || blocks.iter().any(is_linked);
+            let packed = (!kept).then(|| packed(&text)).filter(|packed| 2 * packed.len() < text.len());
+            out.push_str(packed.as_ref().unwrap_or(&text));
             out.push_str("</details>\n");
         }
     }
 }
 
-/// Bytes that packing a fold has to save.
-const SAVED: usize = 8 << 10;
+/// Bytes of a fold from which on it is packed, where that halves it: pictures are packed already.
+const PACKED_FROM: usize = 16 << 10;
+
+/// Whether a link may lead into a block.
+fn is_linked(block: &Block) -> bool {
+    match block {
+        Block::Approximation { .. } | Block::Cards(_) => true,
+        Block::Fold { blocks, .. } => blocks.iter().any(is_linked),
+        Block::Switch { of, .. } => of.iter().flat_map(|(_, blocks)| blocks).any(is_linked),
+        _ => false,
+    }
+}
 
 /// Markup that the script of the page unpacks.
 fn packed(text: &str) -> String {

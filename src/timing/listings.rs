@@ -33,6 +33,9 @@ mod packed {
 
     pub(super) fn serialize<S: Serializer>(texts: &Texts, to: S) -> Result<S::Ok, S::Error> {
         let json = serde_json::to_vec(texts).map_err(ser::Error::custom)?;
+        if json.len() > LIMIT {
+            return Err(ser::Error::custom(format!("machine code of {} bytes, at most {LIMIT}", json.len())));
+        }
         STANDARD.encode(compress_to_vec_zlib(&json, 10)).serialize(to)
     }
 

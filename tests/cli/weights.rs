@@ -24,9 +24,9 @@ fn models_know_chains_where_they_cost_and_moves_of_literals() {
         let code = format!("fn f(x: f32, y: f32) -> f32 {{\n    return {body};\n}}\n");
         Source::parse("f.wgsl", &code).unwrap().tape("f", 0).unwrap()
     };
-    // As many multiply-adds, in a chain of four and in one of three.
-    let chain = tape("((x * y + 0.3) * y + 0.7) * y + x * 0.9");
-    let tree = tape("(x * y + 0.3) * (y * 0.7 + x) + x * 0.9");
+    // As many multiply-adds, in a chain of five and in one of three.
+    let chain = tape("((((x * y + 0.3) * y + 0.7) * y + 0.1) * y + 0.2) * y + x * 0.9");
+    let tree = tape("((x * y + 0.3) * (y * 0.7 + x) + 0.1) * (x * y + 0.2) + x * 0.9");
     assert_eq!(chain.cost_ops(), tree.cost_ops());
     for vendor in [Vendor::Intel, Vendor::Adreno] {
         let model = vendor.model().unwrap();

@@ -259,6 +259,28 @@ fn folds_of_many_bytes_are_packed() {
     assert_eq!(anchored.matches("a cell").count(), 2000, "a link leads there");
 }
 
+/// The style has a rule for each part of a switch of the committed pages.
+#[test]
+fn every_part_of_a_switch_is_shown() -> Outcome {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    let mut most = 0;
+    for file in std::fs::read_dir(folder)? {
+        let path = file?.path();
+        if path.extension().is_none_or(|end| end != "html") {
+            continue;
+        }
+        let html = std::fs::read_to_string(&path)?;
+        for switch in html.split("<div class=\"switch\">").skip(1) {
+            let buttons = switch.split("<div>").next().unwrap_or_default().matches("type=\"radio\"").count();
+            let rule = format!(".switch > input:nth-of-type({buttons}):checked ~ div");
+            assert!(buttons == 0 || html.contains(&rule), "{}: {buttons} parts", path.display());
+            most = most.max(buttons);
+        }
+    }
+    assert!(most > 8, "the vendors of the page of costs");
+    Ok(())
+}
+
 /// A page that stands alone has a bar of its own parts, and of its figures where these are written.
 #[test]
 fn a_page_alone_links_its_parts_and_its_figures() {

@@ -153,34 +153,32 @@ def kind(operation, operands):
     return "vector"
 
 
+def kernels_in(listing):
+    """Names and instructions of all kernels in what nvdisasm prints."""
+    for section in re.split(r"^\.text\.", listing, flags=re.M)[1:]:
+        lines = re.findall(r"/\*[0-9a-f]{4,}\*/\s+(.*?) *;", section.split("\n.section", 1)[0])
+        yield re.match(r"\w+", section)[0], [line for line in lines if line != "NOP"]
+
+
 def counts(listing):
     """Counts of every kernel in what nvdisasm prints."""
     found = {}
-    for section in re.split(r"^\.text\.", listing, flags=re.M)[1:]:
-        name = re.match(r"\w+", section)[0]
+    for name, lines in kernels_in(listing):
         row = {"vector": 0, "transcendental": 0, "scalar": 0, "memory": 0, "moves": 0}
-        count = 0
-        for line in re.findall(r"/\*[0-9a-f]{4,}\*/\s+(.*?);", section.split("\n.section", 1)[0]):
-            line = re.sub(r"^@!?\w+\s+", "", line.strip())
-            operation, _, rest = line.partition(" ")
-            count += operation != "NOP"
+        for line in lines:
+            operation, _, rest = re.sub(r"^@!?\w+\s+", "", line).partition(" ")
             what = kind(operation, [operand.strip() for operand in rest.split(",") if operand.strip()])
             if what:
                 row[what] += 1
-        found[name] = {**row, "bytes": 16 * count}
+        found[name] = {**row, "bytes": 16 * len(lines)}
     return found
 
 
 def machine_code(listing, names):
     """The instructions of the kernels that call functions, by the names of the functions."""
-    texts = {}
-    for section in re.split(r"^\.text\.", listing, flags=re.M)[1:]:
-        name = re.match(r"\w+", section)[0].removeprefix("with_")
-        # Other constants and functions for three channels are left out, as `lobefit cost --isa` does.
-        if name in names and not name.endswith(("_rms", "_rgb")):
-            lines = re.findall(r"/\*[0-9a-f]{4,}\*/\s+(.*?) *;", section.split("\n.section", 1)[0])
-            texts[name] = "\n".join(line for line in lines if line != "NOP")
-    return texts
+    found = {name.removeprefix("with_"): "\n".join(lines) for name, lines in kernels_in(listing)}
+    # Other constants and functions for three channels are left out, as `lobefit cost --isa` does.
+    return {name: found[name] for name in names if not name.endswith(("_rms", "_rgb"))}
 
 
 def main():

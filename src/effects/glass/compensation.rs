@@ -73,7 +73,6 @@ const FROM_INSIDE: ValueFits = ValueFits {
         "ggx_glass_inside_9",
         "ggx_glass_inside_10",
         "ggx_glass_inside_11",
-        "ggx_glass_inside_16",
         "ggx_glass_inside_19",
         "ggx_glass_inside_25"
     ],

@@ -35,10 +35,8 @@ pub const NORMALISATIONS: [Entry; 24] = own![
 pub const AVERAGES: [Entry; 5] = own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_12"];
 
 /// f0 A + B with free parameters, by rising cost.
-pub const BLENDS: [Entry; 12] = own![
-    "ggx_blend_9",
-    "ggx_blend_10",
-    "ggx_blend_13",
+pub const BLENDS: [Entry; 10] = own![
+    "ggx_blend_11",
     "ggx_blend_14",
     "ggx_blend_16",
     "ggx_blend_21",

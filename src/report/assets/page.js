@@ -11,7 +11,7 @@ const written = (x) => {
   const text = Number.isInteger(x) ? String(x) : short();
   return text.replace(/-/g, "\u2212");
 };
-document.querySelectorAll(".wide table").forEach((table) => {
+const sortable = (table) => {
   const body = table.tBodies[0];
   const rows = [...body.rows];
   if (rows.length < 3) return;
@@ -69,17 +69,8 @@ document.querySelectorAll(".wide table").forEach((table) => {
     });
   });
   table.parentElement.before(filters);
-});
-// A link may lead into what is folded.
-const reveal = () => {
-  const target = location.hash.length > 1 && document.getElementById(location.hash.slice(1));
-  if (!target) return;
-  for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
-  target.scrollIntoView();
 };
-addEventListener("hashchange", reveal);
-reveal();
-document.querySelectorAll("pre").forEach((pre) => {
+const copyable = (pre) => {
   if (!navigator.clipboard) return;
   const code = pre.firstElementChild || pre;
   const button = document.createElement("button");
@@ -89,7 +80,16 @@ document.querySelectorAll("pre").forEach((pre) => {
     button.textContent = "copied";
   });
   pre.append(button);
-});
+};
+// A link may lead into what is folded.
+const reveal = () => {
+  const target = location.hash.length > 1 && document.getElementById(location.hash.slice(1));
+  if (!target) return;
+  for (let fold = target.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+  target.scrollIntoView();
+};
+addEventListener("hashchange", reveal);
+reveal();
 // Values under the pointer.
 const tip = document.createElement("div");
 tip.className = "tip";
@@ -210,7 +210,13 @@ const speak = (svg) => {
   });
   svg.addEventListener("pointerleave", (event) => show(event, ""));
 };
-document.querySelectorAll("svg.plot").forEach(speak);
+// What a reader can do with a part of the page.
+const ready = (part) => {
+  part.querySelectorAll(".wide table").forEach(sortable);
+  part.querySelectorAll("pre").forEach(copyable);
+  part.querySelectorAll("svg.plot").forEach(speak);
+};
+ready(document);
 // What is packed is unpacked when its part of a switch, or its fold, is first seen.
 const unpack = () => {
   document.querySelectorAll("[data-packed]").forEach(async (box) => {
@@ -219,7 +225,7 @@ const unpack = () => {
     box.removeAttribute("data-packed");
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
     box.innerHTML = await new Response(stream).text();
-    box.querySelectorAll("svg.plot").forEach(speak);
+    ready(box);
   });
 };
 ["change", "toggle"].forEach((event) => addEventListener(event, unpack, true));

@@ -62,8 +62,8 @@ fn cheapest(job: &CostJob, of: usize, limit: f64) -> Option<(f64, &str)> {
     best.map(|(cost, point)| (cost, point.name.as_str()))
 }
 
-const CODE: &str = "In f32, of the whole shader: it loads the inputs, and stores them and the result. What it costs is what it has more than the \
-    same shader without the formula.";
+const CODE: &str = "In f32, of the whole shader: it loads the inputs, and stores them and the result. The cost is that of this shader less that \
+    of the same one without the formula.";
 
 /// A chart of each job, for each unit.
 fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
@@ -88,10 +88,9 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
             let code = unit.code.iter().flat_map(|(name, text)| {
                 [Block::Heading { text: name.clone() }, Block::Code { text: text.clone() }]
             });
-            let blocks_of_code = std::iter::once(Block::Text { text: CODE.into() }).chain(code).collect();
             blocks.push(Block::Fold {
                 summary: format!("Machine code of {}", words::count(unit.code.len(), "formula", "formulas")),
-                blocks: blocks_of_code,
+                blocks: std::iter::once(Block::Text { text: CODE.into() }).chain(code).collect(),
             });
         }
         of.push((unit.name.clone(), blocks));

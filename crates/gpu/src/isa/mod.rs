@@ -221,15 +221,21 @@ fn listings(driver: &str, families: &[String], assembly: &[Listed]) -> Option<Li
     Some(Listings { family: family.into(), texts })
 }
 
-/// Machine code without the bytes that encode it, and without empty lines.
+/// What compilers print beside the instructions.
+const REMARKS: [&str; 4] = [";", "Native code", "Push constant", "RANGE"];
+
+/// Machine code without the bytes that encode it, and without remarks.
 fn tidy(text: &str) -> String {
-    let encoding = |code: &str| code.chars().all(|c| c.is_ascii_hexdigit() || c == ' ');
+    let is_word = |word: &str| word.len() == 8 && word.chars().all(|c| c.is_ascii_hexdigit());
+    let encoding = |code: &str| code.split(' ').all(is_word);
     let line = |line: &str| {
         let cut =
             line.rsplit_once("; ").filter(|(_, code)| encoding(code)).map_or(line, |(before, _)| before);
         cut.trim_end().replace('\t', "  ")
     };
-    text.lines().map(line).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n")
+    let is_code =
+        |line: &String| !line.is_empty() && !REMARKS.iter().any(|with| line.trim_start().starts_with(with));
+    text.lines().map(line).filter(is_code).collect::<Vec<_>>().join("\n")
 }
 
 fn row(driver: &Driver, job: &Job, family: &str, machines: [&Machine; 2]) -> Result<IsaRow, GpuError> {
