@@ -311,7 +311,7 @@ fn the_committed_combinations_keep_their_certificates() {
     let found = furnace(&emitted, &emitted.include);
     assert!(found.excess <= 0.0, "{}", found.at);
     assert!(found.combinations >= 1 && found.least >= 0.0, "{} {}", found.combinations, found.least);
-    let spoilt = emitted.include.replace("divisor) * (1.0 - f0);", "divisor) * (1.1 - 1.1 * f0);");
+    let spoilt = emitted.include.replace("divisor) * (1.0 - f0)", "divisor) * (1.1 - 1.1 * f0)");
     assert_ne!(emitted.include, spoilt);
     let found = furnace(&emitted, &spoilt);
     assert!(found.excess > 0.01, "{}", found.at);
