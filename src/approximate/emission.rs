@@ -147,12 +147,13 @@ impl Emission {
         norms.iter().find_map(of_norm)
     }
 
-    /// The fits to emit with the names of their functions; `None`: all, as they are.
+    /// The fits to emit with the names of their functions; `None`: all, as they are. Formulas whose names do
+    /// not say what they are of have the name of the role.
     pub(super) fn picked(
         &self,
         fits: &[Fit],
-        norms: &[Norm],
-        max_ops: Option<u32>,
+        (norms, max_ops): (&[Norm], Option<u32>),
+        is_named: bool,
     ) -> Option<Vec<(usize, String)>> {
         let picked = |norm: &Norm| -> Vec<(usize, String)> {
             let suffix = if *norm == Norm::Rms && norms.contains(&Norm::Max) { "_rms" } else { "" };
@@ -162,7 +163,8 @@ impl Emission {
                 Pick::Best => best.map(|i| (i, format!("{}{suffix}", self.role))).into_iter().collect(),
                 Pick::Frontier | Pick::All => {
                     // What keeps a limit on the largest error may be beaten in the mean square.
-                    let mut picked = frontier(fits, &of_norm, *norm);
+                    let all = self.pick == Pick::All;
+                    let mut picked = if all { of_norm } else { frontier(fits, &of_norm, *norm) };
                     picked.extend(best.filter(|best| !picked.contains(best)));
                     // On a vendor's GPUs formulas of as many operations may differ in cost.
                     let name = |(k, &i): (usize, &usize)| {
@@ -175,7 +177,7 @@ impl Emission {
                 }
             }
         };
-        (self.pick != Pick::All).then(|| norms.iter().flat_map(picked).collect())
+        (self.pick != Pick::All || !is_named).then(|| norms.iter().flat_map(picked).collect())
     }
 
     /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate

@@ -83,7 +83,7 @@ impl<'a> Prepared<'a> {
             Norm::Rms => &self.even,
         };
         let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
-        let domain = self.target.domain()?;
+        let domain = self.target.proven(hypothesis)?;
         let (found, safe) = match safe_range {
             None if by == By::Us => (patiently(hypothesis, norm, &samples, &domain)?, None),
             None => (searched(hypothesis, norm, (&samples, &[]), &domain, (&Options::new(norm), 0.0))?, None),

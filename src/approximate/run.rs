@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::prepared::{By, Prepared, Search};
 use super::target::{Sampled, Target, TargetSpec};
-use super::{Dropped, Emission, Entry, Fit, FitSet, FitStageError, Memo, SafeRange};
+use super::{Dropped, Emission, Entry, Fit, FitSet, FitStageError, Formulas, Memo, SafeRange};
 use crate::data::{AlphaMap, Norm, Pick};
 use lobefit_shade::code::Float;
 use lobefit_shade::{Hypothesis, ShadeError};
@@ -17,7 +17,7 @@ pub struct Wanted<'a> {
     /// Quantity, use and domain.
     pub spec: TargetSpec,
     /// Hypotheses with free parameters.
-    pub own: &'a [Entry],
+    pub own: Formulas<'a>,
     /// The user's hypotheses: file name and WGSL source.
     pub user: &'a [(String, String)],
     /// Published formulas, for comparison. A formula that takes roughness means
@@ -49,7 +49,7 @@ pub fn fit_all(wanted: &Wanted, memo: &Memo) -> Result<FitSet, FitStageError> {
     let enough = wanted.emission.enough(wanted.max_ops);
     let published: Vec<&Entry> = published.filter(|_| enough.is_none()).collect();
     let float = wanted.emission.float;
-    let own = parse(sources(wanted.own), float)?;
+    let own = parse(sources(wanted.formulas()), float)?;
     let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())), float)?;
     let known = parse(sources(published.iter().copied()), Float::F32)?;
     let mut dropped = Vec::new();
@@ -87,7 +87,7 @@ pub fn fit_all(wanted: &Wanted, memo: &Memo) -> Result<FitSet, FitStageError> {
 /// # Errors
 /// As [`fit_all`].
 pub fn compared(wanted: &Wanted, known: (&Target, &Arc<Sampled>)) -> Result<Vec<Fit>, FitStageError> {
-    let own = parse(sources(wanted.own), Float::F32)?;
+    let own = parse(sources(wanted.formulas()), Float::F32)?;
     let published = parse(sources(wanted.published.iter().copied()), Float::F32)?;
     let memo = Memo::default();
     let stage = Stage::new(wanted, own.iter().chain(&published), &memo, &[known])?;
@@ -108,7 +108,12 @@ fn parse<'a>(
     sources.map(|(file, source)| Ok(Hypothesis::parse(file, source)?.in_float(float))).collect()
 }
 
-impl Wanted<'_> {
+impl<'a> Wanted<'a> {
+    /// Our formulas for the inputs that vary.
+    pub fn formulas(&self) -> &'a [Entry] {
+        self.own.suiting(&self.spec)
+    }
+
     /// Formulas that cost no more than the scene allows, and those that do.
     fn affordable(
         &self,
@@ -226,7 +231,7 @@ impl<'a> Stage<'a> {
         let Emission { pick, max_error, .. } = self.wanted.emission;
         let limit = max_error.unwrap_or(f64::INFINITY);
         let keeps = |fit: &Fit| fit.emitted && fit.approximation.certificate.max_abs <= limit;
-        pick == Pick::Best && !self.wanted.own.is_empty() && !fits.iter().any(keeps)
+        pick == Pick::Best && !self.wanted.own.all.is_empty() && !fits.iter().any(keeps)
     }
 
     /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more; else
@@ -298,7 +303,8 @@ impl<'a> Stage<'a> {
     /// arguments that the scene asks for.
     fn pick(&self, fits: &mut [Fit]) -> Result<(), FitStageError> {
         let Wanted { emission, norms, max_ops, .. } = self.wanted;
-        let Some(picked) = emission.picked(fits, norms, *max_ops) else { return Ok(()) };
+        let is_named = std::ptr::eq(self.wanted.formulas(), self.wanted.own.all);
+        let Some(picked) = emission.picked(fits, (norms, *max_ops), is_named) else { return Ok(()) };
         fits.iter_mut().for_each(|fit| fit.emitted = false);
         for (index, name) in picked {
             let original = &fits[index].hypothesis;

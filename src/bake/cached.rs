@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::recipe::sources;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Called, Effect, Made, Part};
 use crate::emit::manifest::Entries;
@@ -49,7 +50,8 @@ fn key(called: &Called, context: &Context) -> Result<String, serde_json::Error> 
     let jobs = called.work.iter().map(|job| job.name.as_str());
     let own = context.hypotheses.iter().flat_map(|own| [own.file.as_str(), &own.source]);
     let pages = context.pages.iter().flat_map(|(name, file)| [name.as_str(), file]);
-    for text in jobs.chain(called.by.sources()).chain(own).chain(pages) {
+    let sources: Vec<&str> = sources(called.by).collect();
+    for text in jobs.chain(sources).chain(own).chain(pages) {
         key = key.with(text);
     }
     Ok(key.end())

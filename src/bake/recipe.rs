@@ -1,12 +1,18 @@
 //! What makes a bake again.
 
-use crate::effects::UserHypothesis;
+use crate::approximate::of_fewer_inputs;
+use crate::effects::{Effect, UserHypothesis};
 use crate::emit::header::Recipe;
 use crate::plan::Plan;
 use crate::scene::Scene;
 
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
+
+/// Every shader source that an effect's results depend on.
+pub fn sources(effect: &dyn Effect) -> impl Iterator<Item = &'static str> {
+    effect.sources().into_iter().chain(of_fewer_inputs().map(|entry| entry.source))
+}
 
 /// The recipe of a scene: the hash covers the tool's version, the command, the scene and every hypothesis,
 /// compiled in or the user's.
@@ -32,7 +38,7 @@ pub fn recipe(
     add(TOOL);
     add(&command);
     add(&scene_hash);
-    plan.catalogue.iter().flat_map(|effect| effect.sources()).for_each(&mut add);
+    plan.catalogue.iter().flat_map(|effect| sources(*effect)).for_each(&mut add);
     for hypothesis in hypotheses {
         add(&hypothesis.file);
         add(&hypothesis.source);

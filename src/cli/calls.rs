@@ -91,8 +91,8 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
         by_value.values_mut().for_each(|functions| functions.sort_by(|a, b| natural(a, b)));
         let does = |(value, functions): (Option<&str>, Vec<&str>)| match (around.how, value) {
             (How::Calls, _) => format!("calls {}", functions.join(", ")),
-            (How::TakesValue, Some(value)) => format!("{value} from {}", functions.join(" or ")),
-            (How::TakesValue, None) => format!("takes {}", functions.join(" or ")),
+            (How::TakesValue, Some(value)) => format!("{value} from {}", any_of(&functions)),
+            (How::TakesValue, None) => format!("takes {}", any_of(&functions)),
         };
         [format!("  {}", around.signature()), by_value.into_iter().map(does).collect::<Vec<_>>().join(", ")]
     };
@@ -105,10 +105,18 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
         of.sort_by(|a, b| natural(a, b));
         (!of.is_empty()).then(|| {
             let lobe = if how == SPLIT { "" } else { ", f the lobe" };
-            [format!("  {how}{lobe}"), format!("{value} from {}", of.join(" or "))]
+            [format!("  {how}{lobe}"), format!("{value} from {}", any_of(&of))]
         })
     });
     written.chain(arounds(calls).into_iter().map(row)).collect()
+}
+
+/// One of functions that stand above: all of a few, or the first of many.
+fn any_of(functions: &[&str]) -> String {
+    match functions {
+        [first, rest @ ..] if functions.len() > NAMED => format!("{first} or one of {} others", rest.len()),
+        few => few.join(" or "),
+    }
 }
 
 /// The cosines over which the errors of the functions of materials hold, where there are any.

@@ -107,7 +107,10 @@ fn effect_text(effect: &Called) -> String {
         let ranges: Vec<String> = job
             .ranges
             .iter()
-            .map(|(name, [lo, hi])| format!("{name} {} to {}", short(*lo), short(*hi)))
+            .map(|(name, [lo, hi])| match lo == hi {
+                true => format!("{name} {}", short(*lo)),
+                false => format!("{name} {} to {}", short(*lo), short(*hi)),
+            })
             .collect();
         let over = if ranges.is_empty() { String::new() } else { format!("over {}; ", ranges.join(", ")) };
         let _ = writeln!(

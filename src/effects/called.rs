@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::demand::{Budget, Demand, Job, Ranges, hull, merged};
 use super::who::grouped;
 use super::{BakeError, Effect};
-use crate::approximate::{Emission, Entry};
+use crate::approximate::{Emission, Formulas};
 use crate::data::Pick;
 use crate::report::{EffectFinding, words};
 use crate::scene::Scene;
@@ -109,9 +109,10 @@ impl JobSummary {
     }
 
     /// Says where no formula is within the budget.
-    pub fn doubting(mut self, job: &Job, own: &[Entry]) -> JobSummary {
+    pub fn doubting(mut self, job: &Job, own: Formulas) -> JobSummary {
         let Budget { max_ops, call } = job.budget();
-        let costs = own.iter().filter_map(|entry| Hypothesis::parse(entry.file, entry.source).ok());
+        let costs =
+            job.formulas(own).iter().filter_map(|entry| Hypothesis::parse(entry.file, entry.source).ok());
         let cheapest = costs.map(|formula| call.ops(formula.tape().cost_ops())).min();
         if let (Some(cheapest), Some(most)) = (cheapest, max_ops)
             && cheapest > most

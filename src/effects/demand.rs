@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::BakeError;
-use crate::approximate::{CallOps, Emission, Region};
+use crate::approximate::{CallOps, Emission, Entry, Formulas, Region};
 use crate::data::AlphaMap;
 use crate::report::words;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
@@ -24,6 +24,18 @@ pub struct Span {
     /// Smallest and largest value.
     pub range: [f64; 2],
     least: Least,
+    one: One,
+}
+
+/// Whether a job of one value keeps it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum One {
+    /// It becomes a range.
+    Never,
+    /// Where every other input but mu has one value too: there are formulas of mu alone.
+    Alone,
+    /// There are formulas without the input.
+    Always,
 }
 
 /// The narrowest range of a job, inside a domain.
@@ -118,22 +130,28 @@ pub struct Job {
 impl Span {
     /// A range that may be one value.
     pub fn new(range: [f64; 2]) -> Span {
-        Span { range, least: Least::Point }
+        Span { range, least: Least::Point, one: One::Alone }
     }
 
     /// A range whose job is at least `width` wide, inside a domain.
     pub fn at_least(range: [f64; 2], width: f64, domain: [f64; 2]) -> Span {
-        Span { range, least: Least::Width(width, domain) }
+        Span { range, least: Least::Width(width, domain), one: One::Never }
     }
 
     /// A range whose job's ends have at least this ratio, inside a domain.
     pub fn by_ratio(range: [f64; 2], ratio: f64, domain: [f64; 2]) -> Span {
-        Span { range, least: Least::Ratio(ratio, domain) }
+        Span { range, least: Least::Ratio(ratio, domain), one: One::Never }
     }
 
     /// A range of roughness.
     pub fn roughness(range: [f64; 2], map: AlphaMap) -> Span {
         Span::at_least(range, ROUGHNESS_WIDTH_MIN, [smallest_rough(map), 1.0])
+    }
+
+    /// Of fits: one value stays one where every other input but mu has one too, or wherever formulas
+    /// without the input are `given`.
+    pub fn or_one(self, given: bool) -> Span {
+        Span { one: if given { One::Always } else { One::Alone }, ..self }
     }
 
     /// The range, or where it is too narrow for a job, a wider one about it inside the domain, in
@@ -154,10 +172,11 @@ impl Span {
         }
     }
 
-    /// The range, and that of its job where it is too narrow: `0.3, widened to 0.295 to 0.305`.
+    /// The range, and that of its job where it is too narrow: `0.3, widened to 0.295 to 0.305`. Of fits the
+    /// range alone: whether one value stays one is the job's to say.
     pub fn text(self) -> String {
         let (own, job) = (range_text(self.range), self.widened());
-        if job == self.range {
+        if job == self.range || self.one != One::Never {
             return own;
         }
         format!("{own}, widened to {} to {}", job[0], job[1])
@@ -280,7 +299,12 @@ impl Job {
     }
 
     fn widen(&mut self) {
-        for &(input, span) in self.demands.iter().flat_map(|demand| &demand.spans) {
+        let hulls = self.ranges.clone();
+        let is_one = |input: &str| hulls.get(input).is_some_and(|[low, high]| low == high);
+        let spans = || self.demands.iter().flat_map(|demand| demand.spans.iter().copied());
+        let stays = |(input, span): (&str, Span)| input == "mu" || (is_one(input) && span.one != One::Never);
+        let alone = spans().all(stays);
+        for (input, span) in spans().filter(|(i, s)| !(is_one(i) && (alone || s.one == One::Always))) {
             if let Some(range) = self.ranges.get_mut(input) {
                 *range = Span { range: *range, ..span }.widened();
             }
@@ -294,6 +318,11 @@ impl Job {
     pub fn range(&self, input: &str) -> Result<[f64; 2], BakeError> {
         let lacks = || BakeError::Internal(format!("job {}: no range of {input}", self.name));
         self.ranges.get(input).copied().ok_or_else(lacks)
+    }
+
+    /// Those of formulas that are for the inputs that vary.
+    pub fn formulas<'a>(&self, own: Formulas<'a>) -> &'a [Entry] {
+        own.over(self.ranges.iter().map(|(input, range)| (*input, *range)), false)
     }
 
     /// Its region of roughness and mu.

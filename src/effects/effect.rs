@@ -63,7 +63,7 @@ pub trait Effect: Sync {
 
     /// Its formulas, those with free parameters and published ones.
     fn formulas(&self) -> Vec<&'static Entry> {
-        self.fits().iter().flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
+        self.fits().iter().flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
     }
 
     /// The formulas that compete where the user searches for one to this target.
@@ -72,7 +72,7 @@ pub trait Effect: Sync {
             let own = (fits.quantity.name(), fits.column, fits.used_as(), fits.side);
             own == (target.quantity.name(), target.column, target.used_as, target.variant.side)
         };
-        self.fits().iter().filter(suits).flat_map(|fits| fits.own.iter().chain(fits.published)).collect()
+        self.fits().iter().filter(suits).flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
     }
 
     /// What fits of them keep beyond the target's domain.

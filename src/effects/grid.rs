@@ -1,6 +1,7 @@
 //! A grid of roughness and mu: what the pictures of approximations are drawn over.
 
 use super::BakeError;
+use super::demand::Span;
 use crate::approximate::{Fit, FitStageError, Region};
 use crate::report::{Field, FitCurve, Ruler};
 use lobefit_truth::points::Points;
@@ -40,8 +41,7 @@ impl Grid {
 
     /// The grid of maps: even in roughness, mu quadratically denser towards grazing.
     pub fn map(region: &Region) -> Grid {
-        let [low, high] = region.roughness;
-        Grid::new(region, Ruler::even("roughness", low, high, MAP), grazing(region, MAP))
+        Grid::new(region, even(region, MAP), grazing(region, MAP))
     }
 
     /// The grid of curves over mu, at the wanted roughnesses that lie in the region.
@@ -94,6 +94,21 @@ impl Grid {
     }
 }
 
+/// `n` even roughnesses of a region; of one roughness, to both sides of it.
+pub fn even(region: &Region, n: usize) -> Ruler {
+    let [low, high] = Span::roughness(region.roughness, region.alpha_map).widened();
+    Ruler::even("roughness", low, high, n)
+}
+
+/// What is to be said of the maps of a region of one roughness; nothing of another.
+pub fn beside_text(region: &Region) -> String {
+    let [low, high] = region.roughness;
+    if low < high {
+        return String::new();
+    }
+    format!("The fits are of roughness {low} alone; maps go a little to both sides of it.")
+}
+
 /// `n` cosines of a region, quadratically denser towards grazing.
 pub fn grazing(region: &Region, n: usize) -> Ruler {
     let [low, high] = region.mu;
@@ -105,11 +120,13 @@ pub fn grazing(region: &Region, n: usize) -> Ruler {
 }
 
 /// The wanted roughnesses that lie in the region, or an even division of a range that holds too
-/// few.
+/// few; of one roughness, that.
 pub fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
     let [low, high] = region.roughness;
     let values: Vec<f64> = wanted.iter().copied().filter(|r| (low..=high).contains(r)).collect();
-    if values.len() < FEWEST {
+    if low == high {
+        Ruler { name: "roughness".into(), values: vec![low] }
+    } else if values.len() < FEWEST {
         Ruler::even("roughness", low, high, 5)
     } else {
         Ruler { name: "roughness".into(), values }

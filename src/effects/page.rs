@@ -5,7 +5,7 @@ use super::context::Context;
 use super::grid;
 use super::selection::Selected;
 use crate::approximate::{Dropped, Fit, FitStageError, Region};
-use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FitFinding, LeftOut, Ruler};
+use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FitFinding, LeftOut};
 use lobefit_shade::code::{self, Language};
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Quantity, Variant};
@@ -46,7 +46,7 @@ pub fn over_roughness(
     fits: &[&Fit],
     context: &Context,
 ) -> Result<AverageFinding, BakeError> {
-    let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], ROUGHNESSES);
+    let roughness = grid::even(region, ROUGHNESSES);
     let mut points = Points::default();
     roughness.values.iter().for_each(|r| region.push(&mut points, *r, 1.0));
     let points = grid::at(points, shown);

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::explore::Exploring;
-use super::grid::{Grid, at_text};
+use super::grid::{self, Grid, at_text};
 use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Region, Wanted};
+use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Formulas, Region, Wanted};
 use crate::data::{Arguments, Use};
 use crate::emit::call::{self, How};
 use crate::report::explore::Drawn;
@@ -36,7 +36,7 @@ pub struct ValueFits<'a> {
     /// What they are used as; none: as the column's first use.
     pub used_as: Option<Use>,
     /// Formulas with free parameters.
-    pub own: &'a [Entry],
+    pub own: Formulas<'a>,
     /// Published formulas: measured and reported, not emitted.
     pub published: &'a [Entry],
     /// The name of the emitted function, by its role: `ggx_average_albedo`.
@@ -113,7 +113,7 @@ pub fn expects(all: &[ValueFits], jobs: &[Job]) -> Vec<JobSummary> {
         let Some(own) = of(job) else {
             return JobSummary::fits(job, "nothing that the effect has, so that `bake` fails", 0.0);
         };
-        let ([truth, fit], count) = (own.seconds, own.own.len() * job.goals.norms.len());
+        let ([truth, fit], count) = (own.seconds, job.formulas(own.own).len() * job.goals.norms.len());
         let what = format!("{} of {}", own.words()[0], own.of);
         JobSummary::fits(job, &what, truth + count as f64 * fit).doubting(job, own.own)
     };
@@ -126,7 +126,7 @@ impl ValueFits<'_> {
     /// The demand of the material at place `of` in the scene for fits over its roughness.
     pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
         let (name, kind) = (&scene.materials[of].name, scene.materials[of].kind.name());
-        let roughness = Span::roughness(roughness, scene.alpha);
+        let roughness = Span::roughness(roughness, scene.alpha).or_one(false);
         // Room for the index of refraction that some effects add.
         let mut spans = Vec::with_capacity(3);
         spans.push(("roughness", roughness));
@@ -298,7 +298,7 @@ impl ValueFits<'_> {
         let chosen = selected(fits, self.column, self.used_as(), context);
         let found = Findings {
             left_out: page::left_out(dropped),
-            caption: format!("{} {drawn}", self.caption).trim().into(),
+            caption: format!("{} {drawn} {}", self.caption, grid::beside_text(region)).trim().into(),
             approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
             ..Findings::new(context.origin())
         };

@@ -10,6 +10,7 @@ mod sliced_support;
 mod cached;
 mod deterministic;
 mod five_axes;
+mod one_value;
 mod only;
 mod parallax;
 mod pick;

@@ -41,7 +41,7 @@ fn the_emitted_factor_gives_back_what_the_textbook_loses() {
     for fits in both() {
         let side = fits.side.expect("a side");
         let truths: Vec<f64> = places().into_iter().map(|place| sent_on(side, place, 1 << 12)).collect();
-        certified(&PANES, fits.own, (&places(), &truths), 4e-3, 0.5);
+        certified(&PANES, fits.own.all, (&places(), &truths), 4e-3, 0.5);
     }
 }
 
@@ -69,7 +69,7 @@ fn the_page_has_every_formula() {
     };
     let lacking: Vec<String> = own.iter().map(row).filter(|row| !page.contains(row)).collect();
     assert!(lacking.is_empty(), "docs/scene.md has no row\n{}", lacking.join("\n"));
-    assert_eq!(own.len(), both().map(|fits| fits.own.len()).sum::<usize>());
+    assert_eq!(own.len(), both().map(|fits| fits.own.all.len()).sum::<usize>());
     let count = own.len();
     assert_promised("tests/emitted/glass_compensation.rs", own);
     let manifest = Manifest::read(&PANES.files["manifest.json"]).expect("a manifest");

@@ -115,7 +115,7 @@ fn the_emitted_roughness_is_that_of_the_textbook_within_its_promise() {
     }
     let truth = |[rough, mu, ior]: &[f64; 3]| roughness(refracts([rough * rough, *mu, *ior]));
     let truths: Vec<f64> = places.iter().map(truth).collect();
-    certified(&PANES, FITS[0].own, (&places, &truths), 4e-3, 0.5);
+    certified(&PANES, FITS[0].own.all, (&places, &truths), 4e-3, 0.5);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! checked and emitted by what every effect has. It is Minnaert's lobe (1941), (mu_l
 //! mu_v)^alpha / pi, whose albedo is 2 mu^alpha / (2 + alpha).
 
-use lobefit::approximate::Entry;
+use lobefit::approximate::{Entry, Formulas};
 use lobefit::data::{Layout, Norm, TexelFormat};
 use lobefit::effects::context::Context;
 use lobefit::effects::demand::{Demand, Job};
@@ -43,12 +43,12 @@ const FITS: ValueFits = ValueFits {
     side: None,
     column: "E",
     used_as: None,
-    own: &[Entry {
+    own: Formulas::of(&[Entry {
         file: "minnaert_e.wgsl",
         source: "override a: f32 = 1.0;\noverride b: f32 = 0.1;\n\
                  fn minnaert_e(alpha: f32, mu: f32) -> f32 { return (1.0 - alpha * (a - mu)) / (1.0 + b * alpha); }\n",
         publication: None,
-    }],
+    }]),
     published: &[],
     role: "minnaert_albedo",
     of: "minnaert",
@@ -86,7 +86,7 @@ impl Effect for Moon {
         with_table(|fits| value::expects(&[fits], jobs))
     }
     fn formulas(&self) -> Vec<&'static Entry> {
-        FITS.own.iter().collect()
+        FITS.own.entries().collect()
     }
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         with_table(|fits| fits.bake(called, context))

@@ -73,6 +73,7 @@ impl Figure for Spheres<'_> {
         let png = raster::png(&self.title, size, &self.render(), self.shade)?;
         let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, self.shade)?;
         let width = frame.right + colour_bar::space(frame, self.shade, &self.unit)?;
+        let width = width.max(font::width(&self.title, TEXT)? + 8.0);
         let svg = sheet(&self.title, (width, frame.bottom + 12.0), &under, |c| self.label(c, frame))?;
         let cells = Cells {
             frame: hover::corners(frame),
@@ -106,8 +107,7 @@ impl Spheres<'_> {
     }
 
     fn label(&self, canvas: &Canvas, frame: Frame) -> Result<(), ReportError> {
-        let title = font::shorten(&self.title, TEXT, frame.right)?;
-        canvas.text(&title, (4.0, 12.0), TEXT, Align::Left, INK)?;
+        canvas.text(&self.title, (4.0, 12.0), TEXT, Align::Left, INK)?;
         canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
         for (j, &value) in self.columns.iter().enumerate() {
             let x = frame.left + (j as f64 + 0.5) * self.cell as f64;

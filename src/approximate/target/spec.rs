@@ -26,6 +26,18 @@ pub struct TargetSpec {
     pub domain: BTreeMap<String, [f64; 2]>,
 }
 
+impl TargetSpec {
+    /// The range of each input that the target has, alpha's as roughness; of one that is not asked for a
+    /// range of more than one value.
+    pub fn ranges(&self) -> impl Iterator<Item = (&str, [f64; 2])> {
+        self.quantity.inputs().iter().filter_map(|input| {
+            let name = if input.name == "alpha" { ROUGHNESS } else { input.name };
+            let asked = self.domain.get(input.name).or_else(|| self.domain.get(name)).copied();
+            asked.or((!input.optional).then_some([0.0, 1.0])).map(|range| (name, range))
+        })
+    }
+}
+
 /// An independent input and its range, ends included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Span {
@@ -245,6 +257,19 @@ impl Target {
             ranges.insert("alpha".into(), roughness.map(|r| nine_digits(self.alpha_map.alpha(r))));
         }
         ranges
+    }
+
+    /// Where a formula is to have no pole: the domain, and of a formula of the cosine without the width of a
+    /// lobe also the views below it, at which shaders call it too.
+    ///
+    /// # Errors
+    /// As [`Target::domain`].
+    pub fn proven(&self, formula: &Hypothesis) -> Result<Domain, ShadeError> {
+        let mut target = self.clone();
+        if !takes(formula, ROUGHNESS) && !takes(formula, "alpha") {
+            target.axes.iter_mut().filter(|axis| axis.name == "mu").for_each(|axis| axis.range[0] = 0.0);
+        }
+        target.domain()
     }
 
     /// The box of inputs, alpha following from roughness.

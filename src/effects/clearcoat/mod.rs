@@ -5,7 +5,7 @@ use super::demand::{Demand, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Note;
 use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
 use super::{BakeError, Effect, ggx};
-use crate::approximate::{Entry, Fit, own, published};
+use crate::approximate::{Entry, Fit, Formulas, own, published};
 use crate::emit::call::{Around, How};
 use crate::emit::include::call;
 use crate::scene::limits::EXACT_IOR;
@@ -40,7 +40,7 @@ const FITS: ValueFits = ValueFits {
     side: None,
     column: "escape",
     used_as: None,
-    own: &HYPOTHESES,
+    own: Formulas::of(&HYPOTHESES),
     published: &PUBLISHED,
     role: "coat_escape",
     of: "coats",
@@ -99,7 +99,9 @@ impl Effect for Clearcoat {
             let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: &Goals| {
                 let range = [low.max(least), high.max(least + ROUGHNESS_WIDTH_MIN)];
                 let mut demand = fits.demand(scene, of, range, goals.clone());
-                demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR])));
+                // Of one index it is a function of roughness alone.
+                let ior = Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]).or_one(true);
+                demand.spans.push(("ior", ior));
                 demand
             };
             let coat = material.coat.as_ref().map(|coat| own(FITS, coat.roughness, coat.ior, &coat.goals));

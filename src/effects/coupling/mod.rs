@@ -26,7 +26,7 @@ use super::who::{about, anisotropy, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
 use crate::approximate::{
-    self, CallOps, Emission, Entry, FitSet, FitStageError, Memo, Region, SafeRange, Wanted,
+    self, CallOps, Emission, Entry, FitSet, FitStageError, Formulas, Memo, Region, SafeRange, Wanted,
 };
 use crate::data::{AlphaMap, Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
@@ -100,7 +100,7 @@ impl Effect for DiffuseCoupling {
             let fits = hypotheses(specular).len() * job.goals.norms.len();
             let of = format!("the coupling factor under a {} lobe", specular.name());
             let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
-            Some(summary.doubting(job, hypotheses(specular)))
+            Some(summary.doubting(job, Formulas::of(hypotheses(specular))))
         };
         jobs.iter().filter_map(summary).collect()
     }
@@ -169,7 +169,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
     let base = material.lit_base().filter(|_| !material.is_exact())?;
     let [first, rest @ ..] = material.f0?.map(twelve);
     let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
-    let roughness = Span::roughness(roughness, scene.alpha);
+    let roughness = Span::roughness(roughness, scene.alpha).or_one(false);
     let (name, kind, specular) = (&material.name, material.kind.name(), base.specular.name());
     let ignored = anisotropy(material).map_or("", |_| "; its anisotropy is left out of them");
     Some(Demand {
@@ -273,7 +273,7 @@ pub fn fit_all(spec: &CouplingSpec, memo: &Memo) -> Result<FitSet, FitStageError
 fn fit_emitted(spec: &CouplingSpec, emission: Emission, memo: &Memo) -> Result<FitSet, FitStageError> {
     let wanted = Wanted {
         spec: spec.target(spec.f0),
-        own: hypotheses(spec.specular),
+        own: Formulas::of(hypotheses(spec.specular)),
         user: &[],
         published: published(spec.specular).collect(),
         norms: &spec.norms,

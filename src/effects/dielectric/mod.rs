@@ -7,7 +7,7 @@ use super::effect::Note;
 use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
-use crate::approximate::{Entry, own, published};
+use crate::approximate::{Entry, Formulas, own, published};
 use crate::emit::call::Call;
 use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Kind, Material, Scene};
@@ -42,7 +42,7 @@ const FITS: ValueFits = ValueFits {
     side: Some(Side::Outside),
     column: "R",
     used_as: None,
-    own: &HYPOTHESES,
+    own: Formulas::of(&HYPOTHESES),
     published: &PUBLISHED,
     role: "ggx_dielectric_albedo",
     of: "dielectrics",
@@ -81,7 +81,8 @@ impl Effect for Dielectric {
             let least = scene.alpha.roughness(ALPHA_MIN);
             let own = |fits: ValueFits, [low, high]: [f64; 2], ior, goals: Goals| {
                 let mut demand = fits.demand(scene, of, [low.max(least), high], goals);
-                demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR])));
+                let ior = Span::at_least(ior, IOR_WIDTH_MIN, [1.0, EXACT_IOR]);
+                demand.spans.push(("ior", ior.or_one(fits.own.is_flat())));
                 demand
             };
             let want = material.wants.exact_fresnel.as_ref().zip(material.ior);

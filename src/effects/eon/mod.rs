@@ -7,7 +7,7 @@ use super::demand::Demand;
 use super::effect::Note;
 use super::value::{Functions, ValueFits};
 use super::who::{about, named, reasons, verb};
-use crate::approximate::{Entry, own, published};
+use crate::approximate::{Entry, Formulas, own, published};
 use crate::scene::{Material, Scene};
 use lobefit_truth::quantity::EonSingle;
 
@@ -25,7 +25,7 @@ const FITS: ValueFits = ValueFits {
     side: None,
     column: "E",
     used_as: None,
-    own: &HYPOTHESES,
+    own: Formulas::of(&HYPOTHESES),
     published: &PUBLISHED,
     role: "eon_albedo",
     of: "eon",

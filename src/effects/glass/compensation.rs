@@ -2,7 +2,7 @@
 //! transmission, that gives back what is lost between facets. Quantity `ggx-glass`, N with E N = 1 of
 //! E = R + T, from either side.
 
-use crate::approximate::own;
+use crate::approximate::{Formulas, own};
 use crate::data::{Ndf, Use};
 use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::dielectric::{ALPHA_MIN, seconds};
@@ -41,7 +41,7 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
     side: Some(Side::Outside),
     column: "E",
     used_as: Some(Use::NORMALISATION),
-    own: &own![
+    own: Formulas::of(&own![
         "ggx_glass_outside_3",
         "ggx_glass_outside_4",
         "ggx_glass_outside_6",
@@ -51,7 +51,7 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
         "ggx_glass_outside_16",
         "ggx_glass_outside_18",
         "ggx_glass_outside_20"
-    ],
+    ]),
     published: &[],
     role: "ggx_glass_energy_compensation_outside",
     of: "glass from outside",
@@ -68,14 +68,14 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
 
 const FROM_INSIDE: ValueFits = ValueFits {
     side: Some(Side::Inside),
-    own: &own![
+    own: Formulas::of(&own![
         "ggx_glass_inside_6",
         "ggx_glass_inside_9",
         "ggx_glass_inside_10",
         "ggx_glass_inside_11",
         "ggx_glass_inside_19",
         "ggx_glass_inside_25"
-    ],
+    ]),
     role: "ggx_glass_energy_compensation_inside",
     of: "glass from inside",
     caption: "E = R + T from inside: what a rough interface sends on. Beyond the critical angle it reflects alone. The rest is lost \
@@ -103,7 +103,8 @@ impl Effect for GlassCompensation {
             let (want, ior) = material.wants.fit.as_ref().filter(|_| wanting(material)).zip(material.ior)?;
             let [low, high] = material.roughness;
             let mut demand = self.fits[0].demand(scene, of, [low.max(least), high], want.goals.clone());
-            demand.spans.push(("ior", Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN.min(ior[0]), GLASS_IOR])));
+            let ior = Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN.min(ior[0]), GLASS_IOR]);
+            demand.spans.push(("ior", ior.or_one(self.fits[0].own.is_flat())));
             (high >= least).then_some(demand)
         };
         scene.materials.iter().enumerate().filter_map(demand).collect()

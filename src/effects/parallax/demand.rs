@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{HYPOTHESES, PUBLISHED};
+use crate::approximate::Formulas;
 use crate::data::{MipChain, Pick, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
@@ -122,7 +123,7 @@ pub(super) fn summary(scene: &Scene, job: &Job) -> Option<JobSummary> {
     let of = format!("the width of a fetch from a {} chain", lobe.kernel.name());
     let fits = HYPOTHESES.len() * job.goals.norms.len() + PUBLISHED.len();
     let summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
-    let mut summary = summary.doubting(job, &HYPOTHESES);
+    let mut summary = summary.doubting(job, Formulas::of(&HYPOTHESES));
     summary.recommended = Some("the most accurate".into());
     summary.approximation += &format!("{chains}{lookups}{fitted}");
     Some(summary)

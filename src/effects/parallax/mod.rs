@@ -21,7 +21,7 @@ use super::demand::{Demand, Job};
 use super::effect::{Clock, Note};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Memo, Wanted};
+use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Formulas, Memo, Wanted};
 use crate::data::{AlphaMap, Norm, Source};
 use crate::report::TimedLookup;
 use crate::scene::Scene;
@@ -145,7 +145,7 @@ pub fn fit_all(spec: &ParallaxSpec, memo: &Memo) -> Result<FitSet, FitStageError
             alpha_map: spec.alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
         },
-        own: &HYPOTHESES,
+        own: Formulas::of(&HYPOTHESES),
         user: &[],
         published: PUBLISHED.iter().collect(),
         norms: &spec.norms,

@@ -3,7 +3,7 @@
 use std::cell::LazyCell;
 
 use super::Reflection;
-use crate::approximate::{CallOps, Emission};
+use crate::approximate::{CallOps, Emission, Formulas};
 use crate::data::{AlphaMap, Pick, Smith};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Budget, Demand, Job, Span};
@@ -113,7 +113,9 @@ impl Reflection {
         let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
             let beside = if is_coloured(material) { *coloured } else { 0 };
             let roughness = Span::roughness(range, scene.alpha);
-            let because = because(material, roughness);
+            let of_fits = roughness.or_one(false);
+            let has_tables = table::wanted(material, 2).count() > 0;
+            let because = because(material, if has_tables { roughness } else { of_fits });
             let tables = table::wanted(material, 2)
                 .filter_map(|want| table::demand(self, scene, (of, material), want, because.clone()));
             let fit = material.wants.fit.as_ref().filter(|_| !material.lobe().is_glass());
@@ -124,7 +126,7 @@ impl Reflection {
                 name: material.name.clone(),
                 field: format!("materials[{of}].wants.fit"),
                 because: because.clone(),
-                spans: vec![("mu", Span::new(scene.mu)), ("roughness", roughness)],
+                spans: vec![("mu", Span::new(scene.mu)), ("roughness", of_fits)],
                 goals: want.goals.clone(),
                 call: CallOps { beside, ..CallOps::default() },
                 ..Demand::default()
@@ -243,7 +245,7 @@ impl Reflection {
             return summary;
         }
         let doubt = self.doubt(scene, job).unwrap_or_default();
-        let summary = summary.doubting(job, self.normalisations);
+        let summary = summary.doubting(job, Formulas::of(self.normalisations));
         JobSummary { approximation: summary.approximation + &doubt, ..summary }
     }
 
@@ -253,7 +255,8 @@ impl Reflection {
     fn doubt(&self, scene: &Scene, job: &Job) -> Option<String> {
         let [roughness, mu] = [job.range("roughness").ok()?, job.range("mu").ok()?];
         let is_known = scene.smith == Smith::Correlated && scene.alpha == AlphaMap::RoughnessSquared;
-        if !is_known || roughness[0] < 0.02 || mu[0] < 0.01 {
+        // Of one roughness other formulas are taken.
+        if !is_known || roughness[0] == roughness[1] || roughness[0] < 0.02 || mu[0] < 0.01 {
             return None;
         }
         let Budget { max_ops, call } = job.budget();
@@ -298,7 +301,7 @@ impl Reflection {
     /// normalisations share; the searches; a certificate for every fit and for the published formulas.
     fn fit_seconds(&self, scene: &Scene, job: &Job, wants: &FitJob) -> f64 {
         let norms = job.goals.norms.len();
-        let normalisations = self.normalisations.len() + wants.hypotheses.len();
+        let normalisations = job.formulas(Formulas::of(self.normalisations)).len() + wants.hypotheses.len();
         let averages = if wants.average { self.averages.len() } else { 0 };
         let searches = ((normalisations + averages) * norms) as f64;
         let certificates = searches + (self.seeds.len() + self.published.len()) as f64;
@@ -308,7 +311,9 @@ impl Reflection {
             0.0
         };
         let width = job.range("roughness").map_or(NARROW.0, |[low, high]| high - low);
-        let search = OPTIMISE_S * (1.0 + NARROW.1 * log(NARROW.0 / width).max(0.0));
+        // Of one roughness the formulas are of the cosine alone, each a linear program.
+        let narrow = if width > 0.0 { NARROW.1 * log(NARROW.0 / width).max(0.0) } else { 0.0 };
+        let search = OPTIMISE_S * (1.0 + narrow);
         let Emission { pick, shown, .. } = job.emission(scene, self.roles[0]);
         let made = if shown || pick != Pick::Best { 1.0 } else { UNSHOWN };
         CERTIFIED * self.price.certified

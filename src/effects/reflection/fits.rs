@@ -2,7 +2,7 @@
 
 use super::Reflection;
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, CallOps, Emission, FitSet, FitStageError, Memo, Region, Wanted};
+use crate::approximate::{self, CallOps, Emission, FitSet, FitStageError, Formulas, Memo, Region, Wanted};
 use crate::data::{Norm, Pick, Smith, Source, Use};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::{GgxAverage, Quantity, Variant};
@@ -58,7 +58,7 @@ pub fn fit_all(of: &Reflection, spec: &FitSpec, memo: &Memo) -> Result<FitSet, F
 impl FitSet {
     /// Adds the fits of another use; formulas of it that cost too much are noted.
     fn join(&mut self, wanted: &Wanted, memo: &Memo) -> Result<(), FitStageError> {
-        for entry in wanted.own {
+        for entry in wanted.formulas() {
             let formula = Hypothesis::parse(entry.file, entry.source)?;
             self.dropped.extend(wanted.too_dear(&formula)?);
         }
@@ -74,7 +74,7 @@ impl FitSet {
 impl FitSpec {
     fn normalisations(&self, of: &Reflection) -> Wanted<'_> {
         Wanted {
-            own: of.normalisations,
+            own: Formulas::of(of.normalisations),
             user: &self.hypotheses,
             published: of.seeds.iter().chain(of.published).collect(),
             emission: self.emission.clone(),
@@ -84,7 +84,7 @@ impl FitSpec {
 
     fn averages(&self, of: &Reflection) -> Wanted<'_> {
         let mut wanted = Wanted {
-            own: of.averages,
+            own: Formulas::of(of.averages),
             // What it is for divides by 1 - E_avg.
             emission: Emission { most_accurate: true, ..self.emission_as(of.roles[1]) },
             ..self.of(&GgxAverage, "E_avg", Use::VALUE)
@@ -97,7 +97,7 @@ impl FitSpec {
     fn blends(&self, of: &Reflection) -> Wanted<'_> {
         let published = of.published_blends.iter().collect();
         let emission = self.emission_as(of.roles[2]);
-        Wanted { own: of.blends, published, emission, ..self.of(of.lobe, "E", Use::F0_BLEND) }
+        Wanted { own: Formulas::of(of.blends), published, emission, ..self.of(of.lobe, "E", Use::F0_BLEND) }
     }
 
     /// What is emitted of fits for another use: the limit on the error is not theirs, and nothing
@@ -125,7 +125,7 @@ impl FitSpec {
                 alpha_map: self.region.alpha_map,
                 domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
             },
-            own: &[],
+            own: Formulas::default(),
             user: &[],
             published: Vec::new(),
             norms: &self.norms,

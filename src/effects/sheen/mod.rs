@@ -9,7 +9,7 @@ use super::table::ValueTable;
 use super::value::{self, Functions, ValueFits};
 use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::approximate::Fit;
+use crate::approximate::{Fit, Formulas};
 use crate::data::Layout;
 use crate::scene::{Material, Scene, TableWant};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
@@ -25,7 +25,7 @@ const FITS: ValueFits = ValueFits {
     side: None,
     column: "E",
     used_as: None,
-    own: &HYPOTHESES,
+    own: Formulas::of(&HYPOTHESES),
     published: &PUBLISHED,
     role: "sheen_albedo",
     of: "sheen",

@@ -10,7 +10,7 @@ use super::{
 use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::context::Context;
-use crate::effects::demand::Job;
+use crate::effects::demand::{Job, Span};
 use crate::effects::{Albedo, BakeError, JobSummary};
 use crate::scene::TableWant;
 use lobefit_truth::integrate::IntegrateError;
@@ -86,7 +86,7 @@ impl ValueTable<'_> {
                 size: want.size.clone(),
                 max_bytes: want.max_bytes,
                 format: want.format,
-                roughness: job.range("roughness")?,
+                roughness: Span::roughness(job.range("roughness")?, context.scene.alpha).widened(),
                 mu: want.n_dot_v,
                 slices: None,
                 anisotropy: None,

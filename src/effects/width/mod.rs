@@ -7,7 +7,7 @@ use super::effect::Note;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{NOT_ASKED, about, anisotropy, rough, stay_smooth};
 use super::{Effect, ggx};
-use crate::approximate::{own, published};
+use crate::approximate::{Formulas, own, published};
 use crate::data::AlphaMap;
 use crate::scene::limits::EXACT_IOR;
 use crate::scene::{Goals, Material, Scene};
@@ -30,13 +30,13 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &RefractedWidth,
         column: "roughness_refracted",
-        own: &own![
+        own: Formulas::of(&own![
             "refracted_width_2",
             "refracted_width_4",
             "refracted_width_9",
             "refracted_width_11",
             "refracted_width_14"
-        ],
+        ]),
         published: &published![
             "refracted_width_none" by "no rule: the roughness of the surface",
             "refracted_width_khronos" by "Khronos glTF Sample Renderer, applyIorToRoughness; Bevy, three.js",
@@ -53,7 +53,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &AVERAGED_WIDTH,
         column: "roughness_averaged",
-        own: &own!["averaged_width_14", "averaged_width_16", "averaged_width_21"],
+        own: Formulas::of(&own!["averaged_width_14", "averaged_width_16", "averaged_width_21"]),
         published: &published![
             "averaged_width_none" by "no rule: the roughness of the surface",
             "averaged_width_toksvig" by "M. Toksvig, Mipmapping Normal Maps, 2005, in the form of GGX",
@@ -69,7 +69,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &LIT_WIDTH,
         column: "roughness_lit",
-        own: &own!["lit_width_8", "lit_width_14", "lit_width_15"],
+        own: Formulas::of(&own!["lit_width_8", "lit_width_14", "lit_width_15"]),
         published: &published![
             "lit_width_none" by "no rule: the roughness of the surface",
             "lit_width_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013",
@@ -83,7 +83,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &LIT_WIDTH,
         column: "normalisation",
-        own: &own!["lit_energy_12", "lit_energy_13"],
+        own: Formulas::of(&own!["lit_energy_12", "lit_energy_13"]),
         published: &published!["lit_energy_karis" by "B. Karis, Real Shading in Unreal Engine 4, 2013"],
         role: "lit_normalisation",
         of: "nearest points of disk lights",
@@ -95,7 +95,7 @@ pub static FITS: [ValueFits; 5] = [
     ValueFits {
         quantity: &COATED_WIDTH,
         column: "roughness_coated",
-        own: &own!["coated_width_19", "coated_width_21"],
+        own: Formulas::of(&own!["coated_width_19", "coated_width_21"]),
         published: &published![
             "coated_width_none" by "no rule: the roughness of the base",
             "coated_width_openpbr" by "OpenPBR 1.1; MaterialX, open_pbr_surface",
@@ -114,7 +114,7 @@ const WIDENED: ValueFits = ValueFits {
     side: None,
     column: "",
     used_as: None,
-    own: &[],
+    own: Formulas::of(&[]),
     published: &[],
     role: "",
     of: "",
@@ -133,7 +133,7 @@ const WIDENED: ValueFits = ValueFits {
 fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static str, Span)>)> {
     let ior = |ior: [f64; 2], most| {
         let inside = ior.map(|ior| ior.clamp(IOR_MIN, most));
-        ("ior", Span::at_least(inside, IOR_WIDTH_MIN, [IOR_MIN, most]))
+        ("ior", Span::at_least(inside, IOR_WIDTH_MIN, [IOR_MIN, most]).or_one(fits.own.is_flat()))
     };
     if fits.field == FITS[0].field {
         let want = material.wants.refracted_width.as_ref()?;
@@ -143,7 +143,7 @@ fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static
     let (goals, norms) = (want.goals.clone(), want.goals.norms.clone());
     match fits.role {
         "averaged_roughness" => {
-            let span = Span::at_least(want.mean_length?, 0.1, [0.5, 1.0]);
+            let span = Span::at_least(want.mean_length?, 0.1, [0.5, 1.0]).or_one(false);
             Some((goals, vec![("mean_length", span)]))
         }
         "coated_roughness" => {
@@ -152,11 +152,12 @@ fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static
                 coat.roughness.map(|r| r.max(COAT_ROUGHNESS_MIN)),
                 0.1,
                 [COAT_ROUGHNESS_MIN, 1.0],
-            );
+            )
+            .or_one(false);
             Some((goals, vec![("coat_roughness", roughness), ior(coat.ior, COAT_IOR)]))
         }
         role => {
-            let span = Span::at_least(want.light_radius?, 0.05, [0.0, 0.5]);
+            let span = Span::at_least(want.light_radius?, 0.05, [0.0, 0.5]).or_one(false);
             // The limit is of the roughness.
             let goals = if role == "lit_roughness" { goals } else { Goals { norms, ..Goals::default() } };
             Some((goals, vec![("light_radius", span)]))

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::FittingError;
 use lobefit::approximate::target::{Sampled, Target, TargetSpec};
-use lobefit::approximate::{Emission, Wanted, compared};
+use lobefit::approximate::{Emission, Formulas, Wanted, compared};
 use lobefit::data::{AlphaMap, Approximation, Norm, Smith, Source, Vendor};
 use lobefit::effects::catalogue;
 use lobefit::report::words::operations;
@@ -69,7 +69,7 @@ pub(crate) fn fits(
         }
         let wanted = Wanted {
             spec: spec.clone(),
-            own: &own,
+            own: Formulas::of(&own),
             user: &[],
             published,
             norms: &[Norm::Max],

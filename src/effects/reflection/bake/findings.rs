@@ -7,7 +7,7 @@ use crate::effects::context::Context;
 use crate::effects::reflection::Reflection;
 use crate::effects::selection::{Selected, selected};
 use crate::effects::table::{BakedTable, finding};
-use crate::effects::{BakeError, Made, Part, page};
+use crate::effects::{BakeError, Made, Part, grid, page};
 use crate::report::numbers::brief;
 use crate::report::sections::words;
 use crate::report::{ApproximationFinding, AverageFinding, Field, Findings, Furnace, Ruler, TableFinding};
@@ -57,6 +57,9 @@ pub fn findings(
         found.truths.push(Exact::map(lobe, &baked.region.flat(), false, context)?.albedo());
     }
     found.caption = found.truths.first().map_or_else(String::new, |field| landscape(of.ndf.name(), field));
+    if let Some(region) = region {
+        found.caption = format!("{} {}", found.caption, grid::beside_text(&region)).trim().into();
+    }
     if let Some(region) = region.or_else(|| tables.first().map(|t| t.region.flat())) {
         found.furnace = Some(furnace_of(&Exact::furnace(lobe, &region, context)?, tables, &shown)?);
     }

@@ -1,0 +1,17 @@
+override a0: f32 = 1.0;
+override a1: f32 = 1.0;
+override a2: f32 = 1.0;
+override a3: f32 = 1.0;
+override a4: f32 = 1.0;
+override b1: f32 = 1.0;
+override b2: f32 = 1.0;
+override b3: f32 = 1.0;
+override b4: f32 = 1.0;
+
+/// Of the cosine of the view alone: every other input has one value.
+/// Thirteen operations: a quotient.
+fn cosine_13(mu: f32) -> f32 {
+    let dividend = a0 + mu * (a1 + mu * (a2 + mu * (a3 + mu * a4)));
+    let divisor = 1.0 + mu * (b1 + mu * (b2 + mu * (b3 + mu * b4)));
+    return dividend / divisor;
+}

@@ -1,0 +1,12 @@
+override a0: f32 = 1.0;
+override a1: f32 = 1.0;
+override a2: f32 = 1.0;
+override b0: f32 = 1.0;
+
+/// Of roughness alone: every other input has one value.
+/// Eight operations: a quotient, whose divisor has no term in roughness.
+fn roughness_8(roughness: f32) -> f32 {
+    let dividend = a0 + roughness * (a1 + roughness * a2);
+    let divisor = b0 + roughness * roughness;
+    return dividend / divisor;
+}

@@ -1,0 +1,145 @@
+//! Materials whose inputs have one value: functions of what varies, for a few operations.
+
+use crate::baked_support::bake_scene;
+use lobefit::bake::Baked;
+use lobefit::scene::Scene;
+use lobefit_shade::Source;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::optics::Smith;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{
+    DiffuseCoupling, GGX_GLASS, GGX_REFLECTION, GgxAverage, Quantity, Specular, Variant,
+};
+
+/// The scene of docs/scene.md.
+const LAMP: &str = r#"{ "schema_version": 1, "name": "lamp", "materials": [
+  { "name": "foot", "kind": "metal", "f0": 0.9, "roughness": 0.4, "wants": { "fit": { "average": true, "blend": true } } },
+  { "name": "lacquer", "kind": "dielectric", "ior": 1.5, "roughness": 0.4, "base": { "albedo": 0.5 }, "wants": { "fit": {} },
+    "coat": { "roughness": [0.05, 0.3], "ior": 1.5 } },
+  { "name": "shade", "kind": "glass", "ior": 1.52, "roughness": 0.4, "wants": { "fit": {} } }
+] }"#;
+
+fn baked(text: &str) -> Baked {
+    let text = text.replacen("\"name\"", r#""reports": false, "languages": ["wgsl"], "name""#, 1);
+    bake_scene(&Scene::from_json(text.as_bytes(), "lamp.json").expect("a scene")).expect("a bake")
+}
+
+fn code(baked: &Baked) -> String {
+    String::from_utf8(baked.files["fits/lobefit.wgsl"].clone()).expect("UTF-8")
+}
+
+/// A function of the include file at inputs by the names of its arguments.
+fn value(source: &Source, name: &str, inputs: [(&str, f64); 4]) -> f64 {
+    let tape = source.tape(name, 0).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let of = |name: &String| inputs.iter().find(|(input, _)| input == name).expect("an input").1 as f32;
+    f64::from(tape.at(&tape.inputs().iter().map(of).collect::<Vec<f32>>(), &[]))
+}
+
+#[test]
+fn functions_are_of_what_varies_and_keep_their_arguments() {
+    let baked = baked(LAMP);
+    let text = code(&baked);
+    let page = include_str!("../../docs/scene.md");
+    assert!(page.contains(LAMP), "docs/scene.md has another scene than this test");
+    let mut lacking = Vec::new();
+    for signature in [
+        "ggx_energy_compensation(roughness: f32, n_dot_v: f32)",
+        "ggx_average_albedo(roughness: f32)",
+        "ggx_directional_albedo(roughness: f32, n_dot_v: f32, f0: f32)",
+        "diffuse_coupling(roughness: f32, n_dot_v: f32, f0: f32)",
+        "coat_escape(roughness: f32, ior: f32)",
+        "ggx_glass_energy_compensation_outside(roughness: f32, n_dot_v: f32, ior: f32)",
+        "ggx_glass_energy_compensation_inside(roughness: f32, n_dot_v: f32, ior: f32)",
+    ] {
+        assert!(text.contains(&format!("fn {signature} -> f32 {{")), "{signature} is not in\n{text}");
+        let name = &signature[..signature.find('(').expect("arguments")];
+        let fit = baked.fits.iter().find(|fit| fit.emitted && fit.hypothesis.name() == name);
+        let a = &fit.unwrap_or_else(|| panic!("no fit {name}")).approximation;
+        assert!(
+            ["cosine_", "roughness_1", "constant_"].iter().any(|of| a.name.starts_with(of)),
+            "{name}: {}",
+            a.name
+        );
+        let row = format!("| `{name}` | `{}` | {} | {} |", a.name, a.cost.ops, a.certificate.max_abs);
+        if !page.contains(&row) {
+            lacking.push(row);
+        }
+    }
+    assert!(lacking.is_empty(), "docs/scene.md has no row\n{}", lacking.join("\n"));
+}
+
+/// At cosines of their own: the certificate is of other points.
+#[test]
+fn each_is_within_its_error_of_the_truth() {
+    let baked = baked(LAMP);
+    let source = Source::parse("lobefit.wgsl", &code(&baked)).expect("WGSL");
+    let mu: Vec<f64> =
+        (0..2000).map(|i| f64::from((0.01 + 0.99 * (f64::from(i) + 0.37) / 2000.0) as f32)).collect();
+    let all = |x: f64| vec![f64::from(x as f32); mu.len()];
+    let alpha = f64::from((0.4_f32) * 0.4_f32);
+    let correlated = || Variant::from(Smith::Correlated);
+    let glass = |side| Variant { side: Some(side), ..correlated() };
+    let coupled = Variant { specular: Some(Specular::Normalised), ..correlated() };
+    let cases: [(&str, &dyn Quantity, Variant, &str, f64); 5] = [
+        ("ggx_energy_compensation", &GGX_REFLECTION, correlated(), "E", 1.0),
+        ("ggx_average_albedo", &GgxAverage, correlated(), "E_avg", 1.0),
+        ("diffuse_coupling", &DiffuseCoupling, coupled, "factor", 1.0),
+        ("ggx_glass_energy_compensation_outside", &GGX_GLASS, glass(Side::Outside), "E", 1.52),
+        ("ggx_glass_energy_compensation_inside", &GGX_GLASS, glass(Side::Inside), "E", 1.52),
+    ];
+    for (name, quantity, variant, column, ior) in cases {
+        let columns = [("alpha", all(alpha)), ("mu", mu.clone()), ("f0", all(0.04)), ("ior", all(ior))];
+        let known = |input: &str| quantity.inputs().iter().any(|own| own.name == input);
+        let points = Points::new(columns.into_iter().filter(|(input, _)| known(input)));
+        let truth =
+            quantity.truth(&variant, &points, &[column], quantity.tolerance(&variant)).expect("a truth");
+        let [truth] = truth.arrays();
+        let fit = baked.fits.iter().find(|fit| fit.hypothesis.name() == name).expect("a fit");
+        let (residual, stated) = (fit.approximation.used_as.residual, fit.approximation.certificate.max_abs);
+        let error = |(mu, truth): (&f64, &f64)| {
+            let inputs = [("roughness", 0.4), ("n_dot_v", *mu), ("f0", 0.04), ("ior", ior)];
+            residual.of(value(&source, name, inputs), *truth).abs()
+        };
+        let worst = mu.iter().zip(&truth).map(error).fold(0.0, f64::max);
+        assert!(worst <= stated * (1.0 + 1e-3) + 1e-7, "{name}: {worst}, stated {stated}");
+        assert!(worst >= 0.9 * stated || stated < 1e-6, "{name}: {stated} is stated, {worst} found");
+    }
+}
+
+/// Below the domain they have no pole: finite and not negative down to grazing.
+#[test]
+fn none_has_a_pole_at_grazing() {
+    let every = LAMP.replacen("\"name\"", r#""pick": "all", "name""#, 1);
+    let baked = baked(&every);
+    let mu: Vec<f64> = (0..=1000).map(|i| f64::from((f64::from(i) * 1e-5) as f32)).collect();
+    let all = |x: f64| vec![f64::from(x as f32); mu.len()];
+    let columns = [("roughness", all(0.4)), ("alpha", all(0.16)), ("mu", mu.clone()), ("ior", all(1.52))];
+    let points = Points::new(columns);
+    let mut looked_at = 0;
+    for fit in baked.fits.iter().filter(|fit| fit.emitted && fit.approximation.name.starts_with("cosine")) {
+        let values = fit.values_for(&points, 0.04).expect("finite values");
+        for (value, mu) in values.iter().zip(&mu) {
+            assert!((0.0..3.0).contains(value), "{}: {value} at n_dot_v {mu}", fit.hypothesis.name());
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 20_000, "{looked_at}");
+}
+
+/// One roughness beside a range of the index: no formula is of these two alone, and the roughness becomes
+/// a range.
+#[test]
+fn where_something_else_varies_one_roughness_becomes_a_range() {
+    let plan = |ior: &str| {
+        let text = format!(
+            r#"{{"schema_version": 1, "name": "pane", "materials": [
+               {{"name": "a", "kind": "glass", "ior": {ior}, "roughness": 0.4, "wants": {{"fit": {{}}}}}}]}}"#
+        );
+        let scene = Scene::from_json(text.as_bytes(), "pane.json").expect("a scene");
+        let plan = lobefit::plan::plan(&scene);
+        let called = plan.effects.iter().find(|called| called.effect == "glass-outside").expect("called");
+        called.jobs[0].ranges["roughness"]
+    };
+    assert_eq!(plan("1.52"), [0.4, 0.4]);
+    assert_eq!(plan("[1.4, 1.6]"), [0.395, 0.405]);
+}
