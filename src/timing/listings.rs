@@ -40,8 +40,11 @@ mod packed {
     }
 
     pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Texts, D::Error> {
-        let bytes = STANDARD.decode(String::deserialize(from)?).map_err(D::Error::custom)?;
-        let json = decompress_to_vec_zlib_with_limit(&bytes, LIMIT).map_err(D::Error::custom)?;
-        serde_json::from_slice(&json).map_err(D::Error::custom)
+        fn refused<E: Error>(error: impl std::fmt::Display) -> E {
+            E::custom(format!("listings.packed: {error}"))
+        }
+        let bytes = STANDARD.decode(String::deserialize(from)?).map_err(refused)?;
+        let json = decompress_to_vec_zlib_with_limit(&bytes, LIMIT).map_err(refused)?;
+        serde_json::from_slice(&json).map_err(refused)
     }
 }

@@ -1,9 +1,10 @@
 //! `lobefit cost --budget`, `--max-error`, `--max-bytes`: what to ship of a scene within limits.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use lobefit_shade::code::Language;
 
@@ -42,6 +43,38 @@ struct Shipped {
     unkept: Vec<String>,
 }
 
+/// Fields of a scene: `materials[0].wants.fit: "max_error": 0.0113`.
+#[derive(Clone, Debug, PartialEq)]
+struct Field {
+    path: String,
+    /// Of a table.
+    size: Option<Vec<usize>>,
+    max_error: f64,
+    /// The vendor whose model a formula is picked by.
+    vendor: Option<Vendor>,
+}
+
+impl fmt::Display for Field {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Field { path, size, max_error, vendor } = self;
+        write!(f, "{path}: ")?;
+        if let Some(size) = size {
+            write!(f, "\"size\": {size:?}, ")?;
+        }
+        write!(f, "\"max_error\": {max_error}")?;
+        match vendor {
+            Some(vendor) => write!(f, "; \"cost\": \"{}\" of the scene", vendor.word()),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Serialize for Field {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
+}
+
 /// A function to ship.
 #[derive(Serialize)]
 struct Snippet {
@@ -54,7 +87,7 @@ struct Snippet {
     /// The fields of the scene by which `bake` picks it, in place of the limits that stand there, where
     /// there are any: `materials[0].wants.fit: "max_error": 0.0113`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    field: Option<String>,
+    field: Option<Field>,
     /// The code, with all that the job's other functions need.
     code: String,
     /// The quantity and the one column of it that the call gives or corrects for.
@@ -101,12 +134,13 @@ pub(super) fn verb(options: &Options) -> Result<Outcome, CliError> {
         shipped.add((plan, &by_error), baked, &limits)?;
     }
     shipped.tables_beside_functions();
+    let shared = shipped.one_limit_of_a_field();
     if options.json {
         print_json(&shipped)?;
     } else {
         match plan.is_empty() {
             true => print(NOTHING)?,
-            false if !options.quiet => print(shipped.text(&limits, &input.scene).as_bytes())?,
+            false if !options.quiet => print(shipped.text((&limits, shared), &input.scene).as_bytes())?,
             false => {}
         }
         say_each("not within the limits", &shipped.unkept);
@@ -212,8 +246,25 @@ impl Shipped {
         }
     }
 
+    /// A field that several functions share has the largest of their errors, as both sides of glass do;
+    /// whether one does.
+    fn one_limit_of_a_field(&mut self) -> bool {
+        let mut largest: BTreeMap<String, f64> = BTreeMap::new();
+        let mut differ = false;
+        let fields = || self.ship.iter().filter_map(|of| of.field.as_ref()).filter(|field| field.size.is_none());
+        for field in fields() {
+            let known = largest.entry(field.path.clone()).or_insert(field.max_error);
+            differ |= *known != field.max_error;
+            *known = known.max(field.max_error);
+        }
+        for field in self.ship.iter_mut().filter_map(|of| of.field.as_mut()).filter(|f| f.size.is_none()) {
+            field.max_error = largest.get(&field.path).copied().unwrap_or(field.max_error);
+        }
+        differ
+    }
+
     /// A table, and under it the calls.
-    fn text(&self, limits: &Limits, scene: &Scene) -> String {
+    fn text(&self, (limits, shared): (&Limits, bool), scene: &Scene) -> String {
         let calls: Vec<Call> = self.ship.iter().map(|of| of.call.clone()).collect();
         let mut lines = table(&calls, limits.vendor, scene);
         if calls.iter().any(|call| call.is_preferred(&calls)) {
@@ -228,7 +279,7 @@ impl Shipped {
                 vendor.title()
             ));
         }
-        lines.extend(limits.budget.and_then(|_| shared(&calls)));
+        lines.extend(limits.budget.and_then(|_| dearer(&calls)));
         let mut snippets: Vec<String> = Vec::new();
         for of in &self.ship {
             let field = of.field.as_ref().map_or_else(String::new, |field| format!("; {field}"));
@@ -243,17 +294,22 @@ impl Shipped {
                     .into(),
             );
         }
+        if shared {
+            lines.push(
+                "where functions share a field, it has the largest of their errors, within which `bake` may take a cheaper one for another".into(),
+            );
+        }
         lines.extend(snippets);
         lines.iter().map(|line| visible(line) + "\n").collect()
     }
 }
 
 /// Which functions have room in the budget since another of their formula costs more.
-fn shared(calls: &[Call]) -> Option<String> {
+fn dearer(calls: &[Call]) -> Option<String> {
     let is_dearer = |own: &Call, other: &Call| other.name == own.name && cost(other) > cost(own);
-    let dearer = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
+    let by = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
     let rooms: BTreeSet<(&str, String)> =
-        calls.iter().filter_map(|own| Some((own.function.as_str(), dearer(own)?))).collect();
+        calls.iter().filter_map(|own| Some((own.function.as_str(), by(own)?))).collect();
     let named: Vec<String> = rooms
         .iter()
         .map(|(own, by)| {
@@ -271,23 +327,22 @@ fn field(
     entries: &Entries,
     (call, all): (&Call, &[Call]),
     limits: &Limits,
-) -> Option<String> {
+) -> Option<Field> {
     let demands = &plan.effects.first()?.work.first()?.demands;
     let demand = demands.iter().find(|demand| demand.name == call.of)?;
-    let field = Some(&demand.field).filter(|field| field.starts_with("materials"))?;
+    let path = Some(&demand.field).filter(|field| field.starts_with("materials"))?.clone();
     // Of what a field asks for beside its own functions, no limit there is on the error.
     if call.file.is_none() && !by_error.contains(&goal(demand)) {
         return None;
     }
     if call.file.is_none() {
-        let cost = limits.vendor.map(|vendor| format!("; \"cost\": \"{}\" of the scene", vendor.word()));
-        return Some(format!("{field}: \"max_error\": {}{}", call.max_error, cost.unwrap_or_default()));
+        return Some(Field { path, size: None, max_error: call.max_error, vendor: limits.vendor });
     }
     // Of both sides of glass: the scene has one limit.
     let max_error =
         all.iter().filter(|call| call.file.is_some()).map(|call| call.max_error).fold(0.0, f64::max);
-    let sizes = table_of(entries, call)?.axes.iter().map(|axis| axis.size).collect::<Vec<_>>();
-    Some(format!("{field}: \"size\": {sizes:?}, \"max_error\": {max_error}"))
+    let size = table_of(entries, call)?.axes.iter().map(|axis| axis.size).collect();
+    Some(Field { path, size: Some(size), max_error, vendor: None })
 }
 
 /// The table that a call fetches from.

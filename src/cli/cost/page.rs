@@ -12,7 +12,7 @@ use crate::bake::{BakeError, Baked, Selection};
 use crate::emit::manifest::Manifest;
 use crate::plan;
 use crate::report::{CostSearch, Costs, GpuRecord, OfflineRecord, bar_from, cost_page};
-use crate::store::{Files, Folder, MANIFEST};
+use crate::store::{Cache, Files, Folder, MANIFEST};
 use crate::timing::costs::costs;
 use crate::timing::isa::IsaRecord;
 
@@ -25,9 +25,10 @@ pub(super) fn verb(options: &Options, path: &Path) -> Result<Outcome, CliError> 
     let plan = plan::plan(&input.scene);
     let beside = Beside::read(&options.records)?;
     let mut folder = Folder::open_flat(path.parent().unwrap_or(Path::new("")))?;
-    let progress = Bar::new(options.quiet, (&input.scene, &plan), 0);
+    let (progress, cache) = (Bar::new(options.quiet, (&input.scene, &plan), 0), Cache::of_user());
     let page = options.threads.install(|| {
-        let baked = input.bake(&plan, Selection::default(), &progress)?;
+        let selection = Selection { cache: cache.as_ref(), ..Selection::default() };
+        let baked = input.bake(&plan, selection, &progress)?;
         beside.page(&input, &baked, (options, path))
     })?;
     drop(progress);
