@@ -6,7 +6,7 @@ use crate::approximate::Memo;
 use crate::data::Smith;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, Reflection, TRUTH_ERROR};
+use lobefit_truth::quantity::{GGX_REFLECTION, Reflection, TRUTH_ERROR};
 
 /// E, and B where it was asked for, at every point, within [`TRUTH_ERROR`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,7 +23,7 @@ impl Albedo {
     /// # Errors
     /// Points without alpha or mu, or outside the domain of the quantity.
     pub fn new(smith: Smith, points: &Points, split: bool, memo: &Memo) -> Result<Albedo, IntegrateError> {
-        Albedo::of((&GGX_REFLECTION, smith), points, split, memo)
+        Albedo::of((GGX_REFLECTION, smith), points, split, memo)
     }
 
     /// The same of a lobe.
@@ -31,7 +31,7 @@ impl Albedo {
     /// # Errors
     /// As [`Albedo::new`].
     pub fn of(
-        (lobe, smith): (&Reflection, Smith),
+        (lobe, smith): (&dyn Reflection, Smith),
         points: &Points,
         split: bool,
         memo: &Memo,

@@ -6,7 +6,7 @@ use lobefit_promises::{Fitted, broken};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{BECKMANN_REFLECTION, Quantity};
+use lobefit_truth::quantity::BECKMANN_REFLECTION;
 
 /// Places along an axis.
 const N: usize = 160;

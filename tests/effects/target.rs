@@ -9,7 +9,7 @@ use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{self, COUPLING, Quantity, Variant};
+use lobefit_truth::quantity::{self, COUPLING, Variant};
 
 fn spec(quantity: &str) -> TargetSpec {
     TargetSpec {

@@ -298,7 +298,7 @@ fn compensated_glass_is_white_from_both_sides() {
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());
     let judged = LookupPoints::certification(&region(SliceAxis::Ior, [1.25, 1.9]), 11);
-    let truths = SMITHS.map(|smith| truths(&GGX_GLASS, smith, &judged).expect("the truths of a judge").0);
+    let truths = SMITHS.map(|smith| truths(GGX_GLASS, smith, &judged).expect("the truths of a judge").0);
     for (((smith, side), table), found) in cases.into_iter().zip(&tables).zip(&found) {
         let (rule, rules) = match side {
             Side::Outside => (&OUTSIDE, &outside),

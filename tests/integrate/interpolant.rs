@@ -1,6 +1,6 @@
 //! E and B of the interpolant against integrals with bounds of their own.
 
-use lobefit_truth::integrate::reflection::{Interpolant, reflection};
+use lobefit_truth::integrate::reflection::{Interpolant, Known, reflection};
 use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::distribution::Ggx;
 use lobefit_truth::quantity::GGX_REFLECTION;

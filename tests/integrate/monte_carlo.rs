@@ -52,7 +52,7 @@ fn sobol_and_quadrature_agree() {
 fn every_estimator_aims_at_the_same_truth() {
     let variant = Smith::Correlated.into();
     let mut scores = Vec::new();
-    for quantity in [&GGX_REFLECTION as &dyn Quantity, &BECKMANN_REFLECTION] {
+    for quantity in [GGX_REFLECTION as &dyn Quantity, BECKMANN_REFLECTION] {
         for at in [[0.5, 0.7], [0.1, 0.15]] {
             let truth = quantity.at(&variant, &at, TOLERANCE).expect("in the domain");
             for draw in quantity.draws() {
@@ -77,8 +77,8 @@ fn every_draw_aims_at_the_truth_of_other_lobes() {
         (&GgxReflectionAniso, Smith::Separable.into(), vec![0.2, 0.6, 0.5, 0.4]),
         (&GgxReflectionAniso, Smith::Correlated.into(), vec![0.1, 0.4, 0.2, f64::NAN]),
         (&GgxAverage, Smith::Correlated.into(), vec![0.6]),
-        (&GGX_GLASS, glass.clone(), vec![0.3, 0.5, 1.5]),
-        (&BECKMANN_GLASS, glass, vec![0.3, 0.8, 1.4]),
+        (GGX_GLASS, glass.clone(), vec![0.3, 0.5, 1.5]),
+        (BECKMANN_GLASS, glass, vec![0.3, 0.8, 1.4]),
     ];
     let mut scores = Vec::new();
     for (quantity, variant, at) in &cases {

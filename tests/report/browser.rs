@@ -10,7 +10,7 @@ use std::process::Command;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lobefit_truth::optics::Smith;
-use lobefit_truth::quantity::{GGX_REFLECTION, Quantity};
+use lobefit_truth::quantity::GGX_REFLECTION;
 use serde::Deserialize;
 
 /// Collects the errors of a page, from its first element on.

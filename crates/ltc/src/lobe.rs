@@ -25,7 +25,7 @@ impl Lobe {
     /// The quantity of its albedo.
     pub fn quantity(self) -> &'static dyn Quantity {
         match self {
-            Lobe::Ggx(_) => &GGX_REFLECTION,
+            Lobe::Ggx(_) => GGX_REFLECTION,
             Lobe::Charlie => &SheenCharlie,
         }
     }

@@ -110,7 +110,7 @@ impl Lobe {
                 specular.formula()
             ),
             drawn: Drawn::Base(specular),
-            quantity: &GGX_REFLECTION,
+            quantity: GGX_REFLECTION,
             outputs: &["E", "B"],
             variant: smith.into(),
             region,

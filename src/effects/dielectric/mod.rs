@@ -38,7 +38,7 @@ const MU_QUICK: f64 = 2e-4;
 const SLOW_S: f64 = 60.0;
 
 const FITS: ValueFits = ValueFits {
-    quantity: &GGX_GLASS,
+    quantity: GGX_GLASS,
     side: Some(Side::Outside),
     column: "R",
     used_as: None,

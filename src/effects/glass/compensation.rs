@@ -37,7 +37,7 @@ pub static INSIDE: GlassCompensation = GlassCompensation {
 };
 
 const FROM_OUTSIDE: ValueFits = ValueFits {
-    quantity: &GGX_GLASS,
+    quantity: GGX_GLASS,
     side: Some(Side::Outside),
     column: "E",
     used_as: Some(Use::NORMALISATION),

@@ -23,7 +23,7 @@ use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
-use lobefit_truth::quantity::{self, BECKMANN_GLASS, GGX_GLASS, Quantity};
+use lobefit_truth::quantity::{self, BECKMANN_GLASS, GGX_GLASS};
 
 use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
@@ -33,7 +33,7 @@ pub struct Glass {
     ndf: Ndf,
     /// Names of the effect and, but in the path tracer's layout, of its functions.
     names: [&'static str; 2],
-    quantity: &'static quantity::Glass,
+    quantity: &'static dyn quantity::Glass,
     prefixes: &'static [&'static str],
     /// Times what GGX takes.
     price: f64,
@@ -43,7 +43,7 @@ pub struct Glass {
 pub static GGX: Glass = Glass {
     ndf: Ndf::Ggx,
     names: ["glass", "ggx_glass_albedo"],
-    quantity: &GGX_GLASS,
+    quantity: GGX_GLASS,
     prefixes: &["ggx_glass_", "path_tracer_"],
     price: 1.0,
 };
@@ -52,7 +52,7 @@ pub static GGX: Glass = Glass {
 pub static BECKMANN: Glass = Glass {
     ndf: Ndf::Beckmann,
     names: ["beckmann-glass", "beckmann_glass_albedo"],
-    quantity: &BECKMANN_GLASS,
+    quantity: BECKMANN_GLASS,
     prefixes: &["beckmann_glass_"],
     price: 2.3,
 };
@@ -214,7 +214,7 @@ fn inputs(places: impl Iterator<Item = [f64; 3]>) -> points::Points {
 /// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
 pub fn truths(
-    glass: &quantity::Glass,
+    glass: &dyn quantity::Glass,
     smith: Smith,
     points: &LookupPoints,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
@@ -223,7 +223,7 @@ pub fn truths(
 
 /// E of both sides at (alpha, mu, ior), and the evaluations that they took.
 fn energies(
-    (glass, smith): (&quantity::Glass, Smith),
+    (glass, smith): (&dyn quantity::Glass, Smith),
     places: impl Iterator<Item = [f64; 3]>,
     tolerance: f64,
 ) -> Result<([Vec<f64>; 2], u64), IntegrateError> {

@@ -6,7 +6,7 @@ use crate::data::{Axis, Channel, Layout, Smith, Table, Warp};
 use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, check};
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
-use lobefit_truth::quantity::{Glass, Quantity};
+use lobefit_truth::quantity::Glass;
 
 /// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
@@ -45,7 +45,7 @@ pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis
 /// rounded.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
-pub fn build(glass: &Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+pub fn build(glass: &dyn Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     match spec.layout {
         Layout::Optimised => optimised(glass, spec),
         Layout::PathTracer => sampled(glass, spec),
@@ -61,14 +61,14 @@ pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated
     tabulate_on(path, &grid)
 }
 
-fn sampled(glass: &Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+fn sampled(glass: &dyn Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let texels = path_tracer(Path::Best, spec.smith, SAMPLED)?;
     let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
     let channels = [texels.outside, texels.inside].map(|e| vec![Channel::new("E", e)]);
     Ok((spec.tables(glass.name(), &axes(), channels.to_vec())?, made))
 }
 
-fn optimised(glass: &Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+fn optimised(glass: &dyn Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let Spec { smith, region, .. } = spec;
     let axes = glass_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
@@ -84,7 +84,7 @@ fn optimised(glass: &Glass, spec: &Spec) -> Result<(Vec<Table>, Made), BuildErro
 }
 
 /// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.
-fn direct(of: (&Glass, Smith), nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
+fn direct(of: (&dyn Glass, Smith), nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
     let ([outside, inside], evaluations) =
         energies(of, nodes.iter().map(|p| [p.alpha, p.mu, p.slice]), JUDGED)?;
     Ok((outside.into_iter().zip(inside).map(|(o, i)| [1.0 - o, 1.0 - i]).collect(), evaluations))

@@ -24,7 +24,7 @@ pub use fits::{FitSpec, fit_all};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{build, sampled};
 
-use lobefit_truth::quantity::{self, Quantity};
+use lobefit_truth::quantity;
 
 /// The effect, of one distribution of normals.
 pub struct Reflection {
@@ -32,7 +32,7 @@ pub struct Reflection {
     /// The effect's name.
     name: &'static str,
     /// The quantity.
-    lobe: &'static quantity::Reflection,
+    lobe: &'static dyn quantity::Reflection,
     /// How names of tables begin, and the roles of those of E and of E and B.
     tables: [&'static str; 3],
     /// The emitted normalisation, average and blend, by their roles.
@@ -59,7 +59,7 @@ pub struct Reflection {
 pub static GGX: Reflection = Reflection {
     ndf: Ndf::Ggx,
     name: "reflection",
-    lobe: &quantity::GGX_REFLECTION,
+    lobe: quantity::GGX_REFLECTION,
     tables: ["ggx-dfg", "ggx_albedo", "ggx_dfg"],
     roles: ["ggx_energy_compensation", "ggx_average_albedo", "ggx_directional_albedo"],
     stems: ["ggx_norm_", "ggx_blend_", "ggx_e_", "ggx_b_"],
@@ -86,7 +86,7 @@ pub static GGX: Reflection = Reflection {
 pub static BECKMANN: Reflection = Reflection {
     ndf: Ndf::Beckmann,
     name: "beckmann",
-    lobe: &quantity::BECKMANN_REFLECTION,
+    lobe: quantity::BECKMANN_REFLECTION,
     tables: ["beckmann-dfg", "beckmann_albedo", "beckmann_dfg"],
     roles: ["beckmann_energy_compensation", "beckmann_average_albedo", "beckmann_directional_albedo"],
     stems: ["beckmann_norm_", "beckmann_blend_", "beckmann_e_", "beckmann_b_"],

@@ -12,7 +12,7 @@ use crate::effects::table::{
 };
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::{self, Quantity, TRUTH_ERROR};
+use lobefit_truth::quantity::{self, TRUTH_ERROR};
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 17;
@@ -73,7 +73,7 @@ impl Family for Reflection {
 
 /// E, and B with `split`, from the patches of the region, however few the points.
 fn known(
-    (lobe, smith): (&quantity::Reflection, Smith),
+    (lobe, smith): (&dyn quantity::Reflection, Smith),
     points: &LookupPoints,
     split: bool,
     memo: &Memo,

@@ -34,7 +34,7 @@ const LOG2_POINTS: u32 = 14;
 /// use lobefit_truth::quantity::GGX_REFLECTION;
 ///
 /// const TABLE: ValueTable = ValueTable {
-///     quantity: &GGX_REFLECTION,
+///     quantity: GGX_REFLECTION,
 ///     column: "E",
 ///     name: "ggx",
 ///     role: "ggx_lookup",

@@ -44,19 +44,19 @@ pub static FORMS: [Form; 8] = [
     own(Smith::Separable, "separable", "separable Smith"),
     of_lines(
         ["schlick", "Schlick-Smith with k = alpha/2 (Karis 2013, for light from images)"],
-        &SCHLICK_SMITH[0],
+        SCHLICK_SMITH[0],
         Smith::Separable,
     ),
     of_lines(
         ["schlick-lights", "Schlick-Smith with k = (roughness + 1)^2/8 (Karis 2013, for analytic lights)"],
-        &SCHLICK_SMITH[1],
+        SCHLICK_SMITH[1],
         Smith::Separable,
     ),
-    of_lines(["schlick-alpha", "Schlick-Smith with k = alpha"], &SCHLICK_SMITH[2], Smith::Separable),
+    of_lines(["schlick-alpha", "Schlick-Smith with k = alpha"], SCHLICK_SMITH[2], Smith::Separable),
     // V = 1/2 over a mix by alpha of 2 (n.l) (n.v) and n.l + n.v: the root of Lambda is a line.
     of_lines(
         ["joint-approx", "height-correlated Smith without roots (Hammon 2017; Unreal's joint approximation)"],
-        &SCHLICK_SMITH[0],
+        SCHLICK_SMITH[0],
         Smith::Correlated,
     ),
     of_sheen(["neubelt", "the visibility of Neubelt and Pettineo (2013)"], None),

@@ -57,12 +57,12 @@ fn many(quantity: &dyn Quantity, axes: &[(&str, &[f64])]) -> f64 {
 
 #[inline(never)]
 fn reflection_at_many() -> f64 {
-    many(&GGX_REFLECTION, &[("alpha", &spaced(0.01, 16)), ("mu", &spaced(0.01, 16))])
+    many(GGX_REFLECTION, &[("alpha", &spaced(0.01, 16)), ("mu", &spaced(0.01, 16))])
 }
 
 #[inline(never)]
 fn glass_at_many() -> f64 {
-    many(&GGX_GLASS, &[("alpha", &[0.1, 0.5]), ("mu", &[0.1, 0.6]), ("ior", &[1.3, 1.6])])
+    many(GGX_GLASS, &[("alpha", &[0.1, 0.5]), ("mu", &[0.1, 0.6]), ("ior", &[1.3, 1.6])])
 }
 
 #[inline(never)]

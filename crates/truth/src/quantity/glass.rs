@@ -22,98 +22,137 @@ const MANY: usize = 16;
 const FINEST: f64 = 1e-8;
 
 /// Reflected and transmitted energy, their sum and 1 less the sum, from either side.
-#[derive(Clone, Copy)]
-pub struct Glass {
-    facts: Facts,
-    by: &'static dyn Lobes,
-    /// Whether it is the lobe of the path tracer.
-    is_traced: bool,
-}
+///
+/// A lobe stands behind a pointer, so that no package that names one compiles its kernels again. The errors
+/// of all are those of [`Quantity::at`].
+pub trait Glass: Quantity {
+    /// R from one side alone, in much less work than E, and the evaluations that it took.
+    fn reflected(
+        &self,
+        at: (Smith, Side),
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Vec<f64>, u64), IntegrateError>;
 
-const fn facts(name: &'static str) -> Facts {
-    Facts {
-        name,
-        inputs: const {
-            &[
-                ALPHA,
-                Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
-                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
-            ]
-        },
-        outputs: &["R", "T", "E", "loss", "error"],
-        choices: &[Choice::Smith, Choice::Side],
-        tolerance: glass::TOLERANCE,
-        smallest_alpha: glass::ALPHA[0],
-        fresnel: Some(Fresnel::Dielectric),
-        draws: monte_carlo::GLASS_DRAWS,
-        ..Facts::NONE
+    /// The energies of both sides or of one, and the evaluations that they took.
+    fn energies(
+        &self,
+        smith: Smith,
+        only: Option<Side>,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Vec<Energies>, u64), IntegrateError>;
+
+    /// R, T and the loss at alpha, mu and ior by Monte Carlo.
+    fn drawn(&self, at: (Smith, Side), place: [f64; 3], run: Run) -> Result<[Sampled; 3], IntegrateError>;
+
+    /// R, T and E at points from outside and from inside, which share their work as neighbours of
+    /// one alpha and mu do; E is within a tolerance in [1e-8, 1e-2], R and T within twice as much.
+    fn both_sides(
+        &self,
+        smith: Smith,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<[Truth; 2], IntegrateError> {
+        let (all, evaluations) = self.energies(smith, None, points, tolerance)?;
+        Ok([0, 1].map(|side| {
+            let rows: Vec<[f64; 3]> = all.iter().map(|e| [e.r[side], e.t[side], e.e()[side]]).collect();
+            Truth::of_rows(&rows, tolerance, evaluations)
+        }))
+    }
+
+    /// E from one side alone, in less work than from both, and the evaluations that it took.
+    fn one_side(
+        &self,
+        (smith, side): (Smith, Side),
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<(Vec<f64>, u64), IntegrateError> {
+        let (all, evaluations) = self.energies(smith, Some(side), points, tolerance)?;
+        Ok((all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect(), evaluations))
     }
 }
 
 /// `ggx-glass`.
-pub static GGX_GLASS: Glass =
-    Glass { facts: facts(Ggx::QUANTITY), by: &(Ggx as fn(f64) -> Ggx), is_traced: true };
+pub static GGX_GLASS: &dyn Glass = &Lobe::new(Ggx, true);
 
 /// `beckmann-glass`.
-pub static BECKMANN_GLASS: Glass =
-    Glass { facts: facts(Beckmann::QUANTITY), by: &(Beckmann as fn(f64) -> Beckmann), is_traced: false };
+pub static BECKMANN_GLASS: &dyn Glass = &Lobe::new(Beckmann, false);
 
-/// Columns of alpha, mu and ior.
-type Columns<'a> = [&'a [f64]; 3];
-
-/// What depends on the distribution of normals, behind a pointer: so no package that names a glass
-/// compiles its kernels again.
-trait Lobes: Sync {
-    /// The energies at alpha, mu and ior by the truth's own sweep.
-    fn exactly(
-        &self,
-        at: (Smith, Side),
-        place: [f64; 3],
-        tolerance: f64,
-    ) -> Result<glass::Glass, IntegrateError>;
-
-    /// As [`Glass::reflected`].
-    fn reflected(
-        &self,
-        at: (Smith, Side),
-        columns: Columns<'_>,
-        tolerance: f64,
-    ) -> Result<(Vec<f64>, u64), IntegrateError>;
-
-    /// As [`Glass::energies`].
-    fn energies(
-        &self,
-        at: (Smith, Option<Side>),
-        columns: Columns<'_>,
-        tolerance: f64,
-    ) -> Result<(Vec<Energies>, u64), IntegrateError>;
-
-    /// As [`Glass::drawn`].
-    fn drawn(&self, at: (Smith, Side), place: [f64; 3], run: Run) -> Result<[Sampled; 3], IntegrateError>;
-
-    /// The path tracer's draws.
-    fn traced(&self, at: (Smith, Side), place: [f64; 3]) -> Trace<'static>;
+/// The quantity of a distribution of normals.
+struct Lobe<D> {
+    facts: Facts,
+    /// The distribution of a width.
+    lobe: fn(f64) -> D,
+    /// Whether it is the lobe of the path tracer.
+    is_traced: bool,
 }
 
-/// The distribution of a width.
-impl<D: Tabled + 'static> Lobes for fn(f64) -> D {
+impl<D: Tabled + 'static> Lobe<D> {
+    const fn new(lobe: fn(f64) -> D, is_traced: bool) -> Lobe<D> {
+        let facts = Facts {
+            name: D::QUANTITY,
+            inputs: const {
+                &[
+                    ALPHA,
+                    Input { domain: [glass::SMALLEST_MU, 1.0], ..MU },
+                    Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
+                ]
+            },
+            outputs: &["R", "T", "E", "loss", "error"],
+            choices: &[Choice::Smith, Choice::Side],
+            tolerance: glass::TOLERANCE,
+            smallest_alpha: glass::ALPHA[0],
+            fresnel: Some(Fresnel::Dielectric),
+            draws: monte_carlo::GLASS_DRAWS,
+            ..Facts::NONE
+        };
+        Lobe { facts, lobe, is_traced }
+    }
+
+    /// The energies at alpha, mu and ior by the truth's own sweep.
     fn exactly(
         &self,
         (smith, side): (Smith, Side),
         [alpha, mu, ior]: [f64; 3],
         tolerance: f64,
     ) -> Result<glass::Glass, IntegrateError> {
-        glass::glass_of(D::QUANTITY, (smith, self(alpha)), mu, (ior, side), tolerance)
+        glass::glass_of(D::QUANTITY, (smith, (self.lobe)(alpha)), mu, (ior, side), tolerance)
     }
 
+    /// Values at points, and the evaluations that they took: neighbours of one alpha and mu go together.
+    fn in_groups<T: Send>(
+        &self,
+        points: &Points,
+        group: impl Fn(&[[f64; 3]], &mut Vec<T>) -> Result<u64, IntegrateError> + Sync,
+    ) -> Result<(Vec<T>, u64), IntegrateError> {
+        let asked = Asked { variant: &Variant::default(), points, outputs: &[], tolerance: 0.0 };
+        let [alpha, mu, ior] = asked.columns(self)?;
+        let inputs: Vec<[f64; 3]> = (0..alpha.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
+        let chunk = |chunk: &[[f64; 3]]| {
+            let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
+            for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
+                evaluations += group(same, &mut values)?;
+            }
+            Ok((values, evaluations))
+        };
+        let parts: Vec<(Vec<T>, u64)> =
+            inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
+        let evaluations = parts.iter().map(|(_, n)| n).sum();
+        count::add(evaluations as usize);
+        Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
+    }
+}
+
+impl<D: Tabled + 'static> Glass for Lobe<D> {
     fn reflected(
         &self,
         (smith, side): (Smith, Side),
-        columns: Columns<'_>,
+        points: &Points,
         tolerance: f64,
     ) -> Result<(Vec<f64>, u64), IntegrateError> {
-        let kernel = Kernel::of(*self, smith, tolerance)?;
-        in_groups(columns, |same, out: &mut Vec<f64>| {
+        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
+        self.in_groups(points, |same, out| {
             let ([alpha, mu, _], start) = (same[0], out.len());
             let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
             out.resize(start + iors.len(), 0.0);
@@ -129,16 +168,17 @@ impl<D: Tabled + 'static> Lobes for fn(f64) -> D {
 
     fn energies(
         &self,
-        (smith, only): (Smith, Option<Side>),
-        columns: Columns<'_>,
+        smith: Smith,
+        only: Option<Side>,
+        points: &Points,
         tolerance: f64,
     ) -> Result<(Vec<Energies>, u64), IntegrateError> {
-        let kernel = Kernel::of(*self, smith, tolerance)?;
+        let kernel = Kernel::of(self.lobe, smith, tolerance)?;
         let kernel = match only {
             Some(side) => kernel.only(side),
             None => kernel,
         };
-        in_groups(columns, |same, out| {
+        self.in_groups(points, |same, out| {
             let ([alpha, mu, _], start) = (same[0], out.len());
             let iors: Vec<f64> = same.iter().map(|point| point[2]).collect();
             out.resize(start + iors.len(), Energies::default());
@@ -161,115 +201,18 @@ impl<D: Tabled + 'static> Lobes for fn(f64) -> D {
         [alpha, mu, ior]: [f64; 3],
         run: Run,
     ) -> Result<[Sampled; 3], IntegrateError> {
-        monte_carlo::glass_of(D::QUANTITY, (smith, self(alpha)), mu, (ior, side), run)
-    }
-
-    fn traced(&self, (smith, side): (Smith, Side), [alpha, mu, ior]: [f64; 3]) -> Trace<'static> {
-        monte_carlo::traced_glass(smith, self(alpha), monte_carlo::view(mu), (ior, side))
+        monte_carlo::glass_of(D::QUANTITY, (smith, (self.lobe)(alpha)), mu, (ior, side), run)
     }
 }
 
-impl Glass {
-    /// R, T and E at points from outside and from inside, which share their work as neighbours of
-    /// one alpha and mu do; E is within a tolerance in [1e-8, 1e-2], R and T within twice as much.
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    pub fn both_sides(
-        &self,
-        smith: Smith,
-        points: &Points,
-        tolerance: f64,
-    ) -> Result<[Truth; 2], IntegrateError> {
-        let (all, evaluations) = self.energies(smith, None, points, tolerance)?;
-        Ok([0, 1].map(|side| {
-            let rows: Vec<[f64; 3]> = all.iter().map(|e| [e.r[side], e.t[side], e.e()[side]]).collect();
-            Truth::of_rows(&rows, tolerance, evaluations)
-        }))
-    }
-
-    /// E from one side alone, in less work than from both, and the evaluations that it took.
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    pub fn one_side(
-        &self,
-        (smith, side): (Smith, Side),
-        points: &Points,
-        tolerance: f64,
-    ) -> Result<(Vec<f64>, u64), IntegrateError> {
-        let (all, evaluations) = self.energies(smith, Some(side), points, tolerance)?;
-        Ok((all.into_iter().map(|e| e.e()[usize::from(side == Side::Inside)]).collect(), evaluations))
-    }
-
-    /// R from one side alone, in much less work than E, and the evaluations that it took.
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    pub(super) fn reflected(
-        &self,
-        (smith, side): (Smith, Side),
-        points: &Points,
-        tolerance: f64,
-    ) -> Result<(Vec<f64>, u64), IntegrateError> {
-        let asked = Asked { variant: &smith.into(), points, outputs: &[], tolerance };
-        self.by.reflected((smith, side), asked.columns(self)?, tolerance)
-    }
-
-    /// The energies of both sides or of one, and the evaluations that they took.
-    pub(super) fn energies(
-        &self,
-        smith: Smith,
-        only: Option<Side>,
-        points: &Points,
-        tolerance: f64,
-    ) -> Result<(Vec<Energies>, u64), IntegrateError> {
-        let asked = Asked { variant: &smith.into(), points, outputs: &[], tolerance };
-        self.by.energies((smith, only), asked.columns(self)?, tolerance)
-    }
-
-    /// R, T and the loss at alpha, mu and ior by Monte Carlo.
-    ///
-    /// # Errors
-    /// As [`Quantity::at`].
-    pub fn drawn(
-        &self,
-        at: (Smith, Side),
-        place: [f64; 3],
-        run: Run,
-    ) -> Result<[Sampled; 3], IntegrateError> {
-        self.by.drawn(at, place, run)
-    }
-}
-
-/// Values at points, and the evaluations that they took: neighbours of one alpha and mu go together.
-fn in_groups<T: Send>(
-    [alpha, mu, ior]: [&[f64]; 3],
-    group: impl Fn(&[[f64; 3]], &mut Vec<T>) -> Result<u64, IntegrateError> + Sync,
-) -> Result<(Vec<T>, u64), IntegrateError> {
-    let inputs: Vec<[f64; 3]> = (0..alpha.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
-    let chunk = |chunk: &[[f64; 3]]| {
-        let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
-        for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
-            evaluations += group(same, &mut values)?;
-        }
-        Ok((values, evaluations))
-    };
-    let parts: Vec<(Vec<T>, u64)> =
-        inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
-    let evaluations = parts.iter().map(|(_, n)| n).sum();
-    count::add(evaluations as usize);
-    Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
-}
-
-impl Quantity for Glass {
+impl<D: Tabled + 'static> Quantity for Lobe<D> {
     fn facts(&self) -> &Facts {
         &self.facts
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let at = (variant.smith(self.name())?, variant.side(self.name())?);
-        let v = self.by.exactly(at, [x[0], x[1], x[2]], tolerance)?;
+        let v = self.exactly(at, [x[0], x[1], x[2]], tolerance)?;
         Ok(vec![v.r, v.t, v.e, v.loss, v.error])
     }
 
@@ -278,21 +221,19 @@ impl Quantity for Glass {
         if asked.wants(&["loss", "error"]) || tolerance < 2.0 * FINEST || points.len() < MANY {
             return Ok(None);
         }
-        let (places, side) = (asked.places(self)?, variant.side(self.name())?);
+        let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
         if asked.outputs == ["R"] {
-            let variant = (variant.smith(self.name())?, side);
-            let (r, evaluations) = self.reflected(variant, points, 0.5 * tolerance)?;
+            let (r, evaluations) = self.reflected((smith, side), points, 0.5 * tolerance)?;
             return Ok(Some(Truth { columns: vec![r], error: tolerance, evaluations }));
         }
         if asked.outputs == ["E"] {
-            let at = (variant.smith(self.name())?, side);
-            let (e, evaluations) = self.one_side(at, points, 0.5 * tolerance)?;
+            let (e, evaluations) = self.one_side((smith, side), points, 0.5 * tolerance)?;
             return Ok(Some(Truth { columns: vec![e], error: tolerance, evaluations }));
         }
-        let [outside, inside] = self.both_sides(variant.smith(self.name())?, points, 0.5 * tolerance)?;
-        let all = if side == Side::Outside { outside } else { inside };
+        let places = asked.places(self)?;
+        let all = &self.both_sides(smith, points, 0.5 * tolerance)?[usize::from(side == Side::Inside)];
         let columns = places.iter().map(|place| all.columns[*place].clone()).collect();
-        Ok(Some(Truth { columns, error: tolerance, ..all }))
+        Ok(Some(Truth { columns, error: tolerance, evaluations: all.evaluations }))
     }
 
     fn microseconds(&self, outputs: &[&str]) -> f64 {
@@ -313,7 +254,7 @@ impl Quantity for Glass {
 
     /// The path tracer has tables of GGX, and draws visible normals.
     fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
-        let at = (variant.smith.filter(|_| self.is_traced)?, variant.side?);
-        Some(self.by.traced(at, [x[0], x[1], x[2]]))
+        let (smith, side) = (variant.smith.filter(|_| self.is_traced)?, variant.side?);
+        Some(monte_carlo::traced_glass(smith, (self.lobe)(x[0]), monte_carlo::view(x[1]), (x[2], side)))
     }
 }

@@ -409,16 +409,16 @@ impl PartialEq for dyn Quantity {
 
 /// Every quantity of this version.
 pub static QUANTITIES: [&dyn Quantity; 16] = [
-    &GGX_REFLECTION,
+    GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
-    &GGX_GLASS,
+    GGX_GLASS,
     &GgxGlassAniso,
     &SheenCharlie,
     &DiffuseCoupling,
     &ParallaxAlpha,
-    &BECKMANN_REFLECTION,
-    &BECKMANN_GLASS,
+    BECKMANN_REFLECTION,
+    BECKMANN_GLASS,
     &EonSingle,
     &RefractedWidth,
     &GgxCoat,

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{
     ALPHA, Asked, Choice, Facts, Fresnel, MU, Quantity, Rule, Trace, Truth, Use, Variant, check_unit,
 };
-use crate::integrate::monte_carlo::{self, Draw, Run, Sampled, SampledReflection};
+use crate::integrate::monte_carlo::{self, Draw, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, Known, albedo_of, on_one_panel, split_of};
 use crate::integrate::walk::{Walks, white};
 use crate::integrate::{Estimate, IntegrateError, PanelRule, reflection};
@@ -19,52 +19,38 @@ use crate::optics::schlick_smith::SchlickSmith;
 ///
 /// The loss is within 1e-6 of itself where mu >= 1e-4. Beckmann's falls faster than any power as
 /// alpha goes to 0, and is held to that above 1e-12.
-pub struct Reflection {
-    facts: Facts,
-    by: &'static dyn Lobes,
-    /// Whether it is the lobe of the path tracer and of the random walk.
-    is_walked: bool,
-}
+///
+/// A lobe stands behind a pointer, so that no package that names one compiles its kernels again.
+pub trait Reflection: Quantity {
+    /// E and B at a texel, of rules with room to spare; B is 0 without `split`.
+    fn texel(&self, smith: Smith, place: (f64, f64), split: bool) -> (f64, f64);
 
-const fn facts(name: &'static str) -> Facts {
-    Facts {
-        name,
-        inputs: &[ALPHA, MU],
-        outputs: &["E", "A", "B", "loss", "error"],
-        choices: &[Choice::Smith],
-        tolerance: reflection::TOLERANCE,
-        smallest_alpha: reflection::SMALLEST_ALPHA,
-        fresnel: Some(Fresnel::One),
-        draws: &Draw::ALL,
-        ..Facts::NONE
-    }
+    /// E, and B where `split` says so, at millions of points.
+    fn known(&self, smith: Smith, split: bool) -> &dyn Known;
 }
 
 /// `ggx-reflection`.
-pub static GGX_REFLECTION: Reflection = {
-    static LOBE: Lobed<Ggx> = Lobed::new(Ggx);
-    Reflection { facts: facts(reflection::QUANTITY), by: &LOBE, is_walked: true }
+pub static GGX_REFLECTION: &dyn Reflection = {
+    static LOBE: Lobe<Ggx> = Lobe::new(reflection::QUANTITY, Ggx, true);
+    &LOBE
 };
 
 /// `beckmann-reflection`.
-pub static BECKMANN_REFLECTION: Reflection = {
-    static LOBE: Lobed<Beckmann> = Lobed::new(Beckmann);
-    Reflection { facts: facts("beckmann-reflection"), by: &LOBE, is_walked: false }
+pub static BECKMANN_REFLECTION: &dyn Reflection = {
+    static LOBE: Lobe<Beckmann> = Lobe::new("beckmann-reflection", Beckmann, false);
+    &LOBE
 };
 
 /// `ggx-reflection` as renderers compute it that follow Karis (2013): with Schlick's shadowing, by k
 /// = alpha/2, k = (roughness + 1)^2/8 and k = alpha. Of their correlated variants that of the first alone has
 /// a source: Lambda with alpha + (1 - alpha) mu for its root is the joint form of Hammon (2017) and Unreal.
-pub static SCHLICK_SMITH: [Reflection; 3] = {
-    static LOBES: [Lobed<SchlickSmith>; 3] = [
-        Lobed::new(SchlickSmith::of_images),
-        Lobed::new(SchlickSmith::of_lights),
-        Lobed::new(SchlickSmith::of_alpha),
+pub static SCHLICK_SMITH: [&dyn Reflection; 3] = {
+    static LOBES: [Lobe<SchlickSmith>; 3] = [
+        Lobe::new(reflection::QUANTITY, SchlickSmith::of_images, false),
+        Lobe::new(reflection::QUANTITY, SchlickSmith::of_lights, false),
+        Lobe::new(reflection::QUANTITY, SchlickSmith::of_alpha, false),
     ];
-    const fn of(by: &'static Lobed<SchlickSmith>) -> Reflection {
-        Reflection { facts: facts(reflection::QUANTITY), by, is_walked: false }
-    }
-    [of(&LOBES[0]), of(&LOBES[1]), of(&LOBES[2])]
+    [&LOBES[0], &LOBES[1], &LOBES[2]]
 };
 
 /// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8
@@ -91,57 +77,30 @@ const fn first<D: Distribution>() -> usize {
     D::REACH.is_finite() as usize
 }
 
-/// A distribution of normals, and what is known of its E and B.
-struct Lobed<D> {
+/// The quantity of a distribution of normals, and what is known of its E and B.
+struct Lobe<D> {
+    facts: Facts,
     /// The distribution of a width.
     lobe: fn(f64) -> D,
+    /// Whether it is the lobe of the path tracer and of the random walk.
+    is_walked: bool,
     /// For each Smith form, E alone, and E and B.
     known: [[Interpolant<D>; 2]; 2],
 }
 
-/// What depends on the distribution of normals, behind a pointer: so no package that names a
-/// reflection compiles its kernels again.
-trait Lobes: Sync {
-    /// As [`Reflection::texel`].
-    fn texel(&self, smith: Smith, place: (f64, f64), split: bool) -> (f64, f64);
-
-    /// As [`Reflection::known`].
-    fn known(&self, smith: Smith, split: bool) -> &dyn Known;
-
-    /// Values at a point.
-    fn at(
-        &self,
-        of: (&'static str, Smith),
-        place: (f64, f64),
-        tolerance: f64,
-    ) -> Result<reflection::Reflection, IntegrateError>;
-
-    /// E and B at points within their domain.
-    fn many(
-        &self,
-        of: (&'static str, Smith),
-        places: &[(f64, f64)],
-        split: bool,
-        tolerance: f64,
-    ) -> Result<Vec<(f64, f64)>, IntegrateError>;
-
-    /// Values by Monte Carlo.
-    fn drawn(
-        &self,
-        of: (&'static str, Smith),
-        place: (f64, f64),
-        run: Run,
-    ) -> Result<SampledReflection, IntegrateError>;
-
-    /// As [`Quantity::rules`].
-    fn rules(&self, smith: Smith, place: (f64, f64)) -> Vec<Rule<'static>>;
-
-    /// The path tracer's draws.
-    fn traced(&self, smith: Smith, place: (f64, f64)) -> Trace<'static>;
-}
-
-impl<D: Distribution> Lobed<D> {
-    const fn new(lobe: fn(f64) -> D) -> Lobed<D> {
+impl<D: Distribution> Lobe<D> {
+    const fn new(name: &'static str, lobe: fn(f64) -> D, is_walked: bool) -> Lobe<D> {
+        let facts = Facts {
+            name,
+            inputs: &[ALPHA, MU],
+            outputs: &["E", "A", "B", "loss", "error"],
+            choices: &[Choice::Smith],
+            tolerance: reflection::TOLERANCE,
+            smallest_alpha: reflection::SMALLEST_ALPHA,
+            fresnel: Some(Fresnel::One),
+            draws: &Draw::ALL,
+            ..Facts::NONE
+        };
         let known = [
             [
                 Interpolant::new(lobe, Smith::Correlated, false),
@@ -149,15 +108,24 @@ impl<D: Distribution> Lobed<D> {
             ],
             [Interpolant::new(lobe, Smith::Separable, false), Interpolant::new(lobe, Smith::Separable, true)],
         ];
-        Lobed { lobe, known }
+        Lobe { facts, lobe, is_walked, known }
     }
 
     fn interpolant(&self, smith: Smith, split: bool) -> &Interpolant<D> {
         &self.known[usize::from(smith == Smith::Separable)][usize::from(split)]
     }
+
+    fn value(
+        &self,
+        smith: Smith,
+        (alpha, mu): (f64, f64),
+        tolerance: f64,
+    ) -> Result<reflection::Reflection, IntegrateError> {
+        reflection::reflection_of(self.facts.name, smith, (self.lobe)(alpha), mu, tolerance)
+    }
 }
 
-impl<D: Distribution + 'static> Lobes for Lobed<D> {
+impl<D: Distribution + 'static> Reflection for Lobe<D> {
     fn texel(&self, smith: Smith, (alpha, mu): (f64, f64), split: bool) -> (f64, f64) {
         let effort = &Effort::ladder()[1 + first::<D>()];
         match split {
@@ -168,58 +136,6 @@ impl<D: Distribution + 'static> Lobes for Lobed<D> {
 
     fn known(&self, smith: Smith, split: bool) -> &dyn Known {
         self.interpolant(smith, split)
-    }
-
-    fn at(
-        &self,
-        (name, smith): (&'static str, Smith),
-        (alpha, mu): (f64, f64),
-        tolerance: f64,
-    ) -> Result<reflection::Reflection, IntegrateError> {
-        reflection::reflection_of(name, smith, (self.lobe)(alpha), mu, tolerance)
-    }
-
-    fn many(
-        &self,
-        of: (&'static str, Smith),
-        places: &[(f64, f64)],
-        split: bool,
-        tolerance: f64,
-    ) -> Result<Vec<(f64, f64)>, IntegrateError> {
-        let fast = Fast::new(self, of.1, split, places);
-        let one = |place: &(f64, f64)| match fast.at(place, tolerance) {
-            Some(known) => Ok(known),
-            None => self.at(of, *place, tolerance).map(|v| (v.e, v.b)),
-        };
-        places.par_iter().with_min_len(CHUNK).map(one).collect()
-    }
-
-    fn drawn(
-        &self,
-        (name, smith): (&'static str, Smith),
-        (alpha, mu): (f64, f64),
-        run: Run,
-    ) -> Result<SampledReflection, IntegrateError> {
-        monte_carlo::reflection_of(name, smith, (self.lobe)(alpha), mu, run)
-    }
-
-    fn rules(&self, smith: Smith, (alpha, mu): (f64, f64)) -> Vec<Rule<'static>> {
-        let lobe = (self.lobe)(alpha);
-        let whole = |n: usize| {
-            let rule = PanelRule::new(n);
-            Box::new(move || on_one_panel(smith, lobe, mu, &rule)) as Box<dyn Fn() -> f64>
-        };
-        let graded = |effort: &'static Effort| {
-            Box::new(move || albedo_of(smith, lobe, mu, &effort.outer)) as Box<dyn Fn() -> f64>
-        };
-        vec![
-            Rule { name: "one panel", steps: WHOLE.map(whole).into() },
-            Rule { name: "graded panels", steps: Effort::ladder().iter().map(graded).collect() },
-        ]
-    }
-
-    fn traced(&self, smith: Smith, (alpha, mu): (f64, f64)) -> Trace<'static> {
-        monte_carlo::traced(smith, (self.lobe)(alpha), monte_carlo::view(mu))
     }
 }
 
@@ -234,7 +150,7 @@ struct Fast<'a, D> {
 }
 
 impl<'a, D: Distribution> Fast<'a, D> {
-    fn new(of: &'a Lobed<D>, smith: Smith, split: bool, places: &[(f64, f64)]) -> Fast<'a, D> {
+    fn new(of: &'a Lobe<D>, smith: Smith, split: bool, places: &[(f64, f64)]) -> Fast<'a, D> {
         let known = (places.len() >= MANY).then(|| of.interpolant(smith, split));
         known.inspect(|known| known.cover(places));
         Fast { smith, lobe: of.lobe, split, known }
@@ -264,19 +180,7 @@ impl<'a, D: Distribution> Fast<'a, D> {
     }
 }
 
-impl Reflection {
-    /// E and B at a texel, of rules with room to spare; B is 0 without `split`.
-    pub fn texel(&self, smith: Smith, place: (f64, f64), split: bool) -> (f64, f64) {
-        self.by.texel(smith, place, split)
-    }
-
-    /// E, and B where `split` says so, at millions of points.
-    pub fn known(&self, smith: Smith, split: bool) -> &'static dyn Known {
-        self.by.known(smith, split)
-    }
-}
-
-impl Quantity for Reflection {
+impl<D: Distribution + 'static> Quantity for Lobe<D> {
     fn facts(&self) -> &Facts {
         &self.facts
     }
@@ -287,7 +191,7 @@ impl Quantity for Reflection {
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let smith = variant.smith(self.name())?;
-        let v = self.by.at((self.name(), smith), (x[0], x[1]), tolerance)?;
+        let v = self.value(smith, (x[0], x[1]), tolerance)?;
         Ok(vec![v.e, v.a, v.b, v.loss, v.error])
     }
 
@@ -301,7 +205,14 @@ impl Quantity for Reflection {
         check_unit(self, "mu", mu, 0.0)?;
         let inputs: Vec<(f64, f64)> = alpha.iter().copied().zip(mu.iter().copied()).collect();
         let split = outputs.iter().any(|output| *output != "E");
-        let rows = self.by.many((self.name(), variant.smith(self.name())?), &inputs, split, tolerance)?;
+        let smith = variant.smith(self.name())?;
+        let fast = Fast::new(self, smith, split, &inputs);
+        let one = |place: &(f64, f64)| match fast.at(place, tolerance) {
+            Some(known) => Ok(known),
+            None => self.value(smith, *place, tolerance).map(|v| (v.e, v.b)),
+        };
+        let rows: Vec<(f64, f64)> =
+            inputs.par_iter().with_min_len(CHUNK).map(one).collect::<Result<_, IntegrateError>>()?;
         let of = |output: &str, (e, b): &(f64, f64)| match output {
             "E" => *e,
             "B" => *b,
@@ -325,17 +236,28 @@ impl Quantity for Reflection {
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let smith = variant.smith(self.name())?;
-        let v = self.by.drawn((self.name(), smith), (x[0], x[1]), run)?;
+        let v = monte_carlo::reflection_of(self.name(), smith, (self.lobe)(x[0]), x[1], run)?;
         Ok(vec![v.e, v.a, v.b, v.loss])
     }
 
     fn rules(&self, variant: &Variant, x: &[f64]) -> Result<Vec<Rule<'_>>, IntegrateError> {
-        Ok(self.by.rules(variant.smith(self.name())?, (x[0], x[1])))
+        let (smith, lobe, mu) = (variant.smith(self.name())?, (self.lobe)(x[0]), x[1]);
+        let whole = |n: usize| {
+            let rule = PanelRule::new(n);
+            Box::new(move || on_one_panel(smith, lobe, mu, &rule)) as Box<dyn Fn() -> f64>
+        };
+        let graded = |effort: &'static Effort| {
+            Box::new(move || albedo_of(smith, lobe, mu, &effort.outer)) as Box<dyn Fn() -> f64>
+        };
+        Ok(vec![
+            Rule { name: "one panel", steps: WHOLE.map(whole).into() },
+            Rule { name: "graded panels", steps: Effort::ladder().iter().map(graded).collect() },
+        ])
     }
 
     fn traced(&self, variant: &Variant, x: &[f64]) -> Option<Trace<'_>> {
         let smith = variant.smith.filter(|_| self.is_walked)?;
-        Some(self.by.traced(smith, (x[0], x[1])))
+        Some(monte_carlo::traced(smith, (self.lobe)(x[0]), monte_carlo::view(x[1])))
     }
 
     fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {

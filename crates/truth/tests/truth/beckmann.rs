@@ -10,7 +10,7 @@ use lobefit_truth::integrate::monte_carlo;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::optics::distribution::Distribution;
-use lobefit_truth::quantity::{BECKMANN_REFLECTION, Quantity};
+use lobefit_truth::quantity::BECKMANN_REFLECTION;
 
 /// Adaptive Simpson's rule.
 fn simpson(f: &dyn Fn(f64) -> f64, [a, b]: [f64; 2], tolerance: f64) -> f64 {

@@ -11,7 +11,7 @@ use lobefit_truth::integrate::monte_carlo::{Draw, Points, Run};
 use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::points;
-use lobefit_truth::quantity::{BECKMANN_GLASS, Choice, GGX_GLASS, Quantity, Variant};
+use lobefit_truth::quantity::{BECKMANN_GLASS, Choice, GGX_GLASS, Variant};
 
 /// Rough and less so, upright and grazing, across the critical angle and near the matched index.
 const PLACES: [[f64; 3]; 5] =

@@ -72,9 +72,9 @@ fn worst(
 #[test]
 fn brdfs_have_the_albedos_of_their_reductions() {
     for smith in [Smith::Correlated, Smith::Separable] {
-        let ggx = worst(&GGX_REFLECTION, smith, [1e-3, 1e-3], |alpha| microfacets(smith, Ggx(alpha)));
+        let ggx = worst(GGX_REFLECTION, smith, [1e-3, 1e-3], |alpha| microfacets(smith, Ggx(alpha)));
         let beckmann =
-            worst(&BECKMANN_REFLECTION, smith, [1e-2, 1e-2], |alpha| microfacets(smith, Beckmann(alpha)));
+            worst(BECKMANN_REFLECTION, smith, [1e-2, 1e-2], |alpha| microfacets(smith, Beckmann(alpha)));
         println!("{smith:?}: GGX {ggx:e}, Beckmann {beckmann:e}");
     }
     println!("sheen {:e}", worst(&SheenCharlie, Smith::Correlated, [0.05, 1e-2], charlie));

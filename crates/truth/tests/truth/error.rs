@@ -98,7 +98,7 @@ fn errors_of_beckmann_and_sheen_hold() {
             };
             integral(Brdf { weighted: Box::new(weighted), width: alpha }, mu)
         };
-        let of = above(&BECKMANN_REFLECTION, &smith.into(), [[1e-2, 1e-2], [1.0; 2]], slack, truth);
+        let of = above(BECKMANN_REFLECTION, &smith.into(), [[1e-2, 1e-2], [1.0; 2]], slack, truth);
         assert!(of <= 1, "{smith:?}: {of} of Beckmann");
     }
     let truth = |[alpha, mu]: [f64; 2]| {

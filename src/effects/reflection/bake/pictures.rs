@@ -12,7 +12,7 @@ use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::quantity::Reflection;
 
 /// A lobe in a shadowing form.
-pub type Shadowed = (&'static Reflection, Smith);
+pub type Shadowed = (&'static dyn Reflection, Smith);
 
 /// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];

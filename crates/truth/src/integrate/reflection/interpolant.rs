@@ -35,19 +35,28 @@ pub struct Interpolant<D> {
 
 /// An [`Interpolant`] of some distribution.
 pub trait Known: Sync {
-    /// As [`Interpolant::cover`].
+    /// Makes the tiles of places (alpha, mu), in parallel; [`Known::at`] makes one at a time.
     fn cover(&self, places: &[(f64, f64)]);
-    /// As [`Interpolant::at`].
+
+    /// E and B; none outside the domain, and where no polynomial follows the integrals.
     fn at(&self, alpha: f64, mu: f64) -> Option<(f64, f64)>;
 }
 
 impl<D: Distribution> Known for Interpolant<D> {
     fn cover(&self, places: &[(f64, f64)]) {
-        Interpolant::cover(self, places);
+        let mut needed = [[false; TILES[0]]; TILES[1]];
+        for [x, y] in places.iter().filter_map(|(alpha, mu)| Self::tile(*alpha, *mu)) {
+            needed[y][x] = true;
+        }
+        let all: Vec<[usize; 2]> = (0..TILES[1]).flat_map(|y| (0..TILES[0]).map(move |x| [x, y])).collect();
+        all.into_par_iter().filter(|[x, y]| needed[*y][*x]).for_each(|tile| {
+            self.made(tile);
+        });
     }
 
     fn at(&self, alpha: f64, mu: f64) -> Option<(f64, f64)> {
-        Interpolant::at(self, alpha, mu)
+        let tile = Self::tile(alpha, mu)?;
+        self.made(tile).map(|patches| patches.at(variables(alpha, mu)).into())
     }
 }
 
@@ -63,24 +72,6 @@ impl<D: Distribution> Interpolant<D> {
     pub const fn new(lobe: fn(f64) -> D, smith: Smith, split: bool) -> Interpolant<D> {
         let tiles = [const { [const { OnceLock::new() }; TILES[0]] }; TILES[1]];
         Interpolant { lobe, smith, split, tiles }
-    }
-
-    /// Makes the tiles of places (alpha, mu), in parallel; [`Interpolant::at`] makes one at a time.
-    pub fn cover(&self, places: &[(f64, f64)]) {
-        let mut needed = [[false; TILES[0]]; TILES[1]];
-        for [x, y] in places.iter().filter_map(|(alpha, mu)| Self::tile(*alpha, *mu)) {
-            needed[y][x] = true;
-        }
-        let all: Vec<[usize; 2]> = (0..TILES[1]).flat_map(|y| (0..TILES[0]).map(move |x| [x, y])).collect();
-        all.into_par_iter().filter(|[x, y]| needed[*y][*x]).for_each(|tile| {
-            self.made(tile);
-        });
-    }
-
-    /// E and B; none outside the domain, and where no polynomial follows the integrals.
-    pub fn at(&self, alpha: f64, mu: f64) -> Option<(f64, f64)> {
-        let tile = Self::tile(alpha, mu)?;
-        self.made(tile).map(|patches| patches.at(variables(alpha, mu)).into())
     }
 
     /// The tile of a point of the domain.

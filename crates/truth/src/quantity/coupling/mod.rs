@@ -42,7 +42,7 @@ impl Quantity for DiffuseCoupling {
     }
 
     fn over_f0(&self, variant: &Variant) -> Option<OverF0> {
-        Some(OverF0 { lobe: &GGX_REFLECTION, form: variant.specular?.form() })
+        Some(OverF0 { lobe: GGX_REFLECTION, form: variant.specular?.form() })
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
