@@ -30,10 +30,8 @@ pub fn albedo(
     mu: f64,
     tolerance: f64,
 ) -> Result<Estimate, IntegrateError> {
-    if !(SMALLEST_MU..=1.0).contains(&mu) {
-        let (input, domain) = ("mu", "is outside [1e-6, 1], where a BRDF is integrated");
-        return Err(IntegrateError::Domain { quantity, input, value: mu, domain });
-    }
+    let domain = "is outside [1e-6, 1], where a BRDF is integrated";
+    IntegrateError::outside(quantity, [("mu", mu, (SMALLEST_MU..=1.0).contains(&mu), domain)])?;
     let by = |effort: &Effort| {
         let hemisphere = Hemisphere::new(brdf.width, mu, effort);
         let [sum] = hemisphere.integrate(|_, light| [(brdf.weighted)(hemisphere.view, *light)]);

@@ -107,3 +107,21 @@ pub enum IntegrateError {
         must: &'static str,
     },
 }
+
+/// An input: its name, its value, whether that is inside the domain, and how it misses it otherwise, as
+/// `is outside [0, 1]`.
+pub(crate) type Checked = (&'static str, f64, bool, &'static str);
+
+impl IntegrateError {
+    /// Refuses the first input that is outside its domain.
+    #[inline]
+    pub(crate) fn outside(
+        quantity: &'static str,
+        inputs: impl IntoIterator<Item = Checked>,
+    ) -> Result<(), IntegrateError> {
+        match inputs.into_iter().find(|(_, _, inside, _)| !inside) {
+            None => Ok(()),
+            Some((input, value, _, domain)) => Err(IntegrateError::Domain { quantity, input, value, domain }),
+        }
+    }
+}

@@ -103,12 +103,7 @@ pub fn average(smith: Smith, alpha: f64, run: Run) -> Result<(Sampled, Sampled),
 
 fn check(quantity: &'static str, alpha: f64, mu: f64, run: Run) -> Result<(), IntegrateError> {
     check_inputs(quantity, alpha, mu)?;
-    for (input, value) in [("alpha", alpha), ("mu", mu)] {
-        if value == 0.0 {
-            let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
-            return Err(IntegrateError::Domain { quantity, input, value, domain });
-        }
-    }
+    check_positive(quantity, &[("alpha", alpha), ("mu", mu)])?;
     check_samples(run)
 }
 

@@ -124,11 +124,6 @@ impl Quantity for EonSingle {
 
 /// Refuses inputs outside the domain.
 fn check(quantity: &'static str, x: &[f64]) -> Result<(), IntegrateError> {
-    match ["roughness", "mu"].into_iter().zip(x).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
-        None => Ok(()),
-        Some((input, &value)) => {
-            let domain = "is outside [0, 1]";
-            Err(IntegrateError::Domain { quantity, input, value, domain })
-        }
-    }
+    let of = |(input, x): (_, &f64)| (input, *x, (0.0..=1.0).contains(x), "is outside [0, 1]");
+    IntegrateError::outside(quantity, ["roughness", "mu"].into_iter().zip(x).map(of))
 }

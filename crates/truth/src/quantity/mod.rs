@@ -364,14 +364,12 @@ impl<'a> Asked<'a> {
 
 /// Refuses inputs outside of their domains.
 fn check_domain<Q: Quantity + ?Sized>(quantity: &Q, x: &[f64]) -> Result<(), IntegrateError> {
-    for (input, &value) in quantity.inputs().iter().zip(x) {
+    let checked = |(input, &value): (&Input, &f64)| {
         let [low, high] = input.domain;
-        if !((low..=high).contains(&value) || (input.optional && value.is_nan())) {
-            let (quantity, domain) = (quantity.name(), "is outside the quantity's domain");
-            return Err(IntegrateError::Domain { quantity, input: input.name, value, domain });
-        }
-    }
-    Ok(())
+        let inside = (low..=high).contains(&value) || (input.optional && value.is_nan());
+        (input.name, value, inside, "is outside the quantity's domain")
+    };
+    IntegrateError::outside(quantity.name(), quantity.inputs().iter().zip(x).map(checked))
 }
 
 /// Refuses values that are neither 0 nor in [smallest, 1], but for what a rounding to f32 does to
@@ -383,13 +381,9 @@ fn check_unit<Q: Quantity + ?Sized>(
     smallest: f64,
 ) -> Result<(), IntegrateError> {
     let domain = (smallest * (1.0 - ROUNDED))..=(1.0 + ROUNDED);
-    match values.iter().find(|x| **x != 0.0 && !domain.contains(*x)) {
-        None => Ok(()),
-        Some(&value) => {
-            let (quantity, domain) = (quantity.name(), "is neither 0 nor in the quantity's domain");
-            Err(IntegrateError::Domain { quantity, input, value, domain })
-        }
-    }
+    let missed = "is neither 0 nor in the quantity's domain";
+    let checked = |x: &f64| (input, *x, *x == 0.0 || domain.contains(x), missed);
+    IntegrateError::outside(quantity.name(), values.iter().map(checked))
 }
 
 /// Relative rounding of an input in f32.

@@ -77,20 +77,16 @@ pub(super) fn check(
     mu: f64,
     phi: Option<f64>,
 ) -> Result<(), IntegrateError> {
-    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
-    let inside = |a: f64| (ALPHA[0]..=ALPHA[1]).contains(&a);
-    for (input, value) in [("alpha_x", alpha[0]), ("alpha_y", alpha[1])] {
-        if !(inside(value) || alpha == [0.0, 0.0]) {
-            return refuse(input, value, "is not in [1e-4, 4] (or both alphas 0)");
-        }
-    }
-    if !(0.0..=1.0).contains(&mu) {
-        return refuse("mu", mu, "is outside [0, 1]");
-    }
-    match phi {
-        Some(phi) if !phi.is_finite() => refuse("phi", phi, "is not finite"),
-        _ => Ok(()),
-    }
+    let inside = |a: f64| (ALPHA[0]..=ALPHA[1]).contains(&a) || alpha == [0.0, 0.0];
+    let domain = "is not in [1e-4, 4] (or both alphas 0)";
+    let phi = phi.unwrap_or(0.0);
+    let inputs = [
+        ("alpha_x", alpha[0], inside(alpha[0]), domain),
+        ("alpha_y", alpha[1], inside(alpha[1]), domain),
+        ("mu", mu, (0.0..=1.0).contains(&mu), "is outside [0, 1]"),
+        ("phi", phi, phi.is_finite(), "is not finite"),
+    ];
+    IntegrateError::outside(quantity, inputs)
 }
 
 /// The values by one rule of `n` nodes a panel, as their own bound: for checks of the bound.

@@ -120,19 +120,15 @@ pub(super) fn refined(
 
 /// Refuses inputs outside the domain.
 pub(super) fn check(quantity: &'static str, alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
-    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     // A roughness rounded to f32 may make an alpha just below the least.
     let least = ALPHA[0] * (1.0 - 1e-6);
-    if !(alpha == 0.0 || (least..=ALPHA[1]).contains(&alpha)) {
-        return refuse("alpha", alpha, "is neither 0 nor in [1e-4, 1]");
-    }
-    if !(SMALLEST_MU..=1.0).contains(&mu) {
-        return refuse("mu", mu, "is outside [1e-6, 1]");
-    }
-    if !(1.0..=LARGEST_IOR).contains(&ior) {
-        return refuse("ior", ior, "is outside [1, 4]");
-    }
-    Ok(())
+    let inside = alpha == 0.0 || (least..=ALPHA[1]).contains(&alpha);
+    let inputs = [
+        ("alpha", alpha, inside, "is neither 0 nor in [1e-4, 1]"),
+        ("mu", mu, (SMALLEST_MU..=1.0).contains(&mu), "is outside [1e-6, 1]"),
+        ("ior", ior, (1.0..=LARGEST_IOR).contains(&ior), "is outside [1, 4]"),
+    ];
+    IntegrateError::outside(quantity, inputs)
 }
 
 /// The values by one rule of `n` nodes a panel, as their own bound: for checks of the bound.

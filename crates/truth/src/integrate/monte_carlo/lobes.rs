@@ -207,10 +207,7 @@ pub(crate) fn check_positive(
     inputs: &[(&'static str, f64)],
 ) -> Result<(), IntegrateError> {
     let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
-    match inputs.iter().find(|(_, value)| *value == 0.0) {
-        None => Ok(()),
-        Some((input, value)) => Err(IntegrateError::Domain { quantity, input, value: *value, domain }),
-    }
+    IntegrateError::outside(quantity, inputs.iter().map(|(input, x)| (*input, *x, *x != 0.0, domain)))
 }
 
 /// The settings of a second opinion: scrambled Sobol points.

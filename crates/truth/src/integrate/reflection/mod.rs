@@ -199,12 +199,10 @@ pub(in crate::integrate) fn check_inputs(
     alpha: f64,
     mu: f64,
 ) -> Result<(), IntegrateError> {
-    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
-    if !(alpha == 0.0 || (SMALLEST_ALPHA..=1.0).contains(&alpha)) {
-        return refuse("alpha", alpha, "is neither 0 nor in [1e-7, 1]");
-    }
-    if !(0.0..=1.0).contains(&mu) {
-        return refuse("mu", mu, "is outside [0, 1]");
-    }
-    Ok(())
+    let inside = alpha == 0.0 || (SMALLEST_ALPHA..=1.0).contains(&alpha);
+    let inputs = [
+        ("alpha", alpha, inside, "is neither 0 nor in [1e-7, 1]"),
+        ("mu", mu, (0.0..=1.0).contains(&mu), "is outside [0, 1]"),
+    ];
+    IntegrateError::outside(quantity, inputs)
 }

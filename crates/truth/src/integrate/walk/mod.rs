@@ -138,26 +138,18 @@ fn check(
     reflectance: &impl Fn(f64) -> [f64; CHANNELS],
 ) -> Result<(), IntegrateError> {
     let quantity = "random walk";
-    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
-    if !(SMALLEST_ALPHA..=1.0).contains(&alpha) {
-        return refuse("alpha", alpha, "is outside [1e-7, 1]");
-    }
-    for value in mu {
-        if !(0.0..=1.0).contains(&value) {
-            return refuse("mu", value, "is outside [0, 1]");
-        }
-    }
-    if mu[1] <= 0.0 || mu[0] > mu[1] {
-        return refuse("mu", mu[1], "is not above 0 and above the start of its range");
-    }
+    let unit = |name, x: f64| (name, x, (0.0..=1.0).contains(&x), "is outside [0, 1]");
+    let inputs = [
+        ("alpha", alpha, (SMALLEST_ALPHA..=1.0).contains(&alpha), "is outside [1e-7, 1]"),
+        unit("mu", mu[0]),
+        unit("mu", mu[1]),
+        ("mu", mu[1], mu[1] > 0.0 && mu[0] <= mu[1], "is not above 0 and above the start of its range"),
+    ];
+    IntegrateError::outside(quantity, inputs)?;
     if walks.paths < REPLICAS as u64 || walks.paths > MOST_SAMPLES {
         let must = "paths must be between 32 (one a replica) and 2^32";
         return Err(IntegrateError::Option { option: "paths", value: walks.paths.to_string(), must });
     }
-    for value in (0..=64).flat_map(|i| reflectance(f64::from(i) / 64.0)) {
-        if !(0.0..=1.0).contains(&value) {
-            return refuse("reflectance", value, "is outside [0, 1]");
-        }
-    }
-    Ok(())
+    let values = (0..=64).flat_map(|i| reflectance(f64::from(i) / 64.0));
+    IntegrateError::outside(quantity, values.map(|x| unit("reflectance", x)))
 }

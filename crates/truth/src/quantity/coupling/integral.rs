@@ -125,9 +125,6 @@ pub fn factor(split: &Split, f0: f64, specular: Specular) -> Estimate {
 
 /// Refuses f0 outside [0, 1].
 pub(super) fn check_f0(f0: f64) -> Result<(), IntegrateError> {
-    let (quantity, input, domain) = ("diffuse-coupling", "f0", "is outside [0, 1]");
-    if (0.0..=1.0).contains(&f0) {
-        return Ok(());
-    }
-    Err(IntegrateError::Domain { quantity, input, value: f0, domain })
+    let inside = (0.0..=1.0).contains(&f0);
+    IntegrateError::outside("diffuse-coupling", [("f0", f0, inside, "is outside [0, 1]")])
 }

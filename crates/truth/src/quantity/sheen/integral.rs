@@ -61,16 +61,11 @@ pub fn albedo(alpha: f64, mu: f64) -> f64 {
 
 /// Refuses inputs outside the domain.
 pub(super) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
-    let refuse = |input, value, domain| {
-        Err(IntegrateError::Domain { quantity: "sheen-charlie", input, value, domain })
-    };
-    if !(SMALLEST_ALPHA..=1.0).contains(&alpha) {
-        return refuse("alpha", alpha, "is outside [1e-6, 1]");
-    }
-    if !(0.0..=1.0).contains(&mu) {
-        return refuse("mu", mu, "is outside [0, 1]");
-    }
-    Ok(())
+    let inputs = [
+        ("alpha", alpha, (SMALLEST_ALPHA..=1.0).contains(&alpha), "is outside [1e-6, 1]"),
+        ("mu", mu, (0.0..=1.0).contains(&mu), "is outside [0, 1]"),
+    ];
+    IntegrateError::outside("sheen-charlie", inputs)
 }
 
 /// The finer of two values. Its rounding is relative, and that of the factor e^-x which sets its

@@ -83,14 +83,11 @@ fn albedo(lambda: &Lambda, mu: f64, (rule, azimuth): &'static Rules) -> f64 {
 impl EstevezKulla {
     /// Refuses inputs outside the domain.
     fn check(self, alpha: f64, mu: f64) -> Result<(), IntegrateError> {
-        for (input, value) in self.inputs().iter().zip([alpha, mu]) {
-            if !(input.domain[0]..=input.domain[1]).contains(&value) {
-                let (quantity, input) = (self.name(), input.name);
-                let domain = "is outside the domain of Estevez and Kulla's shadowing";
-                return Err(IntegrateError::Domain { quantity, input, value, domain });
-            }
-        }
-        Ok(())
+        let domain = "is outside the domain of Estevez and Kulla's shadowing";
+        let checked = |(input, x): (&Input, f64)| {
+            (input.name, x, (input.domain[0]..=input.domain[1]).contains(&x), domain)
+        };
+        IntegrateError::outside(self.name(), self.inputs().iter().zip([alpha, mu]).map(checked))
     }
 }
 

@@ -353,19 +353,12 @@ impl Widened {
     }
 
     fn check(&self, x: &[f64]) -> Result<(), IntegrateError> {
-        for (input, &value) in self.facts.inputs.iter().zip(x) {
+        let checked = |(input, &value): (&Input, &f64)| {
             let [low, high] = input.domain;
-            if !(low * (1.0 - super::ROUNDED)..=high * (1.0 + super::ROUNDED)).contains(&value) {
-                let domain = "is outside the quantity's domain";
-                return Err(IntegrateError::Domain {
-                    quantity: self.facts.name,
-                    input: input.name,
-                    value,
-                    domain,
-                });
-            }
-        }
-        Ok(())
+            let inside = (low * (1.0 - super::ROUNDED)..=high * (1.0 + super::ROUNDED)).contains(&value);
+            (input.name, value, inside, "is outside the quantity's domain")
+        };
+        IntegrateError::outside(self.facts.name, self.facts.inputs.iter().zip(x).map(checked))
     }
 }
 

@@ -181,11 +181,8 @@ fn values(
 /// A point that is not covered.
 pub fn one(path: Path, smith: Smith, place: &Place, tolerance: f64) -> Result<Work, IntegrateError> {
     aniso::check(aniso::QUANTITY, place.alpha, place.mu, place.phi)?;
-    if !place.is_covered() {
-        let (input, value, domain) =
-            ("mu", place.mu, "is below 1e-4, or alpha_x and alpha_y are too far apart");
-        return Err(IntegrateError::Domain { quantity: aniso::QUANTITY, input, value, domain });
-    }
+    let domain = "is below 1e-4, or alpha_x and alpha_y are too far apart";
+    IntegrateError::outside(aniso::QUANTITY, [("mu", place.mu, place.is_covered(), domain)])?;
     Ok(place.direct(path, smith, digits_of(tolerance)))
 }
 

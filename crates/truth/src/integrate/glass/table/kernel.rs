@@ -191,16 +191,11 @@ pub fn covers(alpha: f64, mu: f64, iors: &[f64]) -> bool {
 
 /// Refuses inputs outside the domain.
 fn check(quantity: &'static str, alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
-    let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     // A roughness rounded to f32 may make an alpha just below 4e-4.
-    if !(3.99e-4..=1.0).contains(&alpha) {
-        return refuse("alpha", alpha, "is outside [4e-4, 1] of a table");
-    }
-    if !(MU[0]..=MU[1]).contains(&mu) {
-        return refuse("mu", mu, "is outside [2e-4, 1] of a table");
-    }
-    match iors.iter().find(|ior| !(1.0..=3.0).contains(*ior)) {
-        Some(ior) => refuse("ior", *ior, "is outside [1, 3] of a table"),
-        None => Ok(()),
-    }
+    let widths = [
+        ("alpha", alpha, (3.99e-4..=1.0).contains(&alpha), "is outside [4e-4, 1] of a table"),
+        ("mu", mu, (MU[0]..=MU[1]).contains(&mu), "is outside [2e-4, 1] of a table"),
+    ];
+    let of_ior = |ior: &f64| ("ior", *ior, (1.0..=3.0).contains(ior), "is outside [1, 3] of a table");
+    IntegrateError::outside(quantity, widths.into_iter().chain(iors.iter().map(of_ior)))
 }

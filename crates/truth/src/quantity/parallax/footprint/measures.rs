@@ -39,12 +39,9 @@ pub struct Measures {
 /// As [`super::adjusted`]; alpha = 0, a ray, has no density.
 pub fn measures(kernel: &Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Measures, IntegrateError> {
     check(alpha, rho)?;
-    for (input, value) in [("alpha", alpha), ("alpha of the fetch", fetched)] {
-        if !(1e-12..=1.0).contains(&value) {
-            let domain = "is outside [1e-12, 1]";
-            return Err(IntegrateError::Domain { quantity: super::QUANTITY, input, value, domain });
-        }
-    }
+    let width = |input, x: f64| (input, x, (1e-12..=1.0).contains(&x), "is outside [1e-12, 1]");
+    let inputs = [width("alpha", alpha), width("alpha of the fetch", fetched)];
+    IntegrateError::outside(super::QUANTITY, inputs)?;
     let (target, fetch) = (kernel.lobe(alpha), kernel.lobe(fetched));
     let narrowest = fetched.min(alpha * rho);
     let (mut square, mut whole, mut largest, mut peak, mut encircled) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);

@@ -56,15 +56,12 @@ pub fn quick_error(kernel: &Kernel) -> f64 {
 const QUANTITY: &str = "parallax-alpha";
 
 fn check(alpha: f64, rho: f64) -> Result<(), IntegrateError> {
-    let refuse =
-        |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
-    if !(alpha == 0.0 || (SMALLEST_ALPHA..=1.0).contains(&alpha)) {
-        return refuse("alpha", alpha, "is neither 0 nor in [1e-6, 1]");
-    }
-    if !(RHO[0]..=RHO[1]).contains(&rho) {
-        return refuse("rho", rho, "is outside [1e-6, 1e3]");
-    }
-    Ok(())
+    let inside = alpha == 0.0 || (SMALLEST_ALPHA..=1.0).contains(&alpha);
+    let inputs = [
+        ("alpha", alpha, inside, "is neither 0 nor in [1e-6, 1]"),
+        ("rho", rho, (RHO[0]..=RHO[1]).contains(&rho), "is outside [1e-6, 1e3]"),
+    ];
+    IntegrateError::outside(QUANTITY, inputs)
 }
 
 /// Wall radii of equal steps in the logarithm that hold all that lies between two lobes: from 1e-4

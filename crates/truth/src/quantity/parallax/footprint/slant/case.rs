@@ -67,10 +67,8 @@ impl Case {
         resolution: Resolution,
     ) -> Result<Case, IntegrateError> {
         slant.check()?;
-        if !(SMALLEST_ALPHA..=1.0).contains(&alpha) {
-            let (input, value, domain) = ("alpha", alpha, "is outside [1e-3, 1]");
-            return Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
-        }
+        let inside = (SMALLEST_ALPHA..=1.0).contains(&alpha);
+        IntegrateError::outside(QUANTITY, [("alpha", alpha, inside, "is outside [1e-3, 1]")])?;
         let not_finite =
             || IntegrateError::NotFinite { quantity: QUANTITY, place: format!("alpha = {alpha}, {slant:?}") };
         let stretch = slant.stretch(alpha).ok_or_else(not_finite)?;

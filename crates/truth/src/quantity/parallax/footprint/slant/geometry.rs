@@ -48,20 +48,17 @@ impl Slant {
     /// # Errors
     /// A distance, slant or azimuth outside of its domain or no number.
     pub fn check(&self) -> Result<(), IntegrateError> {
-        let refuse =
-            |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
-        for Stand { distance, slant } in [self.shading, self.probe] {
-            if !(DISTANCES[0]..=DISTANCES[1]).contains(&distance) {
-                return refuse("distance", distance, "is outside [1e-3, 1e3]");
-            }
-            if !(0.0..=LARGEST_SLANT).contains(&slant) {
-                return refuse("slant", slant, "is outside [0, 86 degrees], in radians");
-            }
-        }
-        if !(-PI..=PI).contains(&self.azimuth) {
-            return refuse("azimuth", self.azimuth, "is outside [-pi, pi]");
-        }
-        Ok(())
+        let of_stand = |Stand { distance, slant }: Stand| {
+            let within =
+                [(DISTANCES[0]..=DISTANCES[1]).contains(&distance), (0.0..=LARGEST_SLANT).contains(&slant)];
+            [
+                ("distance", distance, within[0], "is outside [1e-3, 1e3]"),
+                ("slant", slant, within[1], "is outside [0, 86 degrees], in radians"),
+            ]
+        };
+        let turned = ("azimuth", self.azimuth, (-PI..=PI).contains(&self.azimuth), "is outside [-pi, pi]");
+        let stands = [self.shading, self.probe].into_iter().flat_map(of_stand);
+        IntegrateError::outside(QUANTITY, stands.chain([turned]))
     }
 
     /// Whether one half of the wall mirrors the other: both slants lie in one plane.
