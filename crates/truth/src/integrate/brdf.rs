@@ -3,7 +3,7 @@
 
 use super::reflection::Effort;
 use super::reflection::hemisphere::Hemisphere;
-use super::{Estimate, IntegrateError};
+use super::{Estimate, Goal, IntegrateError};
 use crate::optics::ggx::Vec3;
 
 /// An isotropic BRDF with what its integrals must know of it.
@@ -35,22 +35,13 @@ pub fn albedo(
     let by = |effort: &Effort| {
         let hemisphere = Hemisphere::new(brdf.width, mu, effort);
         let [sum] = hemisphere.integrate(|_, light| [(brdf.weighted)(hemisphere.view, *light)]);
-        sum
+        Ok(sum)
     };
-    let mut coarse = by(&Effort::ladder()[0]);
-    let mut reached = f64::INFINITY;
-    for effort in &Effort::ladder()[1..] {
-        let fine = by(effort);
-        // Of a function of which nothing is known: the difference itself, however much smaller the
-        // error of the finer rule is.
-        let value = Estimate { value: fine, error: (fine - coarse).abs() };
-        if !value.error.is_finite() {
-            return Err(IntegrateError::NotFinite { quantity, place: format!("mu = {mu:?}") });
-        }
-        if value.error <= tolerance {
-            return Ok(value);
-        }
-        (coarse, reached) = (fine, value.error);
-    }
-    Err(IntegrateError::Tolerance { quantity, place: format!("mu = {mu:?}"), reached, tolerance })
+    // Of a function of which nothing is known: the difference itself, however much smaller the error of
+    // the finer rule is.
+    let bounded = |coarse: &f64, fine: &f64| {
+        let error = (fine - coarse).abs();
+        error.is_finite().then_some((Estimate { value: *fine, error }, error))
+    };
+    Goal { quantity, place: &|| format!("mu = {mu:?}"), tolerance }.climb(Effort::ladder(), by, bounded)
 }

@@ -29,7 +29,7 @@ use super::{
 use crate::integrate::glass::{self, Side, table};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::walk::{Walks, escape};
-use crate::integrate::{Estimate, IntegrateError};
+use crate::integrate::{Estimate, Goal, IntegrateError};
 use crate::optics::Smith;
 use crate::points::{Points, hull};
 
@@ -206,21 +206,16 @@ impl Quantity for GgxCoat {
         let smith = variant.smith(self.name())?;
         check_unit(self, ALPHA.name, &x[..1], self.smallest_alpha())?;
         check_domain(self, &[x[0].min(1.0), x[1]])?;
-        let [coarse, fine] = NODES.map(|nodes| by(smith, [x[0].min(1.0), x[1]], nodes));
-        let (coarse, fine) = (coarse?, fine?);
-        let values = [0, 1, 2].map(|k| Estimate::from_slow_pair(coarse[k], fine[k], 1.0));
-        let reached = values.iter().map(|value| value.error).fold(0.0, f64::max) + 2.0 * INNER + BELOW;
+        let bounded = |coarse: &[f64; 3], fine: &[f64; 3]| {
+            let values = [0, 1, 2].map(|k| Estimate::from_slow_pair(coarse[k], fine[k], 1.0));
+            let error = values.iter().map(|value| value.error).fold(0.0, f64::max) + 2.0 * INNER + BELOW;
+            let [e, t, k] = values.map(|value| value.value);
+            let [escape, internal] = internal(e, x[1]);
+            error.is_finite().then(|| (vec![escape, internal, e, t, k, error], error))
+        };
         let place = || format!("alpha = {:?}, ior = {:?}", x[0], x[1]);
-        if !reached.is_finite() {
-            return Err(IntegrateError::NotFinite { quantity: self.name(), place: place() });
-        }
-        if reached > tolerance {
-            let (quantity, place) = (self.name(), place());
-            return Err(IntegrateError::Tolerance { quantity, place, reached, tolerance });
-        }
-        let [e, t, k] = values.map(|value| value.value);
-        let [escape, internal] = internal(e, x[1]);
-        Ok(vec![escape, internal, e, t, k, reached])
+        let goal = Goal { quantity: self.name(), place: &place, tolerance };
+        goal.climb(NODES, |nodes| by(smith, [x[0].min(1.0), x[1]], nodes), bounded)
     }
 
     /// What is of E_avg alone, from an interpolant over the box of the points.

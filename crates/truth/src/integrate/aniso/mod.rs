@@ -13,7 +13,7 @@ mod ray;
 mod rays;
 mod view;
 
-use super::{Estimate, IntegrateError, PanelRule};
+use super::{Estimate, Goal, IntegrateError, PanelRule};
 use crate::optics::Smith;
 use rays::Rays;
 use view::View;
@@ -51,17 +51,12 @@ pub fn aniso(
     if alpha == [0.0, 0.0] {
         return Ok(Aniso { e: 1.0, loss: 0.0, error: 0.0, loss_error: 0.0 });
     }
-    let (mut coarse, mut reached) = (values(smith, alpha, mu, phi, 8), f64::INFINITY);
-    for n in [16, 32] {
-        let fine = values(smith, alpha, mu, phi, n);
-        let value = bounded(coarse, fine).ok_or_else(|| not_finite(alpha, mu))?;
-        if value.error <= tolerance {
-            return Ok(value);
-        }
-        (coarse, reached) = (fine, value.error);
-    }
-    let place = place(alpha, mu);
-    Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
+    let goal = Goal { quantity: QUANTITY, place: &|| place(alpha, mu), tolerance };
+    goal.climb(
+        [8, 16, 32],
+        |n| Ok(values(smith, alpha, mu, phi, n)),
+        |coarse, fine| bounded(*coarse, *fine).map(|value| (value, value.error)),
+    )
 }
 
 /// Rounding of the nested sums in units of a single one's: a floor of 2e-11, a fiftieth of the

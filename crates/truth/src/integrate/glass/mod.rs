@@ -20,7 +20,7 @@ pub mod table;
 pub use facets::Facets;
 pub use interface::Side;
 
-use super::{Estimate, IntegrateError, PanelRule};
+use super::{Estimate, Goal, IntegrateError, PanelRule};
 use crate::optics::Smith;
 use crate::optics::distribution::Ggx;
 pub(super) use interface::Interface;
@@ -105,17 +105,11 @@ pub(super) fn refined(
     rounding: f64,
     tolerance: f64,
 ) -> Result<Glass, IntegrateError> {
-    let (mut coarse, mut reached) = (values(8), f64::INFINITY);
-    for n in [16, 32] {
-        let fine = values(n);
-        let not_finite = || IntegrateError::NotFinite { quantity, place: place() };
-        let value = bounded(coarse, fine, rounding).ok_or_else(not_finite)?;
-        if value.error <= tolerance {
-            return Ok(value);
-        }
-        (coarse, reached) = (fine, value.error);
-    }
-    Err(IntegrateError::Tolerance { quantity, place: place(), reached, tolerance })
+    Goal { quantity, place, tolerance }.climb(
+        [8, 16, 32],
+        |n| Ok(values(n)),
+        |coarse, fine| bounded(*coarse, *fine, rounding).map(|value| (value, value.error)),
+    )
 }
 
 /// Refuses inputs outside the domain.

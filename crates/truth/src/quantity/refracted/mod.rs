@@ -31,7 +31,7 @@ use super::{ALPHA, Asked, Choice, Facts, Input, MU, Quantity, Truth, Variant, ch
 use crate::integrate::monte_carlo::{
     Draws, Run, Sampled, check_positive, check_samples, column, of_replicas, refract, shadowing,
 };
-use crate::integrate::{IntegrateError, PanelRule};
+use crate::integrate::{Goal, IntegrateError, PanelRule};
 use crate::optics::kernel::Kernel;
 use crate::optics::{Smith, ggx};
 use lobe::Lobe;
@@ -226,18 +226,14 @@ impl Quantity for RefractedWidth {
             return Ok(vec![0.0; 3]);
         }
         let lobe = Lobe::new(smith, alpha, mu, ior);
-        let (mut coarse, mut reached) = (by(&lobe, &RULES[0])?, f64::INFINITY);
-        for rule in &RULES[1..] {
-            let fine = by(&lobe, rule)?;
-            // The difference itself, whatever less the error of the finer rule is.
+        // The difference itself, whatever less the error of the finer rule is.
+        let bounded = |coarse: &[f64; 2], fine: &[f64; 2]| {
             let off = |k: usize| (fine[k] - coarse[k]).abs() + ROUNDING * fine[k];
-            reached = off(0).max(off(1));
-            if reached <= tolerance {
-                return Ok(vec![fine[0], fine[1], reached]);
-            }
-            coarse = fine;
-        }
-        Err(IntegrateError::Tolerance { quantity: self.name(), place: lobe.place(), reached, tolerance })
+            let error = off(0).max(off(1));
+            Some((vec![fine[0], fine[1], error], error))
+        };
+        let goal = Goal { quantity: self.name(), place: &|| lobe.place(), tolerance };
+        goal.climb(RULES.iter(), |rule| by(&lobe, rule), bounded)
     }
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {

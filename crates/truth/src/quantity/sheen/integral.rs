@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 
 use super::facets::View;
 use super::lobe::exponent;
-use crate::integrate::{Estimate, IntegrateError, PanelRule};
+use crate::integrate::{Estimate, Goal, IntegrateError, PanelRule};
 
 /// Smallest alpha: D's exponent is 1e6, and E at mu = 0 is 399.
 pub const SMALLEST_ALPHA: f64 = 1e-6;
@@ -36,21 +36,13 @@ pub type Sheen = Estimate;
 pub fn sheen(alpha: f64, mu: f64, tolerance: f64) -> Result<Sheen, IntegrateError> {
     check(alpha, mu)?;
     let view = View::new(alpha, mu);
-    let mut coarse = view.albedo(&ladder()[0]);
-    let mut reached = f64::INFINITY;
-    for rule in &ladder()[1..] {
-        let fine = view.albedo(rule);
-        if !fine.is_finite() {
-            return Err(IntegrateError::NotFinite { quantity: "sheen-charlie", place: place(alpha, mu) });
-        }
-        let value = bounded(coarse, fine, view.exponent());
-        reached = value.error;
-        if value.error <= tolerance {
-            return Ok(value);
-        }
-        coarse = fine;
-    }
-    Err(IntegrateError::Tolerance { quantity: "sheen-charlie", place: place(alpha, mu), reached, tolerance })
+    let bounded = |coarse: &f64, fine: &f64| {
+        let value = bounded(*coarse, *fine, view.exponent());
+        fine.is_finite().then_some((value, value.error))
+    };
+    let place = || format!("alpha = {alpha:?}, mu = {mu:?}");
+    let goal = Goal { quantity: "sheen-charlie", place: &place, tolerance };
+    goal.climb(ladder(), |rule| Ok(view.albedo(rule)), bounded)
 }
 
 /// E by the rule of 16 nodes a panel, without an error bound: for fields of many points. Inputs as
@@ -82,10 +74,6 @@ fn bounded(coarse: f64, fine: f64, exponent: f64) -> Estimate {
 fn ladder() -> &'static [PanelRule; 4] {
     static LADDER: LazyLock<[PanelRule; 4]> = LazyLock::new(|| [8, 16, 32, 64].map(PanelRule::new));
     &LADDER
-}
-
-fn place(alpha: f64, mu: f64) -> String {
-    format!("alpha = {alpha:?}, mu = {mu:?}")
 }
 
 /// (2 + p) times the mass of sin^(p + 1) over [0, pi/2], p = 1/alpha: the mean of the rest of the

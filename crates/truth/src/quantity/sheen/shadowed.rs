@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use rayon::prelude::*;
 
 use super::facets::View;
-use crate::integrate::{IntegrateError, PanelRule};
+use crate::integrate::{Goal, IntegrateError, PanelRule};
 use crate::quantity::{Asked, Facts, Input, Quantity, Truth, Variant};
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
@@ -111,21 +111,13 @@ impl Quantity for EstevezKulla {
         self.check(alpha, mu)?;
         let place = || format!("alpha = {alpha:?}, mu = {mu:?}");
         let lambda = Lambda::new(alpha);
-        let mut coarse = albedo(&lambda, mu, &ladder()[0]);
-        let mut reached = f64::INFINITY;
-        for rules in &ladder()[1..] {
-            let fine = albedo(&lambda, mu, rules);
-            // Lambda is no analytic function: the difference itself bounds the error.
-            reached = (fine - coarse).abs();
-            if !fine.is_finite() {
-                return Err(IntegrateError::NotFinite { quantity, place: place() });
-            }
-            if reached <= tolerance {
-                return Ok(vec![fine, reached]);
-            }
-            coarse = fine;
-        }
-        Err(IntegrateError::Tolerance { quantity, place: place(), reached, tolerance })
+        // Lambda is no analytic function: the difference itself bounds the error.
+        let bounded = |coarse: &f64, fine: &f64| {
+            let error = (fine - coarse).abs();
+            fine.is_finite().then(|| (vec![*fine, error], error))
+        };
+        let goal = Goal { quantity, place: &place, tolerance };
+        goal.climb(ladder(), |rules| Ok(albedo(&lambda, mu, rules)), bounded)
     }
 
     fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
