@@ -17,13 +17,13 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     let limit = limit(furnace)?;
     let plain =
         spheres("the furnace, unamplified", furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
-    let amplified =
+    let drawn =
         spheres("the furnace, departure amplified", furnace, &furnace.rows, Shade::Departure { limit });
-    let caption = format!("{}{}", amplified_caption(furnace, limit), absent(findings));
+    let caption = format!("{} {VANISHES}{}", amplified(furnace.amplification), absent(findings));
     let blocks = vec![
         figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption(furnace))?,
-        figures(&[amplified], &caption)?,
-        worst(furnace, "E N − 1"),
+        figures(&[drawn], &caption)?,
+        worst(furnace, &worst_caption("E N − 1")),
     ];
     Ok(Some(Section::new(
         "furnace",
@@ -56,20 +56,17 @@ pub(crate) fn panel(title: &str, furnace: &Furnace) -> Result<Vec<Block>, Report
         &furnace.rows[..1],
         Shade::Radiance { white: 1.25 },
     );
-    let amplified =
-        spheres(&format!("{title}, amplified"), furnace, &furnace.rows, Shade::Departure { limit });
+    let drawn = spheres(&format!("{title}, amplified"), furnace, &furnace.rows, Shade::Departure { limit });
+    let caption = format!("{} {VANISHES}", amplified(furnace.amplification));
     Ok(vec![
         figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption(furnace))?,
-        figures(
-            &[Spheres { unit: "E / lookup − 1".into(), ..amplified }],
-            &amplified_caption(furnace, limit),
-        )?,
-        worst(furnace, "E / lookup − 1"),
+        figures(&[Spheres { unit: "E / lookup − 1".into(), ..drawn }], &caption)?,
+        worst(furnace, &worst_caption("E / lookup − 1")),
     ])
 }
 
 /// The departure that gets the deepest colours.
-fn limit(furnace: &Furnace) -> Result<f64, ReportError> {
+pub(crate) fn limit(furnace: &Furnace) -> Result<f64, ReportError> {
     check::filled("furnace", "rows", furnace.rows.len())?;
     check::finite("furnace", "amplification", furnace.amplification)?;
     if furnace.amplification <= 0.0 {
@@ -86,14 +83,17 @@ fn plain_caption(furnace: &Furnace) -> String {
     )
 }
 
-fn amplified_caption(furnace: &Furnace, limit: f64) -> String {
-    let deepest = numbers::brief(limit, 2);
+/// How the colours of amplified spheres read.
+pub(crate) fn amplified(times: f64) -> String {
+    let deepest = numbers::brief(1.0 / times, 2);
     format!(
         "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
-         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
-        numbers::brief(furnace.amplification, 3),
+         the deepest red a gain of {deepest} or more.",
+        numbers::brief(times, 3),
     )
 }
+
+const VANISHES: &str = "A perfect compensation vanishes.";
 
 /// What has no row.
 fn absent(findings: &Findings) -> String {
@@ -106,7 +106,13 @@ fn absent(findings: &Findings) -> String {
     }
 }
 
-fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade: Shade) -> Spheres<'a> {
+/// Rows of a furnace, drawn.
+pub(crate) fn spheres<'a>(
+    title: &str,
+    furnace: &'a Furnace,
+    rows: &'a [FurnaceRow],
+    shade: Shade,
+) -> Spheres<'a> {
     Spheres {
         title: title.into(),
         column_name: "roughness".into(),
@@ -120,7 +126,7 @@ fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade:
 }
 
 /// The largest departure of every sphere in figures.
-fn worst(furnace: &Furnace, what: &str) -> Block {
+pub(crate) fn worst(furnace: &Furnace, caption: &str) -> Block {
     let columns = words::figures_after("roughness", furnace.roughness.iter().map(|&r| numbers::place(r)));
     let farthest = |factors: &Vec<f64>| {
         factors.iter().map(|f| f - 1.0).fold(0.0, |m: f64, d| if d.abs() > m.abs() { d } else { m })
@@ -129,9 +135,12 @@ fn worst(furnace: &Furnace, what: &str) -> Block {
         let cells = r.factors.iter().map(|f| numbers::bound(farthest(f), 2));
         std::iter::once(r.name.clone()).chain(cells).collect()
     };
-    let caption = format!(
+    Block::Table(words::table(&columns, furnace.rows.iter().map(row).collect(), caption))
+}
+
+fn worst_caption(what: &str) -> String {
+    format!(
         "Largest signed departure {what} over each sphere, rounded away from zero. Where it is larger than the sphere looks, it is \
          at the rim: grazing views take up few pixels."
-    );
-    Block::Table(words::table(&columns, furnace.rows.iter().map(row).collect(), &caption))
+    )
 }
