@@ -55,7 +55,7 @@ pub struct TableWant {
     pub size: Option<Vec<usize>>,
     /// Whether the scene leaves the slices open.
     #[serde(skip)]
-    pub(super) has_open_slices: bool,
+    pub has_open_slices: bool,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// What it is looked up for: with a third axis the albedo.

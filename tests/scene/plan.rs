@@ -65,7 +65,7 @@ fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
 fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload() {
     let scene = Scene::built_in().unwrap();
     let plan = plan(&scene);
-    assert!(tables(&scene).iter().all(|t| t.roughness == [0.02, 1.0]));
+    assert!(tables(&scene).iter().all(|t| t.region.roughness == [0.02, 1.0]));
     let fit = fits(&plan).unwrap();
     assert_eq!((fit.ranges["roughness"], fit.ranges["mu"]), ([0.02, 1.0], [0.01, 1.0]));
     assert_eq!((fit.goals.max_ops, fit.goals.max_error), (Some(24), Some(0.0105)));
@@ -210,14 +210,14 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     let (tables, plan) = (tables(&scene), plan(&scene));
     assert_eq!(tables.len(), 2);
     let merged = &tables[0];
-    assert_eq!(merged.size, Some(vec![16, 8]));
-    assert_eq!(merged.roughness, [0.1, 0.9]);
-    assert_eq!(merged.max_error, Some(0.01));
+    assert_eq!(merged.want.size, Some(vec![16, 8]));
+    assert_eq!(merged.region.roughness, [0.1, 0.9]);
+    assert_eq!(merged.want.max_error, Some(0.01));
     let names: Vec<&str> = plan.jobs("reflection")[0].demands.iter().map(|d| d.name.as_str()).collect();
     assert_eq!(names, ["a", "b", "c"]);
     assert_eq!(merged.limited_by, "b (materials[1].wants.tables[0].max_error)");
     assert_eq!(tables[1].names.concat(), "ggx-dfg-correlated-16x8-f32-plain-split-sum");
-    assert_eq!(tables[1].max_error, None);
+    assert_eq!(tables[1].want.max_error, None);
 }
 
 #[test]
@@ -228,9 +228,9 @@ fn an_open_size_has_a_limit() {
     ]);
     let (tables, plan) = (tables(&scene), plan(&scene));
     assert_eq!(tables[0].names.concat(), "ggx-dfg-correlated-auto");
-    assert_eq!(tables[0].size, None);
-    assert_eq!(tables[0].max_error, Some(1e-3));
-    assert_eq!(tables[1].max_error, Some(3e-3));
+    assert_eq!(tables[0].want.size, None);
+    assert_eq!(tables[0].want.max_error, Some(1e-3));
+    assert_eq!(tables[1].want.max_error, Some(3e-3));
     let bytes: Vec<_> = plan.effects[0].jobs.iter().map(|j| (j.bytes, j.bytes_at_most)).collect();
     assert_eq!(bytes, [(128 * 128 * 2, true), (128 * 128 * 2 * 2, true)]);
     assert!(plan.effects[0].bytes_at_most);

@@ -63,19 +63,19 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
     let jobs = sliced(&scene);
     let [brushed, glass] = &jobs[..] else { panic!("{jobs:?}") };
     assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
-    assert_eq!((brushed.size.clone(), brushed.layout), (Some(vec![64, 64, 32]), Layout::Optimised));
-    assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, None));
+    assert_eq!((brushed.want.size.clone(), brushed.want.layout), (Some(vec![64, 64, 32]), Layout::Optimised));
+    assert_eq!((brushed.want.format, brushed.want.max_error), (TexelFormat::F16, None));
     assert_eq!(
-        (brushed.roughness, brushed.slices),
+        (brushed.region.roughness, brushed.region.slices),
         ([0.2, 0.6], Some(Slices { axis: SliceAxis::Anisotropy, range: [0.3, 0.5] }))
     );
     let sides = ["outside", "inside"].map(|side| format!("ggx-glass-{side}-correlated-128x128x32"));
     assert_eq!(table_names(glass), sides);
     assert_eq!(
-        (glass.size.clone(), glass.slices),
+        (glass.want.size.clone(), glass.region.slices),
         (Some(vec![128, 128, 32]), Some(Slices { axis: SliceAxis::Ior, range: [1.2, 1.6] }))
     );
-    assert_eq!((glass.smith, glass.alpha_map), (Smith::Correlated, AlphaMap::RoughnessSquared));
+    assert_eq!((glass.smith, glass.region.alpha_map), (Smith::Correlated, AlphaMap::RoughnessSquared));
     let bytes: Vec<u64> = plan.effects.iter().map(|e| e.bytes).collect();
     assert_eq!(bytes, [64 * 64 * 32 * 2, 2 * 128 * 128 * 32 * 2]);
 }
@@ -98,7 +98,7 @@ fn names_say_what_tells_tables_apart() {
             "ggx-glass-inside-correlated-8x16x4-f32",
         ]
     );
-    let limits: Vec<Option<f64>> = jobs.iter().map(|job| job.max_error).collect();
+    let limits: Vec<Option<f64>> = jobs.iter().map(|job| job.want.max_error).collect();
     assert_eq!(limits, [None; 5], "where the default size is one, nothing is promised by default");
 }
 
@@ -106,9 +106,9 @@ fn names_say_what_tells_tables_apart() {
 fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
     let job = |table: &str| sliced(&of(&[&brushed("b", &tables(table))]))[0].clone();
     let limit = job(r#"{"max_error":0.1}"#);
-    assert_eq!((limit.size.clone(), limit.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
+    assert_eq!((limit.want.size.clone(), limit.want.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
-    assert_eq!((size.size.clone(), size.max_error), (Some(vec![16, 8, 4]), None));
+    assert_eq!((size.want.size.clone(), size.want.max_error), (Some(vec![16, 8, 4]), None));
 }
 
 /// Materials of one index of refraction take as few slices as there may be, if the scene leaves
@@ -117,13 +117,13 @@ fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
 fn one_value_takes_few_slices() {
     let glass = |name: &str, ior: &str, more: &str| glass(name, more).replace("[1.2,1.6]", ior);
     let sizes = |materials: &[&str]| -> Vec<_> {
-        sliced(&of(materials)).iter().map(|job| job.size.clone().expect("a size")).collect()
+        sliced(&of(materials)).iter().map(|job| job.want.size.clone().expect("a size")).collect()
     };
     let both = tables(r#"{},{"size":[8,8,8]}"#);
     assert_eq!(sizes(&[&glass("a", "1.505", &both)]), [vec![128, 128, 4], vec![8, 8, 8]]);
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.5", "")]), [vec![128, 128, 4]]);
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", "")]), [vec![128, 128, 32]]);
-    let slices = sliced(&of(&[&glass("a", "1.505", "")]))[0].slices.expect("slices");
+    let slices = sliced(&of(&[&glass("a", "1.505", "")]))[0].region.slices.expect("slices");
     assert_eq!(slices.range, [1.5, 1.51], "in the digits that a person would write");
 }
 
@@ -136,13 +136,13 @@ fn the_path_tracers_tables_are_separable_and_alpha_is_roughness_whatever_the_sce
         glass("g", &table)
     );
     for jobs in sliced(&scene(&text)).chunks(2) {
-        assert_eq!((jobs[0].smith, jobs[0].alpha_map), (Smith::Separable, AlphaMap::Roughness));
-        assert_eq!((jobs[1].smith, jobs[1].alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
+        assert_eq!((jobs[0].smith, jobs[0].region.alpha_map), (Smith::Separable, AlphaMap::Roughness));
+        assert_eq!((jobs[1].smith, jobs[1].region.alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
     }
     // Rows begin at alpha = 4e-4 in each map.
     let wide = brushed("b", &table).replace("[0.2,0.6]", "[0,1]");
     let jobs = sliced(&of(&[&wide]));
-    assert_eq!((jobs[0].roughness, jobs[1].roughness), ([4e-4, 1.0], [2e-2, 1.0]));
+    assert_eq!((jobs[0].region.roughness, jobs[1].region.roughness), ([4e-4, 1.0], [2e-2, 1.0]));
 }
 
 #[test]
@@ -156,11 +156,11 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     assert_eq!(names.iter().map(Vec::len).collect::<Vec<_>>(), [1, 2, 2]);
     let merged = &jobs[2];
     assert_eq!(
-        (merged.roughness, merged.slices),
+        (merged.region.roughness, merged.region.slices),
         ([0.2, 0.9], Some(Slices { axis: SliceAxis::Ior, range: [1.2, 2.0] }))
     );
     let materials: Vec<&str> = plan.jobs("glass")[1].demands.iter().map(|d| d.name.as_str()).collect();
-    assert_eq!((merged.max_error, &materials[..]), (Some(0.05), &["a", "c"][..]));
+    assert_eq!((merged.want.max_error, &materials[..]), (Some(0.05), &["a", "c"][..]));
     assert_eq!(merged.limited_by, "c (materials[2].wants.tables[1].max_error)");
     assert_eq!(jobs[1].limited_by, "");
     assert_eq!(plan.effects[1].because.len(), 2);
@@ -170,7 +170,7 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
 fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     let spans = |ior: &str, layout: &str| {
         let table = tables(&format!(r#"{{"layout":"{layout}"}}"#));
-        sliced(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)]))[0].slices.expect("slices").range
+        sliced(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)]))[0].region.slices.expect("slices").range
     };
     assert_eq!(spans("1", "optimised"), [1.0, 1.01]);
     assert_eq!(spans("3", "optimised"), [2.99, 3.0]);
@@ -179,7 +179,7 @@ fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     assert!(lo < 2.0 && hi > 2.0 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
     let scene = of(&[&brushed("b", "").replace("[0.3,0.5]", "1")]);
     let (one, jobs) = (plan(&scene), sliced(&scene));
-    assert_eq!(jobs[0].slices, Some(Slices { axis: SliceAxis::Anisotropy, range: [0.99, 1.0] }));
+    assert_eq!(jobs[0].region.slices, Some(Slices { axis: SliceAxis::Anisotropy, range: [0.99, 1.0] }));
     assert!(one.effects[0].because[0].contains("anisotropy 1, widened to 0.99 to 1)"), "{one:?}");
 }
 

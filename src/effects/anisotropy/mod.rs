@@ -75,12 +75,12 @@ impl Family for Anisotropy {
 
     fn described(&self, job: &TableJob, _: Option<Side>) -> String {
         let azimuth =
-            if job.layout == Layout::Azimuth { " with its azimuth" } else { ", mean over the azimuth" };
+            if job.want.layout == Layout::Azimuth { " with its azimuth" } else { ", mean over the azimuth" };
         format!("of the anisotropic lobe{azimuth}")
     }
 
     fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
-        let (texel, truth) = match jobs[i].layout {
+        let (texel, truth) = match jobs[i].want.layout {
             Layout::PathTracer => (SAMPLED_S, TRUTH_S),
             Layout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
             _ => (OPTIMISED_S, TRUTH_S),
@@ -98,7 +98,7 @@ impl Family for Anisotropy {
     }
 
     fn finer(&self, job: &TableJob, _: &[TableJob]) -> bool {
-        job.layout == Layout::Azimuth
+        job.want.layout == Layout::Azimuth
     }
 
     fn points(&self, region: &Region, azimuth: bool) -> Result<LookupPoints, BuildError> {
@@ -165,7 +165,7 @@ impl Sliced for Anisotropy {
     }
 
     fn study_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
-        let own = |job: &Job| TableJob::of(scene, job).is_ok_and(|job| job.layout != Layout::PathTracer);
+        let own = |job: &Job| TableJob::of(scene, job).is_ok_and(|job| job.want.layout != Layout::PathTracer);
         if jobs.iter().any(own) { STUDY_S } else { 0.0 }
     }
 

@@ -88,7 +88,7 @@ impl Family for Glass {
     }
 
     fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
-        let texel = if jobs[i].layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
+        let texel = if jobs[i].want.layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
         self.price * (jobs[i].texels() as f64 * texel + TRUTH_S)
     }
 

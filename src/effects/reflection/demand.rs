@@ -279,18 +279,19 @@ impl Reflection {
 /// the first of the tables that are measured there.
 pub(super) fn table_seconds(i: usize, jobs: &[TableJob], price: &TruthPrice) -> f64 {
     let job = &jobs[i];
-    let texels = if job.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
+    let texels = if job.want.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
     let own = texels * texel_seconds(job);
-    if jobs[..i].iter().any(|other| other.roughness == job.roughness) {
+    if jobs[..i].iter().any(|other| other.region.roughness == job.region.roughness) {
         return own;
     }
-    let split = |j: &TableJob| j.roughness == job.roughness && j.serves == Serves::SplitSum;
+    let split =
+        |j: &TableJob| j.region.roughness == job.region.roughness && j.want.serves == Serves::SplitSum;
     own + JUDGED * price.judged[usize::from(jobs.iter().any(split))]
 }
 
 /// Seconds of an optimised texel.
 fn texel_seconds(job: &TableJob) -> f64 {
-    match job.serves {
+    match job.want.serves {
         Serves::Albedo => TEXEL_E_S,
         Serves::SplitSum => TEXEL_SPLIT_S,
     }

@@ -34,7 +34,7 @@ impl Family for Reflection {
     }
 
     fn described(&self, job: &TableJob, _: Option<Side>) -> String {
-        format!("for {}", job.serves.name())
+        format!("for {}", job.want.serves.name())
     }
 
     fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
@@ -47,8 +47,8 @@ impl Family for Reflection {
 
     /// With B where a table that is judged in the same region holds it.
     fn finer(&self, job: &TableJob, jobs: &[TableJob]) -> bool {
-        let same = |other: &&TableJob| other.smith == job.smith && other.region() == job.region();
-        jobs.iter().filter(same).any(|other| other.serves == Serves::SplitSum)
+        let same = |other: &&TableJob| other.smith == job.smith && other.region == job.region;
+        jobs.iter().filter(same).any(|other| other.want.serves == Serves::SplitSum)
     }
 
     fn points(&self, region: &Region, _: bool) -> Result<LookupPoints, BuildError> {

@@ -89,7 +89,7 @@ pub fn bake(
             break;
         }
         context.progress.stage(&format!("table {}", job.names.join(" and ")));
-        let key = (job.smith, job.region(), family.finer(job, jobs));
+        let key = (job.smith, job.region, family.finer(job, jobs));
         let judge = match judges.iter().find(|(known, _)| *known == key) {
             Some((_, judge)) => judge.clone(),
             None => {
@@ -100,7 +100,9 @@ pub fn bake(
         };
         let tables = bake_job(family, (jobs, i), &judge, context)?;
         let mut unkept: Vec<String> = tables.iter().filter_map(|table| unkept(job, table)).collect();
-        if let (Some(last), Some(table), Some(limit)) = (unkept.last_mut(), tables.first(), job.max_error) {
+        if let (Some(last), Some(table), Some(limit)) =
+            (unkept.last_mut(), tables.first(), job.want.max_error)
+        {
             let size: Vec<usize> = table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
             for line in instead(family, (job, &size), &judge, limit, context)? {
                 *last += &format!("\n{line}");
@@ -125,13 +127,13 @@ fn bake_job(
     let job = &jobs[i];
     let mut last = Vec::new();
     let sizes = job.sizes();
-    let first = if job.max_error.is_some() { 0 } else { sizes.len() - 1 };
+    let first = if job.want.max_error.is_some() { 0 } else { sizes.len() - 1 };
     let mut sizes = sizes.into_iter().skip(first).peekable();
     while let Some(size) = sizes.next() {
         let text = job.sized(&size, jobs);
         let spec = job.spec(size, &text);
         let (tables, made) = built(family, &spec, context)?;
-        if let Some(limit) = job.max_error.filter(|_| sizes.peek().is_some()) {
+        if let Some(limit) = job.want.max_error.filter(|_| sizes.peek().is_some()) {
             let mut exceeds = false;
             for (i, table) in tables.iter().enumerate() {
                 exceeds = exceeds || judge.exceeds((table, spec.decode()), i, limit)?;
@@ -150,7 +152,7 @@ fn bake_job(
             Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
         });
         last = finished.collect::<Result<_, BakeError>>()?;
-        if job.max_error.is_some_and(|limit| last.iter().all(|table| table.errors.lookup.max <= limit)) {
+        if job.want.max_error.is_some_and(|limit| last.iter().all(|table| table.errors.lookup.max <= limit)) {
             break;
         }
     }
@@ -169,14 +171,14 @@ pub(super) fn built(
 
 fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {
     let (name, error) = (&baked.approximation.name, baked.errors.lookup.max);
-    let limit = job.max_error.filter(|limit| error.is_nan() || error > *limit)?;
+    let limit = job.want.max_error.filter(|limit| error.is_nan() || error > *limit)?;
     let by = &job.limited_by;
     let at = header::place(&baked.errors.lookup.at);
     Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}\nworst at {at}"))
 }
 
 fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
-    let (name, least, by) = (&baked.approximation.name, job.roughness[0], job.unjudged_by.as_ref()?);
+    let (name, least, by) = (&baked.approximation.name, job.region.roughness[0], job.unjudged_by.as_ref()?);
     Some(format!(
         "table {name}: rows begin at roughness {least}, above all of the material's, so that no lookup tells whether the \
          max_error of {by} is kept: raise its roughness, or set a size without max_error"
@@ -186,13 +188,7 @@ fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
 impl TableJob {
     /// Whether the scene limits its error.
     fn is_promised(&self) -> bool {
-        self.max_error.is_some() || self.unjudged_by.is_some()
-    }
-
-    /// Where the job's lookups must hold.
-    pub fn region(&self) -> Region {
-        let TableJob { roughness, mu, slices, anisotropy, alpha_map, .. } = *self;
-        Region { roughness, mu, slices, anisotropy, alpha_map }
+        self.want.max_error.is_some() || self.unjudged_by.is_some()
     }
 
     /// What to build of it in a size, which names have as `text`.
@@ -201,10 +197,10 @@ impl TableJob {
             names: self.names.iter().map(|name| name.replace("auto", text)).collect(),
             smith: self.smith,
             size,
-            format: self.format,
-            layout: self.layout,
-            serves: self.serves,
-            region: self.region(),
+            format: self.want.format,
+            layout: self.want.layout,
+            serves: self.want.serves,
+            region: self.region,
         }
     }
 }

@@ -5,12 +5,13 @@ use std::iter::successors;
 
 use super::bake::{built, finish};
 use super::job::{AUTO_SIDE, size_text};
-use super::{Family, Judge, TableJob};
+use super::{Family, Judge, Region, Spec, TableJob};
 use crate::data::{Layout, TexelFormat};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::demand::ROUGHNESS_WIDTH_MIN;
 use crate::emit::header::short;
+use crate::scene::TableWant;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 
 /// Most texels of a table that is measured to say what keeps a limit: of two axes, and of three.
@@ -77,26 +78,36 @@ pub(super) fn instead(
         kept = smallest(job.clone(), doubled(own), (doubled, &largest), "")?;
     }
     let sizes = (grown, kept.as_deref().unwrap_or(&largest));
-    for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
+    for &layout in family.layouts().iter().filter(|layout| **layout != job.want.layout) {
         let but = format!(", layout `{}` (another fetch in the shader)", layout.name());
-        smallest(TableJob { layout, ..job.clone() }, own.to_vec(), sizes, &but)?;
+        smallest(
+            TableJob { want: TableWant { layout, ..job.want.clone() }, ..job.clone() },
+            own.to_vec(),
+            sizes,
+            &but,
+        )?;
     }
-    let finer = match job.format {
+    let finer = match job.want.format {
         TexelFormat::Unorm8 => Some(TexelFormat::Unorm16),
         TexelFormat::F16 => Some(TexelFormat::F32),
         TexelFormat::Unorm16 | TexelFormat::F32 => None,
     };
     if let Some(format) = finer {
         let but = format!(", format `{}`", format.name());
-        smallest(TableJob { format, ..job.clone() }, own.to_vec(), sizes, &but)?;
+        smallest(
+            TableJob { want: TableWant { format, ..job.want.clone() }, ..job.clone() },
+            own.to_vec(),
+            sizes,
+            &but,
+        )?;
     }
     let square = |size: &Vec<usize>| size.len() == 2 && size.iter().all(|n| *n <= AUTO_SIDE);
-    let chosen = job.size.is_some() && kept.as_ref().is_some_and(square);
+    let chosen = job.want.size.is_some() && kept.as_ref().is_some_and(square);
     let narrowed = match kept {
         Some(_) => None,
         None => narrowed(family, (job, own), (judge.truth(0).b.is_some(), limit), context)?,
     };
-    Ok(said(&choices, (limit, job.layout), narrowed, chosen))
+    Ok(said(&choices, (limit, job.want.layout), narrowed, chosen))
 }
 
 /// The line with the widest ranges of n_dot_v and roughness that both begin at one of [`LOWS`] over which
@@ -116,11 +127,13 @@ fn narrowed(
             let [from, to] = [from.max(low), to.min(1.0 - 0.5 / n as f64)];
             (from + ROUGHNESS_WIDTH_MIN <= to).then_some([from, to])
         };
-        let (Some(mu), Some(roughness)) = (within(job.mu, columns), within(job.roughness, rows)) else {
+        let (Some(mu), Some(roughness)) =
+            (within(job.region.mu, columns), within(job.region.roughness, rows))
+        else {
             break;
         };
-        let job = TableJob { mu, roughness, ..job.clone() };
-        let judge = Judge::new(family, job.smith, job.region(), finer, &context.memo)?;
+        let job = TableJob { region: Region { mu, roughness, ..job.region }, ..job.clone() };
+        let judge = Judge::new(family, job.smith, job.region, finer, &context.memo)?;
         let Choice { bytes, error, .. } = measured(family, (&job, size), "", &judge, context)?;
         if error <= limit {
             return Ok(Some(format!(
@@ -150,7 +163,7 @@ pub fn table_instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
-    let judge = Judge::new(family, job.smith, job.region(), false, &context.memo)?;
+    let judge = Judge::new(family, job.smith, job.region, false, &context.memo)?;
     let wide = |size: &Vec<usize>| (size[0] >= WIDE_SIDE).then(|| (size.clone(), TexelFormat::F32));
     let each = |size: Vec<usize>| [wide(&size), Some((size, TexelFormat::F16))].into_iter().flatten().rev();
     let mut tried: Vec<(Vec<usize>, TexelFormat)> = job.sizes().into_iter().flat_map(each).collect();
@@ -174,7 +187,7 @@ fn in_place(
     (judge, limit, must): (&Judge, f64, bool),
     context: &Context,
 ) -> Result<Option<String>, BakeError> {
-    let spec = TableJob { format, ..job.clone() }.spec(size.to_vec(), &size_text(size));
+    let spec = Spec { format, ..job.spec(size.to_vec(), &size_text(size)) };
     let (tables, made) = built(family, &spec, context)?;
     let lacks = || BakeError::Internal("a job without a table".into());
     let table = tables.first().ok_or_else(lacks)?;
@@ -287,5 +300,5 @@ fn measured(
         error = error.max(finish(&spec, table, made, closer)?.errors.lookup.max);
     }
     let words = format!("{}{but}", size_text(size));
-    Ok(Choice { words, layout: job.layout, bytes, error })
+    Ok(Choice { words, layout: job.want.layout, bytes, error })
 }

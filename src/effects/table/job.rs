@@ -2,7 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{Family, SliceAxis, Sliced, Slices};
+use super::{Family, Region, SliceAxis, Sliced, Slices};
+use crate::approximate;
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use crate::effects::demand::{Caller, Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
@@ -35,33 +36,13 @@ pub struct TableJob {
     pub names: Vec<String>,
     /// Shadowing form: the scene's; separable in the path tracer's layout.
     pub smith: Smith,
-    /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's
-    /// layout.
-    pub alpha_map: AlphaMap,
-    /// Coordinates.
-    pub layout: Layout,
-    /// What it is looked up for.
-    pub serves: Serves,
-    /// Texels along each axis; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares
-    /// that meets `max_error`.
-    pub size: Option<Vec<usize>>,
-    /// Most bytes of a table whose size is open.
-    pub max_bytes: Option<u64>,
-    /// How a texel is stored.
-    pub format: TexelFormat,
-    /// Roughness that the rows span: the hull of the materials' rough ranges, at least
-    /// `ROUGHNESS_WIDTH_MIN` wide; with slices from alpha = 4e-4 on.
-    pub roughness: [f64; 2],
-    /// The cosine of the view over which its error is measured: the hull of the materials' ranges.
-    pub mu: [f64; 2],
-    /// What the slices span, where there are any: the hull of the materials' ranges, at least
-    /// `SLICES_WIDTH_MIN` wide.
-    pub slices: Option<Slices>,
-    /// The anisotropy that tables have beside other slices.
-    pub anisotropy: Option<[f64; 2]>,
-    /// Limit on the lookup error: the strictest of the materials'. Always given where the size is
-    /// not; `None` in the path tracer's layout.
-    pub max_error: Option<f64>,
+    /// What is wanted, but for `n_dot_v`, which is each material's own: `max_error` is the strictest of the
+    /// materials'.
+    pub want: TableWant,
+    /// Where lookups must hold: the hulls of the materials' ranges. Roughness spans at least
+    /// `ROUGHNESS_WIDTH_MIN`, of tables with slices from alpha = 4e-4 on, slices at least `SLICES_WIDTH_MIN`;
+    /// alpha = roughness in the path tracer's layout.
+    pub region: Region,
     /// The materials that set `max_error`, with the field of each:
     /// `gold (materials[0].wants.tables[1].max_error)`.
     pub limited_by: String,
@@ -178,23 +159,18 @@ impl TableJob {
         let unjudged: Vec<_> =
             job.demands.iter().filter(|_| slices.is_some()).filter(below).map(Demand::limit).collect();
         let over = |slices: Slices| job.range(slices.axis.name()).map(|range| Slices { range, ..slices });
+        let anisotropy = (want.layout == Layout::FiveAxis).then(|| SliceAxis::Anisotropy.name());
         Ok(TableJob {
             names: job.name.split(' ').map(String::from).collect(),
             smith,
-            alpha_map,
-            layout: want.layout,
-            serves: want.serves,
-            size: want.size.clone(),
-            max_bytes: want.max_bytes,
-            format: want.format,
-            roughness: job.range("roughness")?,
-            mu: job.range("mu")?,
-            slices: slices.map(over).transpose()?,
-            anisotropy: match want.layout {
-                Layout::FiveAxis => Some(job.range(SliceAxis::Anisotropy.name())?),
-                _ => None,
+            want: TableWant { max_error: job.goals.max_error, ..want.clone() },
+            region: Region {
+                roughness: job.range("roughness")?,
+                mu: job.range("mu")?,
+                slices: slices.map(over).transpose()?,
+                anisotropy: anisotropy.map(|name| job.range(name)).transpose()?,
+                alpha_map,
             },
-            max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: (!unjudged.is_empty()).then(|| listed(&unjudged)),
             wanted_by: job.callers(),
@@ -204,22 +180,13 @@ impl TableJob {
     /// A job of the default layout, of which the size is open, for a region of roughness and the
     /// cosine.
     pub fn open(scene: &Scene, roughness: [f64; 2], mu: [f64; 2]) -> TableJob {
-        let layout = Layout::Homogeneous;
-        let (smith, alpha_map) = conventions(scene, layout);
+        let open = TableWant::flat(Layout::Homogeneous, [AUTO_SIDE; 2], TexelFormat::F16);
+        let (smith, alpha_map) = conventions(scene, open.layout);
         TableJob {
             names: vec!["auto".into()],
             smith,
-            alpha_map,
-            layout,
-            serves: Serves::default(),
-            size: None,
-            max_bytes: None,
-            format: TexelFormat::F16,
-            roughness,
-            mu,
-            slices: None,
-            anisotropy: None,
-            max_error: None,
+            want: TableWant { size: None, ..open },
+            region: approximate::Region { roughness, mu, alpha_map }.into(),
             limited_by: String::new(),
             unjudged_by: None,
             wanted_by: Vec::new(),
@@ -246,9 +213,9 @@ impl TableJob {
     /// Names of the functions of its tables, baked in a size: by their role, to which tables that
     /// are not the first of it among the jobs append what tells them apart.
     pub(super) fn functions(&self, family: &dyn Family, size: &str, before: &[TableJob]) -> Vec<TableNames> {
-        let role = |job: &TableJob| family.role(job.layout, job.serves);
+        let role = |job: &TableJob| family.role(job.want.layout, job.want.serves);
         let stem = match before.iter().any(|other| role(other) == role(self)) {
-            true => format!("{}_{}", role(self), shape(size, self.format, self.layout)),
+            true => format!("{}_{}", role(self), shape(size, self.want.format, self.want.layout)),
             false => role(self).to_string(),
         };
         let stem = stem.replace('-', "_");
@@ -261,7 +228,7 @@ impl TableJob {
 
     /// Texels of one of its tables; of the largest where the size is open.
     pub fn texels(&self) -> usize {
-        self.size.as_ref().map_or(AUTO_SIDE * AUTO_SIDE, |size| size.iter().product())
+        self.want.size.as_ref().map_or(AUTO_SIDE * AUTO_SIDE, |size| size.iter().product())
     }
 
     /// Bytes of the texels of one of its tables, all channels.
@@ -270,13 +237,13 @@ impl TableJob {
     }
 
     fn bytes_of(&self, texels: usize) -> u64 {
-        let channels = Decode::of(self.layout, self.serves).channels();
-        (texels * channels) as u64 * self.format.bytes()
+        let channels = Decode::of(self.want.layout, self.want.serves).channels();
+        (texels * channels) as u64 * self.want.format.bytes()
     }
 
     /// Whether the bake chooses the size.
     fn is_open(&self) -> bool {
-        self.size.is_none() || self.max_bytes.is_some()
+        self.want.size.is_none() || self.want.max_bytes.is_some()
     }
 
     /// The sizes that are tried in turn: the one that is asked for, or squares, or of three axes
@@ -287,12 +254,12 @@ impl TableJob {
             let part = |by: usize| size.iter().map(|n| (n / by).max(least(*n))).collect();
             [4, 2, 1].map(part).to_vec()
         };
-        let mut sizes = match (&self.size, self.max_bytes) {
+        let mut sizes = match (&self.want.size, self.want.max_bytes) {
             (None, _) => SIZES.map(|n| vec![n, n]).to_vec(),
             (Some(size), Some(_)) => halves(size),
             (Some(size), None) => vec![size.clone()],
         };
-        let most = self.max_bytes.unwrap_or(u64::MAX);
+        let most = self.want.max_bytes.unwrap_or(u64::MAX);
         let within = sizes.iter().filter(|size| self.bytes_of(size.iter().product()) <= most).count();
         sizes.truncate(within.max(1));
         sizes
@@ -420,7 +387,7 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
             ranges: ranges.clone(),
             bytes: job.bytes(),
             bytes_at_most: job.is_open(),
-            expected_error: job.max_error,
+            expected_error: job.want.max_error,
             seconds,
             ..JobSummary::default()
         })
@@ -430,10 +397,10 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
 
 /// `table 32x32 f16, homogeneous layout, for albedo`.
 fn summary(family: &dyn Family, job: &TableJob, side: Option<Side>) -> String {
-    let size = job.size.as_ref().map_or_else(|| OPEN_SIZE.into(), |n| size_text(n));
-    let (format, layout, of) = (job.format.name(), job.layout.name(), family.described(job, side));
-    let fixed = if job.layout == Layout::PathTracer {
-        format!(" ({} Smith, alpha = {})", job.smith.name(), job.alpha_map.name())
+    let size = job.want.size.as_ref().map_or_else(|| OPEN_SIZE.into(), |n| size_text(n));
+    let (format, layout, of) = (job.want.format.name(), job.want.layout.name(), family.described(job, side));
+    let fixed = if job.want.layout == Layout::PathTracer {
+        format!(" ({} Smith, alpha = {})", job.smith.name(), job.region.alpha_map.name())
     } else {
         String::new()
     };

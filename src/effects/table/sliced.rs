@@ -79,8 +79,11 @@ fn measured(tables: &[BakedTable]) -> Option<f64> {
 /// The largest error that the scene allows a table in a layout of ours; `None` where a table has no
 /// limit.
 fn expected(jobs: &[TableJob]) -> Option<f64> {
-    let own: Vec<Option<f64>> =
-        jobs.iter().filter(|job| job.layout != Layout::PathTracer).map(|job| job.max_error).collect();
+    let own: Vec<Option<f64>> = jobs
+        .iter()
+        .filter(|job| job.want.layout != Layout::PathTracer)
+        .map(|job| job.want.max_error)
+        .collect();
     let worst = own.iter().try_fold(0.0_f64, |worst, limit| limit.map(|e| worst.max(e)));
     worst.filter(|_| !own.is_empty())
 }

@@ -7,7 +7,7 @@ use super::{
     BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, Spec, TableJob, Truths, bake,
     flat,
 };
-use crate::approximate::Memo;
+use crate::approximate::{self, Memo};
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::context::Context;
 use crate::effects::demand::{Job, Span};
@@ -77,20 +77,14 @@ impl ValueTable<'_> {
     /// A job without these ranges; a truth that cannot be integrated; a layout with slices.
     pub fn bake(&self, job: &Job, context: &Context) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
         let one = |(want, limited_by): &(TableWant, String)| {
+            let (mu, alpha_map) = (want.n_dot_v, context.scene.alpha);
+            let roughness = Span::roughness(job.range("roughness")?, alpha_map).widened();
+            let flat = approximate::Region { roughness, mu, alpha_map };
             Ok(TableJob {
                 names: vec![self.named(want)],
                 smith: context.scene.smith,
-                alpha_map: context.scene.alpha,
-                layout: want.layout,
-                serves: Serves::Albedo,
-                size: want.size.clone(),
-                max_bytes: want.max_bytes,
-                format: want.format,
-                roughness: Span::roughness(job.range("roughness")?, context.scene.alpha).widened(),
-                mu: want.n_dot_v,
-                slices: None,
-                anisotropy: None,
-                max_error: want.max_error,
+                want: TableWant { serves: Serves::Albedo, ..want.clone() },
+                region: flat.into(),
                 limited_by: limited_by.clone(),
                 unjudged_by: None,
                 wanted_by: job.callers(),
