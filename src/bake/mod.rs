@@ -111,7 +111,7 @@ pub fn context<'a>(
     let is_known = plan.effects.iter().all(|called| catalogue().contains(&called.by));
     let recipe = recipe(scene, plan, hypotheses)?;
     let effects = plan.effects.iter().map(|called| called.effect);
-    let explore = plan.effects.iter().any(|called| called.by.is_explored()).then_some("explore");
+    let explore = plan.effects.iter().any(|called| called.by.profile().is_explored).then_some("explore");
     let pages = std::iter::once("index")
         .chain(explore)
         .chain(effects)

@@ -17,7 +17,7 @@ const SUFFIXES: [&str; 4] = ["", "_rms", "_rgb", "_rms_rgb"];
 pub fn check(plan: &Plan, hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
     let formulas = plan.catalogue.iter().flat_map(|effect| effect.formulas());
     let mut taken: Vec<String> = formulas.flat_map(|entry| forms(entry.name())).collect();
-    let prefixes = plan.catalogue.iter().flat_map(|effect| effect.prefixes()).copied();
+    let prefixes = plan.catalogue.iter().flat_map(|effect| effect.profile().prefixes).copied();
     let prefixes: Vec<&str> = prefixes.chain([code::C_PREFIX, explore::PREFIX]).collect();
     taken.extend(code::RUST_HELPERS.map(String::from));
     taken.extend(compensation::NAMES.map(String::from));

@@ -9,7 +9,7 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     let names: Vec<&str> = parts.iter().map(|part| part.by.name()).collect();
     let mut out = vec![String::new(), format!("Effects: {}", names.join(", "))];
     for part in parts {
-        let lobe = part.by.lobe(context.scene);
+        let lobe = (part.by.profile().lobe)(context.scene);
         let Entries { tables, fits, .. } = &part.entries;
         let is_own = |table: &TableEntry| table.function.starts_with(PATH_TRACER);
         let all_own = fits.is_empty() && !tables.is_empty() && tables.iter().all(is_own);
@@ -26,7 +26,7 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
     }
     out.push("A function of numbers with a NaN among them returns a NaN, or where its min and max drop the NaN a finite number.".into());
     let mut known: Vec<Note> = Vec::new();
-    for note in parts.iter().flat_map(|part| part.by.notes()) {
+    for note in parts.iter().flat_map(|part| part.by.profile().notes) {
         if !known.contains(note) {
             known.push(*note);
         }

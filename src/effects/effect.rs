@@ -24,11 +24,53 @@ pub type Clock<'a> = &'a dyn Fn(&mut dyn FnMut()) -> f64;
 /// Seconds of a page and its pictures on one core, where an effect does not say otherwise.
 const REPORT_S: f64 = 0.7;
 
+/// What is said of an effect whatever the scene.
+pub struct Profile {
+    /// Its name in options, files and the manifest.
+    pub name: &'static str,
+    /// Its fits of one value over roughness and mu, by the names of their jobs.
+    pub fits: &'static [ValueFits<'static>],
+    /// Names, beside those of the formulas, that its emitted functions have.
+    pub functions: &'static [&'static str],
+    /// How names of its other emitted functions begin.
+    pub prefixes: &'static [&'static str],
+    /// Shader sources beside those of the formulas that its results depend on.
+    pub texts: &'static [&'static str],
+    /// The lobe of its quantities, for the head of the include files.
+    pub lobe: fn(&Scene) -> String,
+    /// What the head of the include files says of its functions.
+    pub notes: &'static [Note],
+    /// Whether its bakes add to the live page ([`Made::explored`](super::Made::explored)).
+    pub is_explored: bool,
+    /// What of a material's lobe its approximations do not know: `anisotropy`.
+    pub without: fn(&Material) -> Option<&'static str>,
+}
+
+impl Profile {
+    /// Of an effect that has none of this.
+    pub const NONE: Profile = Profile {
+        name: "",
+        fits: &[],
+        functions: &[],
+        prefixes: &[],
+        texts: &[],
+        lobe: |scene| format!("alpha = {}", scene.alpha.name()),
+        notes: &[],
+        is_explored: false,
+        without: |_| None,
+    };
+}
+
 /// One thing that a scene can call for. Its folder holds everything of it; one line in the
 /// [catalogue](super::catalogue) adds it.
 pub trait Effect: Sync {
-    /// Its name in options, files and the manifest.
-    fn name(&self) -> &'static str;
+    /// What is said of it.
+    fn profile(&self) -> &Profile;
+
+    /// [`Profile::name`].
+    fn name(&self) -> &'static str {
+        self.profile().name
+    }
 
     /// What the scene's materials or probes want of it, in the scene's order.
     fn demands(&self, scene: &Scene) -> Vec<Demand>;
@@ -41,14 +83,9 @@ pub trait Effect: Sync {
         None
     }
 
-    /// Its fits of one value over roughness and mu, by the names of their jobs.
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        &[]
-    }
-
     /// What a plan says of the jobs: one summary for each table and each family of fits.
     fn expects(&self, _scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        value::expects(self.fits(), jobs)
+        value::expects(self.profile().fits, jobs)
     }
 
     /// Stages that the bake of the jobs announces, but for its page.
@@ -63,7 +100,7 @@ pub trait Effect: Sync {
 
     /// Its formulas, those with free parameters and published ones.
     fn formulas(&self) -> Vec<&'static Entry> {
-        self.fits().iter().flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
+        self.profile().fits.iter().flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
     }
 
     /// The formulas that compete where the user searches for one to this target.
@@ -72,7 +109,12 @@ pub trait Effect: Sync {
             let own = (fits.quantity.name(), fits.column, fits.used_as(), fits.side);
             own == (target.quantity.name(), target.column, target.used_as, target.variant.side)
         };
-        self.fits().iter().filter(suits).flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
+        self.profile()
+            .fits
+            .iter()
+            .filter(suits)
+            .flat_map(|fits| fits.own.entries().chain(fits.published))
+            .collect()
     }
 
     /// What fits of them keep beyond the target's domain.
@@ -95,32 +137,13 @@ pub trait Effect: Sync {
 
     /// Every shader source that its results depend on: part of a bake's recipe.
     fn sources(&self) -> Vec<&'static str> {
-        self.formulas().into_iter().map(|entry| entry.source).collect()
+        let formulas = self.formulas().into_iter().map(|entry| entry.source);
+        formulas.chain(self.profile().texts.iter().copied()).collect()
     }
 
     /// Names, beside those of the formulas, that its emitted functions have.
     fn functions(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// How names of its other emitted functions begin.
-    fn prefixes(&self) -> &'static [&'static str] {
-        &[]
-    }
-
-    /// The lobe of its quantities, for the head of the include files.
-    fn lobe(&self, scene: &Scene) -> String {
-        format!("lobe of {}; alpha = {}", self.name(), scene.alpha.name())
-    }
-
-    /// What the head of the include files says of its functions.
-    fn notes(&self) -> &'static [Note] {
-        &[]
-    }
-
-    /// What of a material's lobe its approximations do not know: `anisotropy`.
-    fn without(&self, _: &Material) -> Option<&'static str> {
-        None
+        self.profile().functions.iter().copied().map(String::from).collect()
     }
 
     /// Times of what its functions do beside the tables and the fits of a bake.
@@ -128,17 +151,12 @@ pub trait Effect: Sync {
         Vec::new()
     }
 
-    /// Whether its bakes add to the live page ([`Made::explored`](super::Made::explored)).
-    fn is_explored(&self) -> bool {
-        false
-    }
-
     /// Makes its jobs: fits and tables with their entries, code, and page.
     ///
     /// # Errors
     /// A formula or a domain that is refused; a truth that cannot be integrated.
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        value::bake(self.fits(), called, context)
+        value::bake(self.profile().fits, called, context)
     }
 }
 

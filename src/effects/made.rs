@@ -131,7 +131,7 @@ impl Made {
         answer::mark(&mut self.part.entries, &answer.purposes);
         for call in &mut self.part.entries.calls {
             let material = scene.materials.iter().find(|material| material.name == call.of);
-            call.without = material.and_then(|own| self.part.by.without(own)).map(String::from);
+            call.without = material.and_then(|own| (self.part.by.profile().without)(own)).map(String::from);
         }
         self.signed()?;
         let recommended = comment("//", &answer::recommendations(&self.part.entries.calls));
@@ -310,7 +310,7 @@ impl Made {
     /// # Errors
     /// A truth that cannot be integrated.
     pub fn explored(&mut self, context: &Context, exploring: &[Exploring]) -> Result<(), BakeError> {
-        if context.scene.output.reports && self.part.by.is_explored() {
+        if context.scene.output.reports && self.part.by.profile().is_explored {
             for one in exploring {
                 self.part.explored.push(one.explored(context)?);
             }

@@ -40,10 +40,10 @@ pub(crate) use answer::{most_accurate, preferred, rule};
 pub use called::{Called, JobSummary, LeftOut};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};
-pub use effect::{Effect, Note};
+pub use effect::{Effect, Note, Profile};
 pub use error::BakeError;
 pub use made::{Limited, Made, Part};
-use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx, lobe_of};
+use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, beckmann, ggx};
 pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.

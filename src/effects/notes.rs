@@ -25,7 +25,11 @@ pub(super) fn ggx(scene: &Scene) -> String {
     lobe_of(Ndf::Ggx, scene)
 }
 
-/// The lobe of a distribution in the scene's conventions.
-pub(super) fn lobe_of(ndf: Ndf, scene: &Scene) -> String {
+/// The lobe of Beckmann's distribution in the scene's conventions.
+pub(super) fn beckmann(scene: &Scene) -> String {
+    lobe_of(Ndf::Beckmann, scene)
+}
+
+fn lobe_of(ndf: Ndf, scene: &Scene) -> String {
     format!("{} lobe, smith: {}; alpha = {}", ndf.name(), scene.smith.name(), scene.alpha.name())
 }

@@ -16,7 +16,7 @@ use lobefit::emit::manifest::Manifest;
 use lobefit_truth::integrate::glass::Side;
 
 fn both() -> impl Iterator<Item = &'static ValueFits<'static>> {
-    [&OUTSIDE, &INSIDE].into_iter().flat_map(|effect| effect.fits())
+    [&OUTSIDE, &INSIDE].into_iter().flat_map(|effect| effect.profile().fits)
 }
 
 /// Places at some indices of refraction of what is inside.

@@ -8,7 +8,7 @@ use lobefit::effects::context::Context;
 use lobefit::effects::demand::{Demand, Job};
 use lobefit::effects::table::ValueTable;
 use lobefit::effects::value::{self, ValueFits};
-use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
+use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made, Profile};
 use lobefit::scene::{Goals, Scene, TableWant};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::brdf::Brdf;
@@ -72,8 +72,8 @@ fn with_table<T>(of: impl FnOnce(ValueFits) -> T) -> T {
 pub struct Moon;
 
 impl Effect for Moon {
-    fn name(&self) -> &'static str {
-        "moon"
+    fn profile(&self) -> &Profile {
+        const { &Profile { name: "moon", ..Profile::NONE } }
     }
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
         let goals = Goals { max_error: Some(0.5), norms: vec![Norm::Max], ..Goals::default() };

@@ -11,13 +11,13 @@
 
 use rayon::prelude::*;
 
-use super::effect::Note;
+use super::effect::Profile;
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, Point, Region, SliceAxis, Sliced, Spec, TableJob,
     Truths, aspect, even,
 };
 use super::who::{NO_GLASS, named, verb};
-use super::{Albedo, NOTE_F0, NOTE_LOOKUP};
+use super::{Albedo, NOTE_F0, NOTE_LOOKUP, ggx};
 use crate::approximate::Memo;
 use crate::data::{Axis, Channel, Layout, Serves, Smith, Surface, Table, Warp};
 use crate::scene::{Lobe, Material, Scene};
@@ -170,8 +170,16 @@ impl Family for AnisoGlass {
 }
 
 impl Sliced for AnisoGlass {
-    fn name(&self) -> &'static str {
-        "aniso-glass"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "aniso-glass",
+                prefixes: &["ggx_glass_aniso_"],
+                lobe: ggx,
+                notes: &[NOTE_F0, NOTE_LOOKUP],
+                ..Profile::NONE
+            }
+        }
     }
 
     fn lobe(&self) -> Lobe {
@@ -190,14 +198,6 @@ impl Sliced for AnisoGlass {
             (true, _) => "no glass has anisotropy".into(),
             _ => format!("{} {} smooth or {} no tables", named(&own), verb(&own, "are"), verb(&own, "want")),
         }
-    }
-
-    fn function_prefixes(&self) -> &'static [&'static str] {
-        &["ggx_glass_aniso_"]
-    }
-
-    fn head_notes(&self) -> &'static [Note] {
-        &[NOTE_F0, NOTE_LOOKUP]
     }
 
     fn shown(&self) -> &'static [f64] {

@@ -15,13 +15,13 @@ mod truth;
 mod ways;
 
 use super::demand::Job;
-use super::effect::Note;
+use super::effect::Profile;
 use super::table::{
     BakedTable, BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
     WaysFinding,
 };
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
-use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
+use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx};
 use crate::approximate::Memo;
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
@@ -123,8 +123,27 @@ impl Family for Anisotropy {
 }
 
 impl Sliced for Anisotropy {
-    fn name(&self) -> &'static str {
-        "anisotropy"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "anisotropy",
+                prefixes: &["ggx_aniso_", "path_tracer_"],
+                lobe: ggx,
+                notes: &[
+                    NOTE_PATH_TRACER,
+                    NOTE_F0,
+                    NOTE_LOOKUP,
+                    (
+                        &["anisotropy"],
+                        &[
+                            "anisotropy a in [0, 1] makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the",
+                            "squared cosine of the view's azimuth from the alpha_x axis.",
+                        ],
+                    ),
+                ],
+                ..Profile::NONE
+            }
+        }
     }
 
     fn lobe(&self) -> Lobe {
@@ -143,25 +162,6 @@ impl Sliced for Anisotropy {
             Some(why) => format!("no anisotropic material calls for it: {why}"),
             None => "no material is anisotropic".into(),
         }
-    }
-
-    fn function_prefixes(&self) -> &'static [&'static str] {
-        &["ggx_aniso_", "path_tracer_"]
-    }
-
-    fn head_notes(&self) -> &'static [Note] {
-        &[
-            NOTE_PATH_TRACER,
-            NOTE_F0,
-            NOTE_LOOKUP,
-            (
-                &["anisotropy"],
-                &[
-                    "anisotropy a in [0, 1] makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the",
-                    "squared cosine of the view's azimuth from the alpha_x axis.",
-                ],
-            ),
-        ]
     }
 
     fn study_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {

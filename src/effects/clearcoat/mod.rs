@@ -2,7 +2,7 @@
 //! reflection: a coat, or a lobe with the exact Fresnel term. Quantity `ggx-coat`.
 
 use super::demand::{Demand, ROUGHNESS_WIDTH_MIN, Span};
-use super::effect::Note;
+use super::effect::Profile;
 use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
 use super::{BakeError, Effect, ggx};
 use crate::approximate::{Entry, Fit, Formulas, own, published};
@@ -89,8 +89,26 @@ fn functions(language: Language, _: &Fit) -> Result<String, BakeError> {
 }
 
 impl Effect for Clearcoat {
-    fn name(&self) -> &'static str {
-        "clearcoat"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "clearcoat",
+                fits: &[FITS],
+                functions: &NAMES,
+                prefixes: &[FITS.role],
+                texts: &[TEXT],
+                lobe: ggx,
+                notes: &[(
+                    &[FITS.role],
+                    &[
+                        "`coat_escape` is 1 - K: the share of a diffuse base's light that leaves a coat from inside, (1 - E_avg)/ior^2 with E_avg the coat's",
+                        "average albedo, of the coat's own roughness and index: pass an ior within the stated domain, and of a smoother coat the least roughness there.",
+                        "The error is relative. The coat is taken for one that loses nothing between facets.",
+                    ],
+                )],
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -113,38 +131,7 @@ impl Effect for Clearcoat {
         scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        const { &[FITS] }
-    }
-
     fn left_out(&self, _: &Scene) -> String {
         "no material has a coat, or a diffuse base below the exact Fresnel term".into()
-    }
-
-    fn functions(&self) -> Vec<String> {
-        NAMES.map(String::from).into()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &[FITS.role]
-    }
-
-    fn sources(&self) -> Vec<&'static str> {
-        self.formulas().into_iter().map(|entry| entry.source).chain([TEXT]).collect()
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &[FITS.role],
-            &[
-                "`coat_escape` is 1 - K: the share of a diffuse base's light that leaves a coat from inside, (1 - E_avg)/ior^2 with E_avg the coat's",
-                "average albedo, of the coat's own roughness and index: pass an ior within the stated domain, and of a smoother coat the least roughness there.",
-                "The error is relative. The coat is taken for one that loses nothing between facets.",
-            ],
-        )]
     }
 }

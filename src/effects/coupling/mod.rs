@@ -21,7 +21,7 @@ mod table;
 
 use super::context::Context;
 use super::demand::{Demand, Job, Span, hull};
-use super::effect::Note;
+use super::effect::Profile;
 use super::who::{about, anisotropy, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
@@ -52,8 +52,26 @@ const TRUTH_S: f64 = 0.9;
 const FIT_S: f64 = 0.1;
 
 impl Effect for DiffuseCoupling {
-    fn name(&self) -> &'static str {
-        "diffuse-coupling"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "diffuse-coupling",
+                prefixes: &["diffuse_coupling"],
+                lobe: super::ggx,
+                notes: &[
+                    super::NOTE_F0,
+                    (
+                        &["diffuse_coupling"],
+                        &[
+                            "`diffuse_coupling` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
+                        ],
+                    ),
+                ],
+                is_explored: true,
+                without: anisotropy,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -129,34 +147,6 @@ impl Effect for DiffuseCoupling {
 
     fn functions(&self) -> Vec<String> {
         emitted::names().collect()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["diffuse_coupling"]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        super::ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[
-            super::NOTE_F0,
-            (
-                &["diffuse_coupling"],
-                &[
-                    "`diffuse_coupling` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
-                ],
-            ),
-        ]
-    }
-
-    fn is_explored(&self) -> bool {
-        true
-    }
-
-    fn without(&self, material: &Material) -> Option<&'static str> {
-        anisotropy(material)
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

@@ -3,7 +3,7 @@
 
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
-use super::effect::Note;
+use super::effect::Profile;
 use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
@@ -72,8 +72,25 @@ pub(super) fn seconds(fits: &ValueFits, scene: &Scene) -> [f64; 2] {
 }
 
 impl Effect for Dielectric {
-    fn name(&self) -> &'static str {
-        "dielectric"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "dielectric",
+                fits: &[FITS],
+                prefixes: &[FITS.role],
+                lobe: ggx,
+                notes: &[(
+                    &[FITS.role],
+                    &[
+                        "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
+                        "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass",
+                        "roughness and ior within the stated domain, of a smoother or rougher surface the nearest roughness there: beyond it R may leave [0, 1].",
+                    ],
+                )],
+                is_explored: true,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -98,10 +115,6 @@ impl Effect for Dielectric {
         scene.materials.iter().enumerate().flat_map(demand).collect()
     }
 
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        const { &[FITS] }
-    }
-
     fn left_out(&self, scene: &Scene) -> String {
         if scene.materials.iter().all(|m| m.kind != Kind::Dielectric) {
             return "no material is a dielectric".into();
@@ -122,29 +135,6 @@ impl Effect for Dielectric {
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
         value::expects(&[ValueFits { seconds: seconds(&FITS, scene), ..FITS }], jobs)
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &[FITS.role]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &[FITS.role],
-            &[
-                "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
-                "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass",
-                "roughness and ior within the stated domain, of a smoother or rougher surface the nearest roughness there: beyond it R may leave [0, 1].",
-            ],
-        )]
-    }
-
-    fn is_explored(&self) -> bool {
-        true
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

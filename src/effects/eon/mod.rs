@@ -4,7 +4,7 @@ mod lobe;
 
 use super::Effect;
 use super::demand::Demand;
-use super::effect::Note;
+use super::effect::Profile;
 use super::value::{Functions, ValueFits};
 use super::who::{about, named, reasons, verb};
 use crate::approximate::{Entry, Formulas, own, published};
@@ -53,8 +53,27 @@ fn rough(material: &Material) -> Option<[f64; 2]> {
 }
 
 impl Effect for Eon {
-    fn name(&self) -> &'static str {
-        "eon"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "eon",
+                fits: &[FITS],
+                functions: &lobe::NAMES,
+                prefixes: &["eon_albedo"],
+                texts: &[lobe::TEXT],
+                lobe: |_| {
+                    "Oren-Nayar diffuse lobe in the form of EON; roughness is its own, not squared".into()
+                },
+                notes: &[(
+                    &["eon_"],
+                    &[
+                        "`eon_albedo` is E of the single-scattering lobe of a rough diffuse base, `eon_brdf` the whole base.",
+                    ],
+                )],
+                is_explored: true,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -63,10 +82,6 @@ impl Effect for Eon {
             Some(FITS.demand(scene, of, range, base.goals.clone()))
         };
         scene.materials.iter().enumerate().filter_map(demand).collect()
-    }
-
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        const { &[FITS] }
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -80,34 +95,5 @@ impl Effect for Eon {
         let smooth = about(&smooth, |m| are(m, "diffuse", "smooth"));
         let black = about(&black, |m| are(m, "rough", "black"));
         reasons([smooth, black]).unwrap_or_else(|| "no material has a diffuse base".into())
-    }
-
-    fn functions(&self) -> Vec<String> {
-        lobe::NAMES.map(String::from).into()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["eon_albedo"]
-    }
-
-    fn sources(&self) -> Vec<&'static str> {
-        self.formulas().into_iter().map(|entry| entry.source).chain([lobe::TEXT]).collect()
-    }
-
-    fn lobe(&self, _: &Scene) -> String {
-        "Oren-Nayar diffuse lobe in the form of EON; roughness is its own, not squared".into()
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &["eon_"],
-            &[
-                "`eon_albedo` is E of the single-scattering lobe of a rough diffuse base, `eon_brdf` the whole base.",
-            ],
-        )]
-    }
-
-    fn is_explored(&self) -> bool {
-        true
     }
 }

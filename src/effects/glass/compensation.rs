@@ -6,7 +6,7 @@ use crate::approximate::{Formulas, own};
 use crate::data::{Ndf, Use};
 use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::dielectric::{ALPHA_MIN, seconds};
-use crate::effects::effect::Note;
+use crate::effects::effect::Profile;
 use crate::effects::value::{self, IOR_WIDTH_MIN, ValueFits};
 use crate::effects::who::{NO_GLASS, NOT_ASKED, about, named, verb};
 use crate::effects::{Effect, JobSummary, ggx};
@@ -17,23 +17,38 @@ use lobefit_truth::quantity::GGX_GLASS;
 
 /// The effect, for a view from one side.
 pub struct GlassCompensation {
-    name: &'static str,
-    fits: &'static [ValueFits<'static>; 1],
-    prefixes: &'static [&'static str],
+    profile: Profile,
+    fits: ValueFits<'static>,
 }
 
 /// For a view from outside.
 pub static OUTSIDE: GlassCompensation = GlassCompensation {
-    name: "glass-outside",
-    fits: &[FROM_OUTSIDE],
-    prefixes: &["ggx_glass_energy_compensation_outside"],
+    profile: Profile {
+        name: "glass-outside",
+        fits: &[FROM_OUTSIDE],
+        prefixes: &[FROM_OUTSIDE.role],
+        ..PROFILE
+    },
+    fits: FROM_OUTSIDE,
 };
 
 /// For a view from inside.
 pub static INSIDE: GlassCompensation = GlassCompensation {
-    name: "glass-inside",
-    fits: &[FROM_INSIDE],
-    prefixes: &["ggx_glass_energy_compensation_inside"],
+    profile: Profile { name: "glass-inside", fits: &[FROM_INSIDE], prefixes: &[FROM_INSIDE.role], ..PROFILE },
+    fits: FROM_INSIDE,
+};
+
+const PROFILE: Profile = Profile {
+    lobe: ggx,
+    notes: &[(
+        &["ggx_glass_energy_compensation_"],
+        &[
+            "`ggx_glass_energy_compensation_outside` and `_inside` multiply glass's reflection and transmission alike, by",
+            "the side that the view is on, in place of `ggx_compensate_glass`, never beside it. ior is inside over outside",
+            "for either side. Pass roughness, n_dot_v and ior within the stated domain.",
+        ],
+    )],
+    ..Profile::NONE
 };
 
 const FROM_OUTSIDE: ValueFits = ValueFits {
@@ -93,8 +108,8 @@ fn wanting(material: &Material) -> bool {
 }
 
 impl Effect for GlassCompensation {
-    fn name(&self) -> &'static str {
-        self.name
+    fn profile(&self) -> &Profile {
+        &self.profile
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -102,21 +117,16 @@ impl Effect for GlassCompensation {
         let demand = |(of, material): (usize, &Material)| {
             let (want, ior) = material.wants.fit.as_ref().filter(|_| wanting(material)).zip(material.ior)?;
             let [low, high] = material.roughness;
-            let mut demand = self.fits[0].demand(scene, of, [low.max(least), high], want.goals.clone());
+            let mut demand = self.fits.demand(scene, of, [low.max(least), high], want.goals.clone());
             let ior = Span::at_least(ior, IOR_WIDTH_MIN, [IOR_MIN.min(ior[0]), GLASS_IOR]);
-            demand.spans.push(("ior", ior.or_one(self.fits[0].own.is_flat())));
+            demand.spans.push(("ior", ior.or_one(self.fits.own.is_flat())));
             (high >= least).then_some(demand)
         };
         scene.materials.iter().enumerate().filter_map(demand).collect()
     }
 
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        self.fits
-    }
-
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        let [fits] = self.fits;
-        value::expects(&[ValueFits { seconds: seconds(fits, scene), ..*fits }], jobs)
+        value::expects(&[ValueFits { seconds: seconds(&self.fits, scene), ..self.fits }], jobs)
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -131,24 +141,5 @@ impl Effect for GlassCompensation {
             let (named, stay) = (named(m), verb(m, "stay"));
             format!("{named} {stay} below alpha {ALPHA_MIN}, where next to nothing is lost")
         })
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        self.prefixes
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &["ggx_glass_energy_compensation_"],
-            &[
-                "`ggx_glass_energy_compensation_outside` and `_inside` multiply glass's reflection and transmission alike, by",
-                "the side that the view is on, in place of `ggx_compensate_glass`, never beside it. ior is inside over outside",
-                "for either side. Pass roughness, n_dot_v and ior within the stated domain.",
-            ],
-        )]
     }
 }

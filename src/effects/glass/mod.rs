@@ -10,12 +10,12 @@ pub mod compensation;
 mod path_tracer;
 mod table;
 
-use super::effect::Note;
+use super::effect::{Note, Profile};
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
 };
 use super::who::{NO_GLASS, about, no_distribution, stay_smooth};
-use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
+use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, beckmann, ggx};
 use crate::approximate::Memo;
 use crate::data::{Layout, Ndf, Serves, Smith, Table};
 use crate::effects::Albedo;
@@ -31,10 +31,10 @@ pub use table::{glass_axes, path_tracer};
 /// The effect, of one distribution of normals.
 pub struct Glass {
     ndf: Ndf,
-    /// Names of the effect and, but in the path tracer's layout, of its functions.
-    names: [&'static str; 2],
+    profile: Profile,
+    /// Name of its functions, but in the path tracer's layout.
+    role: &'static str,
     quantity: &'static dyn quantity::Glass,
-    prefixes: &'static [&'static str],
     /// Times what GGX takes.
     price: f64,
 }
@@ -42,20 +42,42 @@ pub struct Glass {
 /// Of GGX.
 pub static GGX: Glass = Glass {
     ndf: Ndf::Ggx,
-    names: ["glass", "ggx_glass_albedo"],
+    profile: Profile {
+        name: "glass",
+        prefixes: &["ggx_glass_", "path_tracer_"],
+        lobe: ggx,
+        notes: &NOTES,
+        ..Profile::NONE
+    },
+    role: "ggx_glass_albedo",
     quantity: GGX_GLASS,
-    prefixes: &["ggx_glass_", "path_tracer_"],
     price: 1.0,
 };
 
 /// Of Beckmann's distribution, in our layout.
 pub static BECKMANN: Glass = Glass {
     ndf: Ndf::Beckmann,
-    names: ["beckmann-glass", "beckmann_glass_albedo"],
+    profile: Profile {
+        name: "beckmann-glass",
+        prefixes: &["beckmann_glass_"],
+        lobe: beckmann,
+        notes: &NOTES,
+        ..Profile::NONE
+    },
+    role: "beckmann_glass_albedo",
     quantity: BECKMANN_GLASS,
-    prefixes: &["beckmann_glass_"],
     price: 2.3,
 };
+
+const NOTES: [Note; 4] = [
+    NOTE_PATH_TRACER,
+    NOTE_F0,
+    NOTE_LOOKUP,
+    (
+        &["ior: f32", "float ior"],
+        &["ior is the index of refraction, inside over outside, for rays from either side."],
+    ),
+];
 
 /// Seconds on one core of a sampled and of an optimised texel of one side, and of the truth at the
 /// points where a table is measured.
@@ -76,7 +98,7 @@ impl Family for Glass {
     }
 
     fn role(&self, layout: Layout, _: Serves) -> &'static str {
-        if layout == Layout::PathTracer { "path_tracer_glass_albedo" } else { self.names[1] }
+        if layout == Layout::PathTracer { "path_tracer_glass_albedo" } else { self.role }
     }
 
     fn sides(&self) -> &'static [Option<Side>] {
@@ -126,8 +148,8 @@ impl Family for Glass {
 }
 
 impl Sliced for Glass {
-    fn name(&self) -> &'static str {
-        self.names[0]
+    fn profile(&self) -> &Profile {
+        &self.profile
     }
 
     fn lobe(&self) -> Lobe {
@@ -161,22 +183,6 @@ impl Sliced for Glass {
         let glass = scene.materials.iter().filter(|m| (m.lobe(), m.distribution) == (Lobe::Glass, self.ndf));
         let wanting: Vec<&Material> = glass.filter(|m| !m.wants.tables.is_empty()).collect();
         about(&wanting, stay_smooth)
-    }
-
-    fn function_prefixes(&self) -> &'static [&'static str] {
-        self.prefixes
-    }
-
-    fn head_notes(&self) -> &'static [Note] {
-        &[
-            NOTE_PATH_TRACER,
-            NOTE_F0,
-            NOTE_LOOKUP,
-            (
-                &["ior: f32", "float ior"],
-                &["ior is the index of refraction, inside over outside, for rays from either side."],
-            ),
-        ]
     }
 
     fn shown(&self) -> &'static [f64] {

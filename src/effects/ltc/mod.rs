@@ -6,7 +6,7 @@ mod page;
 
 use super::context::Context;
 use super::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span};
-use super::effect::Note;
+use super::effect::Profile;
 use super::who::{self, about, anisotropy, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::CallOps;
@@ -85,8 +85,26 @@ fn named(lobe: Lobe, want: &TableWant) -> String {
 }
 
 impl Effect for Ltc {
-    fn name(&self) -> &'static str {
-        "ltc"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "ltc",
+                functions: &FUNCTIONS,
+                prefixes: &["ggx_ltc", "sheen_ltc"],
+                texts: &[TEXT],
+                lobe: |scene| format!("{}; of a sheen Charlie with Neubelt's visibility", ggx(scene)),
+                notes: &[(
+                    &[QUAD],
+                    &[
+                        "`ltc_quad` is the share of a lobe's light within a quadrilateral of even radiance, clipped to the horizon: of the matrix that",
+                        "`ggx_ltc_matrix` or `sheen_ltc_matrix` fetches, and of its corners, in turn, from the shaded point as (dot(c, t), dot(c, cross(n, t)),",
+                        "dot(c, n)), t the tangent towards the view. With the x and y of `ggx_ltc_light` the light is radiance * share * (f0 * (x - y) + y).",
+                    ],
+                )],
+                without: anisotropy,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -161,37 +179,6 @@ impl Effect for Ltc {
             })
         };
         jobs.iter().filter_map(one).collect()
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        format!("{}; of a sheen Charlie with Neubelt's visibility", ggx(scene))
-    }
-
-    fn sources(&self) -> Vec<&'static str> {
-        vec![TEXT]
-    }
-
-    fn functions(&self) -> Vec<String> {
-        FUNCTIONS.map(String::from).into()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["ggx_ltc", "sheen_ltc"]
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &[QUAD],
-            &[
-                "`ltc_quad` is the share of a lobe's light within a quadrilateral of even radiance, clipped to the horizon: of the matrix that",
-                "`ggx_ltc_matrix` or `sheen_ltc_matrix` fetches, and of its corners, in turn, from the shaded point as (dot(c, t), dot(c, cross(n, t)),",
-                "dot(c, n)), t the tangent towards the view. With the x and y of `ggx_ltc_light` the light is radiance * share * (f0 * (x - y) + y).",
-            ],
-        )]
-    }
-
-    fn without(&self, material: &Material) -> Option<&'static str> {
-        anisotropy(material)
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
-use super::effect::Note;
+use super::effect::Profile;
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::emit::call::{Call, MaskLookup};
 use crate::emit::manifest::CostEntry;
@@ -20,8 +20,23 @@ pub struct Occlusion;
 const METRIC: &str = "none: exact";
 
 impl Effect for Occlusion {
-    fn name(&self) -> &'static str {
-        "occlusion"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "occlusion",
+                lobe: |_| {
+                    "Sub-voxel masks: bit x + 2 y + 4 z of a byte is the sub-voxel at (x, y, z) of a cell of 2 x 2 x 2".into()
+                },
+                notes: &[(
+                    &["subvoxel_centroid"],
+                    &[
+                        "`subvoxel_centroid` is where to splat a voxel whose sub-voxels are not splatted one by one; `supervoxel_mask` makes",
+                        "the mask of eight voxels, whose splat lies at its centroid. Logical operations, shifts, counts of bits, conversions: 1.",
+                    ],
+                )],
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -63,21 +78,6 @@ impl Effect for Occlusion {
 
     fn functions(&self) -> Vec<String> {
         MASK_FUNCTIONS.map(|function| function.name.into()).to_vec()
-    }
-
-    fn lobe(&self, _: &Scene) -> String {
-        "Sub-voxel masks: bit x + 2 y + 4 z of a byte is the sub-voxel at (x, y, z) of a cell of 2 x 2 x 2"
-            .into()
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &["subvoxel_centroid"],
-            &[
-                "`subvoxel_centroid` is where to splat a voxel whose sub-voxels are not splatted one by one; `supervoxel_mask` makes",
-                "the mask of eight voxels, whose splat lies at its centroid. Logical operations, shifts, counts of bits, conversions: 1.",
-            ],
-        )]
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

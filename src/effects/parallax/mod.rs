@@ -18,7 +18,7 @@ mod variation;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
-use super::effect::{Clock, Note};
+use super::effect::{Clock, Profile};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Emission, Entry, FitSet, FitStageError, Formulas, Memo, Wanted};
@@ -42,8 +42,31 @@ pub struct Parallax;
 const REPORT_S: f64 = 0.2;
 
 impl Effect for Parallax {
-    fn name(&self) -> &'static str {
-        "parallax"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "parallax",
+                prefixes: &[PREFIX],
+                lobe: |scene| format!("Prefiltered probes; alpha = {}", scene.alpha.name()),
+                notes: &[
+                    (
+                        &["parallax_"],
+                        &[
+                            "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its comment names and no other; rho is the",
+                            "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
+                        ],
+                    ),
+                    (
+                        &["parallax_lookup_"],
+                        &[
+                            "`parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and",
+                            "`parallax_fetch_*`, one fetch along a ray, are its parts. Of these alone a NaN, in a ray, may make an infinity.",
+                        ],
+                    ),
+                ],
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -71,33 +94,6 @@ impl Effect for Parallax {
 
     fn formulas(&self) -> Vec<&'static Entry> {
         catalogue::entries().collect()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &[PREFIX]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        format!("Prefiltered probes; alpha = {}", scene.alpha.name())
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[
-            (
-                &["parallax_"],
-                &[
-                    "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its comment names and no other; rho is the",
-                    "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
-                ],
-            ),
-            (
-                &["parallax_lookup_"],
-                &[
-                    "`parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and",
-                    "`parallax_fetch_*`, one fetch along a ray, are its parts. Of these alone a NaN, in a ray, may make an infinity.",
-                ],
-            ),
-        ]
     }
 
     fn timed(&self, scene: &Scene, seconds: Clock) -> Vec<TimedLookup> {

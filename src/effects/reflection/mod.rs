@@ -11,13 +11,13 @@ mod table;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
-use super::effect::Note;
+use super::effect::Profile;
 use super::who::anisotropy;
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::Entry;
 use crate::approximate::target::Target;
 use crate::data::{Ndf, Use};
-use crate::scene::{Material, Scene};
+use crate::scene::Scene;
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::{CERTIFIED, FitJob, JUDGED, REACHED};
 pub use fits::{FitSpec, fit_all};
@@ -29,8 +29,7 @@ use lobefit_truth::quantity;
 /// The effect, of one distribution of normals.
 pub struct Reflection {
     ndf: Ndf,
-    /// The effect's name.
-    name: &'static str,
+    profile: Profile,
     /// The quantity.
     lobe: &'static dyn quantity::Reflection,
     /// How names of tables begin, and the roles of those of E and of E and B.
@@ -51,14 +50,30 @@ pub struct Reflection {
     reached: &'static [(u32, f64)],
     /// What its truth takes.
     price: &'static demand::TruthPrice,
-    prefixes: &'static [&'static str],
-    notes: &'static [Note],
 }
 
 /// Of GGX.
 pub static GGX: Reflection = Reflection {
     ndf: Ndf::Ggx,
-    name: "reflection",
+    profile: Profile {
+        name: "reflection",
+        prefixes: &[
+            "ggx_albedo",
+            "ggx_dfg",
+            "ggx_energy_compensation",
+            "ggx_average_albedo",
+            "ggx_directional_albedo",
+        ],
+        lobe: super::ggx,
+        notes: &[
+            super::NOTE_F0,
+            (&["ggx_energy_compensation", "ggx_norm_"], &COMPENSATION),
+            super::NOTE_LOOKUP,
+        ],
+        is_explored: true,
+        without: anisotropy,
+        ..Profile::NONE
+    },
     lobe: quantity::GGX_REFLECTION,
     tables: ["ggx-dfg", "ggx_albedo", "ggx_dfg"],
     roles: ["ggx_energy_compensation", "ggx_average_albedo", "ggx_directional_albedo"],
@@ -72,20 +87,29 @@ pub static GGX: Reflection = Reflection {
     published_averages: &PUBLISHED_AVERAGES,
     reached: &REACHED,
     price: &demand::GGX_PRICE,
-    prefixes: &[
-        "ggx_albedo",
-        "ggx_dfg",
-        "ggx_energy_compensation",
-        "ggx_average_albedo",
-        "ggx_directional_albedo",
-    ],
-    notes: &[super::NOTE_F0, (&["ggx_energy_compensation", "ggx_norm_"], &COMPENSATION), super::NOTE_LOOKUP],
 };
 
 /// Of Beckmann's distribution: what GGX has but averages.
 pub static BECKMANN: Reflection = Reflection {
     ndf: Ndf::Beckmann,
-    name: "beckmann",
+    profile: Profile {
+        name: "beckmann",
+        prefixes: &[
+            "beckmann_albedo",
+            "beckmann_dfg",
+            "beckmann_energy_compensation",
+            "beckmann_directional_albedo",
+        ],
+        lobe: super::beckmann,
+        notes: &[
+            super::NOTE_F0,
+            (&["beckmann_energy_compensation", "beckmann_norm_"], &COMPENSATION),
+            super::NOTE_LOOKUP,
+        ],
+        is_explored: true,
+        without: anisotropy,
+        ..Profile::NONE
+    },
     lobe: quantity::BECKMANN_REFLECTION,
     tables: ["beckmann-dfg", "beckmann_albedo", "beckmann_dfg"],
     roles: ["beckmann_energy_compensation", "beckmann_average_albedo", "beckmann_directional_albedo"],
@@ -99,17 +123,6 @@ pub static BECKMANN: Reflection = Reflection {
     published_averages: &[],
     reached: &[],
     price: &demand::BECKMANN_PRICE,
-    prefixes: &[
-        "beckmann_albedo",
-        "beckmann_dfg",
-        "beckmann_energy_compensation",
-        "beckmann_directional_albedo",
-    ],
-    notes: &[
-        super::NOTE_F0,
-        (&["beckmann_energy_compensation", "beckmann_norm_"], &COMPENSATION),
-        super::NOTE_LOOKUP,
-    ],
 };
 
 const COMPENSATION: [&str; 2] = [
@@ -126,8 +139,8 @@ impl Reflection {
 }
 
 impl Effect for Reflection {
-    fn name(&self) -> &'static str {
-        self.name
+    fn profile(&self) -> &Profile {
+        &self.profile
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -163,26 +176,6 @@ impl Effect for Reflection {
 
     fn takes_formulas_for(&self, target: &Target) -> bool {
         (target.quantity.name(), target.column, target.used_as) == (self.lobe.name(), "E", Use::NORMALISATION)
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        self.prefixes
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        super::lobe_of(self.ndf, scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        self.notes
-    }
-
-    fn is_explored(&self) -> bool {
-        true
-    }
-
-    fn without(&self, material: &Material) -> Option<&'static str> {
-        anisotropy(material)
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

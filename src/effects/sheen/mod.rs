@@ -4,7 +4,7 @@ mod catalogue;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
-use super::effect::Note;
+use super::effect::Profile;
 use super::table::ValueTable;
 use super::value::{self, Functions, ValueFits};
 use super::who::{about, stay_smooth};
@@ -102,8 +102,23 @@ fn with(wants: &[(TableWant, String)]) -> ValueFits<'_> {
 }
 
 impl Effect for Sheen {
-    fn name(&self) -> &'static str {
-        "sheen"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "sheen",
+                fits: &[FITS],
+                functions: &[BASE_SCALE],
+                prefixes: &["sheen_albedo", "sheen_lookup"],
+                texts: &[SCALE],
+                lobe: |scene| format!("Charlie sheen lobe; alpha = {}", scene.alpha.name()),
+                notes: &[(
+                    &["sheen_albedo", "charlie_"],
+                    &["`sheen_albedo` is E of the sheen lobe, by which the layers below it are dimmed."],
+                )],
+                is_explored: true,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -113,10 +128,6 @@ impl Effect for Sheen {
             Some(FITS.demand(scene, of, range, sheen.goals.clone()))
         };
         scene.materials.iter().enumerate().filter_map(demand).collect()
-    }
-
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        const { &[FITS] }
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -136,33 +147,6 @@ impl Effect for Sheen {
 
     fn stages(&self, scene: &Scene, jobs: &[Job]) -> usize {
         jobs.len() + wanted(scene).len()
-    }
-
-    fn functions(&self) -> Vec<String> {
-        vec![BASE_SCALE.into()]
-    }
-
-    fn sources(&self) -> Vec<&'static str> {
-        self.formulas().into_iter().map(|entry| entry.source).chain([SCALE]).collect()
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["sheen_albedo", "sheen_lookup"]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        format!("Charlie sheen lobe; alpha = {}", scene.alpha.name())
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[(
-            &["sheen_albedo", "charlie_"],
-            &["`sheen_albedo` is E of the sheen lobe, by which the layers below it are dimmed."],
-        )]
-    }
-
-    fn is_explored(&self) -> bool {
-        true
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

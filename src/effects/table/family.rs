@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Region, Spec, TableJob};
 use crate::approximate::Memo;
 use crate::data::{Layout, Ndf, Serves, Smith, Table};
-use crate::effects::effect::Note;
+use crate::effects::effect::Profile;
 use crate::effects::table::results::WaysFinding;
 use crate::effects::table::{BakedTable, BuildError, LookupPoints, Made};
 use crate::effects::{Albedo, BakeError, demand::Job};
@@ -126,8 +126,8 @@ pub trait Family: Sync {
 /// An effect that is a family of tables with slices, and nothing else. It is an
 /// [`Effect`](crate::effects::Effect) by it.
 pub trait Sliced: Family {
-    /// The effect's name.
-    fn name(&self) -> &'static str;
+    /// What is said of the effect.
+    fn profile(&self) -> &Profile;
 
     /// The lobe whose materials call for it.
     fn lobe(&self) -> Lobe;
@@ -147,12 +147,6 @@ pub trait Sliced: Family {
     fn unserved(&self, _: &Scene) -> Option<String> {
         None
     }
-
-    /// How names of its functions begin.
-    fn function_prefixes(&self) -> &'static [&'static str];
-
-    /// Lines for the head of the include files.
-    fn head_notes(&self) -> &'static [Note];
 
     /// Seconds of what its page shows beside other tables' pages.
     fn study_seconds(&self, _scene: &Scene, _jobs: &[Job]) -> f64 {

@@ -4,16 +4,15 @@ use super::{BakedTable, Sliced, TableJob, bake, demands, findings, page, summari
 use crate::data::Layout;
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job};
-use crate::effects::effect::Note;
-use crate::effects::{BakeError, Called, Effect, JobSummary, Made, lobe_of};
+use crate::effects::{BakeError, Called, Effect, JobSummary, Made, Profile};
 use crate::scene::Scene;
 
 /// Seconds of the page of one of these effects on one core.
 const REPORT_S: f64 = 0.3;
 
 impl<F: Sliced> Effect for F {
-    fn name(&self) -> &'static str {
-        Sliced::name(self)
+    fn profile(&self) -> &Profile {
+        Sliced::profile(self)
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -34,18 +33,6 @@ impl<F: Sliced> Effect for F {
 
     fn report_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
         REPORT_S + self.study_seconds(scene, jobs)
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        self.function_prefixes()
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        lobe_of(self.ndf(), scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        self.head_notes()
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {

@@ -3,7 +3,7 @@
 //! `coated-width`).
 
 use super::demand::{Demand, Span};
-use super::effect::Note;
+use super::effect::Profile;
 use super::value::{IOR_WIDTH_MIN, ValueFits};
 use super::who::{NOT_ASKED, about, anisotropy, rough, stay_smooth};
 use super::{Effect, ggx};
@@ -166,8 +166,48 @@ fn wanted(material: &Material, fits: &ValueFits) -> Option<(Goals, Vec<(&'static
 }
 
 impl Effect for Width {
-    fn name(&self) -> &'static str {
-        "width"
+    fn profile(&self) -> &Profile {
+        const {
+            &Profile {
+                name: "width",
+                fits: &FITS,
+                prefixes: &[
+                    "refracted_roughness",
+                    "averaged_roughness",
+                    "lit_roughness",
+                    "lit_normalisation",
+                    "coated_roughness",
+                ],
+                lobe: ggx,
+                notes: &[
+                    (
+                        &["refracted_roughness"],
+                        &[
+                            "`refracted_roughness` is the roughness to fetch a prefiltered environment map (alpha = roughness^2), or a picture that is blurred",
+                            "as one, with, in the direction refract(-v, n, 1/ior), for glass seen from outside. Within the same cone lies half of the energy.",
+                            "The error is of the roughness itself. Pass an ior within the stated domain.",
+                        ],
+                    ),
+                    (
+                        &["averaged_roughness", "lit_roughness", "coated_roughness"],
+                        &[
+                            "`averaged_roughness`, `lit_roughness` and `coated_roughness` are the roughness (alpha = roughness^2) of the lobe that stands for one over averaged",
+                            "normals, under a disk light that is taken for its middle, or below a rough coat: within the same cone about the mirror direction lies half of the energy.",
+                            "Their shadowing is height-correlated, whatever the scene has.",
+                        ],
+                    ),
+                    (
+                        &["lit_normalisation"],
+                        &[
+                            "`lit_normalisation` multiplies the lobe of the surface's own roughness at the disk's nearest point to the mirror direction. Its error is relative.",
+                            "Its shadowing is height-correlated, whatever the scene has.",
+                        ],
+                    ),
+                ],
+                without: anisotropy,
+                ..Profile::NONE
+            }
+        }
     }
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
@@ -186,10 +226,6 @@ impl Effect for Width {
         all.flat_map(|of| FITS.iter().enumerate().filter_map(move |fits| demand(of, fits))).collect()
     }
 
-    fn fits(&self) -> &'static [ValueFits<'static>] {
-        &FITS
-    }
-
     fn left_out(&self, scene: &Scene) -> String {
         self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
             false => "no material transmits light or wants `widened`".into(),
@@ -204,51 +240,5 @@ impl Effect for Width {
             AlphaMap::RoughnessSquared => stay_smooth(m),
             _ => "it is of lobes with alpha = roughness^2, which the scene has not".into(),
         })
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &[
-            "refracted_roughness",
-            "averaged_roughness",
-            "lit_roughness",
-            "lit_normalisation",
-            "coated_roughness",
-        ]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
-        &[
-            (
-                &["refracted_roughness"],
-                &[
-                    "`refracted_roughness` is the roughness to fetch a prefiltered environment map (alpha = roughness^2), or a picture that is blurred",
-                    "as one, with, in the direction refract(-v, n, 1/ior), for glass seen from outside. Within the same cone lies half of the energy.",
-                    "The error is of the roughness itself. Pass an ior within the stated domain.",
-                ],
-            ),
-            (
-                &["averaged_roughness", "lit_roughness", "coated_roughness"],
-                &[
-                    "`averaged_roughness`, `lit_roughness` and `coated_roughness` are the roughness (alpha = roughness^2) of the lobe that stands for one over averaged",
-                    "normals, under a disk light that is taken for its middle, or below a rough coat: within the same cone about the mirror direction lies half of the energy.",
-                    "Their shadowing is height-correlated, whatever the scene has.",
-                ],
-            ),
-            (
-                &["lit_normalisation"],
-                &[
-                    "`lit_normalisation` multiplies the lobe of the surface's own roughness at the disk's nearest point to the mirror direction. Its error is relative.",
-                    "Its shadowing is height-correlated, whatever the scene has.",
-                ],
-            ),
-        ]
-    }
-
-    fn without(&self, material: &Material) -> Option<&'static str> {
-        anisotropy(material)
     }
 }
