@@ -1,10 +1,10 @@
 //! The page of times on a graphics processor.
 
-use super::{SCREEN, figures, words};
+use super::{SCREEN, time_against_error, words};
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
-    Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, Page, ReportError, Scatter, Section,
-    Spread, TextTable, bar_from,
+    Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, Page, ReportError, Section,
+    TextTable, bar_from,
 };
 
 pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> {
@@ -156,22 +156,7 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
         Some(Dot { name: name(row), x, y: error.max, published: error.published, table: false })
     };
     let dots: Vec<Dot> = group.iter().filter_map(dot).collect();
-    if !words::worth_a_chart(&dots) {
-        return Ok(None);
-    }
-    let metric = first.used_as.metric;
-    let scatter = Scatter {
-        title: format!("{} as {}", first.quantity, first.used_as.name),
-        x: ("picoseconds per evaluation (square-root scale)".into(), Spread::Root),
-        y: (format!("largest {metric}"), Spread::Log),
-        size: (1060.0, if dots.len() > 8 { 460.0 } else { 300.0 }),
-        dots,
-    };
-    let caption = format!(
-        "Largest {metric} against picoseconds: lower is more accurate, further left is faster. The stairs join our \
-         formulas that no other formula of ours beats in both; the pointer and the table name the others."
-    );
-    figures(&[scatter], &caption).map(Some)
+    time_against_error((&first.quantity, first.used_as), "picoseconds", dots, 1060.0)
 }
 
 fn table(rows: &[&GpuRow]) -> TextTable {

@@ -19,7 +19,11 @@ pub mod words;
 
 use std::collections::BTreeSet;
 
-use super::{Answer, Block, Costs, Figure, Findings, GpuRecord, Origin, Page, ReportError, Timings};
+use super::{
+    Answer, Block, Costs, Dot, Figure, Findings, GpuRecord, Origin, Page, ReportError, Scatter, Spread,
+    Timings,
+};
+use crate::data::Use;
 use crate::emit::manifest::Manifest;
 use crate::report::explore::{EXPLORE, ExplorePage};
 use lobefit_shade::code::Language;
@@ -97,6 +101,32 @@ pub(crate) fn of_gpu(record: &GpuRecord, hash: &str) -> Result<Page, ReportError
 /// The page of what accuracy costs.
 pub(crate) fn of_costs(costs: &Costs) -> Result<Page, ReportError> {
     cost::page(costs)
+}
+
+/// Times of approximations of one use of a quantity against their errors, in a chart of a width; none of
+/// dots that a table tells as well.
+fn time_against_error(
+    (quantity, used_as): (&str, Use),
+    unit: &str,
+    dots: Vec<Dot>,
+    width: f64,
+) -> Result<Option<Block>, ReportError> {
+    if !words::worth_a_chart(&dots) {
+        return Ok(None);
+    }
+    let metric = used_as.metric;
+    let scatter = Scatter {
+        title: format!("{quantity} as {}", used_as.name),
+        x: (format!("{unit} per evaluation (square-root scale)"), Spread::Root),
+        y: (format!("largest {metric}"), Spread::Log),
+        size: (width, if dots.len() > 8 { 460.0 } else { 300.0 }),
+        dots,
+    };
+    let caption = format!(
+        "Largest {metric} against {unit}: lower is more accurate, further left is faster. The stairs join our \
+         formulas that no other formula of ours beats in both; the pointer and the table name the others."
+    );
+    figures(&[scatter], &caption).map(Some)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

@@ -1,9 +1,8 @@
 //! The page of measured times.
 
-use super::{figures, words};
+use super::{figures, time_against_error, words};
 use crate::report::{
-    Bar, Bars, Block, Dot, Page, ReportError, Scatter, Section, Spread, TimedApproximation, TimedLookup,
-    Timings,
+    Bar, Bars, Block, Dot, Page, ReportError, Section, TimedApproximation, TimedLookup, Timings,
 };
 
 pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
@@ -38,7 +37,9 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
     let bars = Bars { title: "time per evaluation".into(), unit: "ns".into(), bars };
     let mut blocks = vec![figures(&[bars], "Nanoseconds per evaluation; published approximations in grey.")?];
     for group in groups(all) {
-        blocks.extend(time_against_error(&group)?);
+        let dots = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
+        let of = (group[0].quantity.as_str(), group[0].used_as);
+        blocks.extend(time_against_error(of, "nanoseconds", dots, 760.0)?);
     }
     blocks.push(Block::Table(table(timings)));
     Ok(Section::new(
@@ -75,28 +76,6 @@ fn groups(all: &[TimedApproximation]) -> Vec<Vec<&TimedApproximation>> {
         .into_iter()
         .map(|(_, group)| group)
         .collect()
-}
-
-/// Time against error of a group.
-fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, ReportError> {
-    let dots: Vec<Dot> = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
-    if !words::worth_a_chart(&dots) {
-        return Ok(None);
-    }
-    let (first, many) = (group[0], dots.len() > 8);
-    let metric = first.used_as.metric;
-    let scatter = Scatter {
-        title: format!("{} as {}", first.quantity, first.used_as.name),
-        x: ("nanoseconds per evaluation (square-root scale)".into(), Spread::Root),
-        y: (format!("largest {metric}"), Spread::Log),
-        dots,
-        size: (760.0, if many { 460.0 } else { 300.0 }),
-    };
-    let caption = format!(
-        "Largest {metric} against nanoseconds: lower is more accurate, further left is faster. The stairs join our \
-         formulas that no other formula of ours beats in both; the pointer and the table name the others."
-    );
-    figures(&[scatter], &caption).map(Some)
 }
 
 fn dot(e: &TimedApproximation) -> Dot {
