@@ -67,6 +67,36 @@ pub(super) enum Lacks {
     Helper(&'static str),
 }
 
+/// The functions of a shading language of the family, with the arguments and the order of operations of the
+/// dialect.
+pub(super) fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
+    Ok(match builtin {
+        Builtin::InverseSqrt => "rsqrt",
+        Builtin::Sign => "sign",
+        Builtin::Abs => "abs",
+        Builtin::Min => "min",
+        Builtin::Max => "max",
+        Builtin::Clamp => "clamp",
+        Builtin::Sqrt => "sqrt",
+        Builtin::Exp => "exp",
+        Builtin::Exp2 => "exp2",
+        Builtin::Log => "log",
+        Builtin::Log2 => "log2",
+        Builtin::Pow => "pow",
+        Builtin::Floor => "floor",
+        Builtin::Step => "step",
+        Builtin::SmoothStep => "smoothstep",
+        Builtin::Sin => "sin",
+        Builtin::Cos => "cos",
+        Builtin::Dot => "dot",
+        Builtin::Saturate => return Err(Lacks::Saturate),
+        Builtin::Fma => return Err(Lacks::Fma),
+        Builtin::Select => return Err(Lacks::Select),
+        // `lerp` of HLSL and `mix` of MSL are x + t (y - x), which is another number.
+        Builtin::Mix => return Err(Lacks::Helper("mix")),
+    })
+}
+
 impl Family {
     fn spelled(&self, x: f32) -> String {
         format!("{}{}", decimal(x), self.suffix)

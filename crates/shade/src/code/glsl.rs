@@ -1,6 +1,6 @@
 //! GLSL 3.30, GLSL ES 3.00 and later.
 
-use super::family::{Family, Lacks};
+use super::family::{self, Family, Lacks};
 use super::printer::Facts;
 use super::spelling::plain;
 use super::table::Textures;
@@ -59,32 +59,13 @@ const FACTS: Facts = Facts {
     words: WORDS,
 };
 
-/// GLSL's own functions, with the arguments and the order of operations of the dialect.
+/// What it calls otherwise than [`family::call`].
 fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
-    Ok(match builtin {
-        Builtin::Mix => "mix",
-        Builtin::InverseSqrt => "inversesqrt",
-        Builtin::Sign => "sign",
-        Builtin::Abs => "abs",
-        Builtin::Min => "min",
-        Builtin::Max => "max",
-        Builtin::Clamp => "clamp",
-        Builtin::Sqrt => "sqrt",
-        Builtin::Exp => "exp",
-        Builtin::Exp2 => "exp2",
-        Builtin::Log => "log",
-        Builtin::Log2 => "log2",
-        Builtin::Pow => "pow",
-        Builtin::Floor => "floor",
-        Builtin::Step => "step",
-        Builtin::SmoothStep => "smoothstep",
-        Builtin::Sin => "sin",
-        Builtin::Cos => "cos",
-        Builtin::Dot => "dot",
-        Builtin::Saturate => return Err(Lacks::Saturate),
-        Builtin::Fma => return Err(Lacks::Fma),
-        Builtin::Select => return Err(Lacks::Select),
-    })
+    match builtin {
+        Builtin::Mix => Ok("mix"),
+        Builtin::InverseSqrt => Ok("inversesqrt"),
+        _ => family::call(builtin),
+    }
 }
 
 /// The OpenGL Shading Language 4.60, sections 3.6 and 8, and the GLSL ES 3.20 specification.

@@ -1,6 +1,6 @@
 //! HLSL, shader model 5 and later.
 
-use super::family::{Family, Lacks};
+use super::family::{self, Family, Lacks};
 use super::printer::Facts;
 use super::spelling::plain;
 use super::table::Textures;
@@ -55,33 +55,14 @@ const FACTS: Facts = Facts {
     words: WORDS,
 };
 
-/// HLSL's own functions, with the arguments and the order of operations of the dialect.
+/// What it calls otherwise than [`family::call`].
 fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
-    Ok(match builtin {
-        Builtin::Saturate => "saturate",
-        Builtin::Fma => "mad",
-        Builtin::InverseSqrt => "rsqrt",
-        Builtin::Abs => "abs",
-        Builtin::Min => "min",
-        Builtin::Max => "max",
-        Builtin::Clamp => "clamp",
-        Builtin::Sqrt => "sqrt",
-        Builtin::Exp => "exp",
-        Builtin::Exp2 => "exp2",
-        Builtin::Log => "log",
-        Builtin::Log2 => "log2",
-        Builtin::Pow => "pow",
-        Builtin::Floor => "floor",
-        Builtin::Step => "step",
-        Builtin::SmoothStep => "smoothstep",
-        Builtin::Sin => "sin",
-        Builtin::Cos => "cos",
-        Builtin::Dot => "dot",
-        // Its `lerp` is x + t (y - x), which is another number.
-        Builtin::Mix => return Err(Lacks::Helper("mix")),
-        Builtin::Sign => return Err(Lacks::FloatOfSign),
-        Builtin::Select => return Err(Lacks::Select),
-    })
+    match builtin {
+        Builtin::Saturate => Ok("saturate"),
+        Builtin::Fma => Ok("mad"),
+        Builtin::Sign => Err(Lacks::FloatOfSign),
+        _ => family::call(builtin),
+    }
 }
 
 /// HLSL reference, "Keywords", "Reserved Words" and "Intrinsic Functions".

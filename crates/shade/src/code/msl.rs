@@ -1,6 +1,6 @@
 //! The Metal Shading Language.
 
-use super::family::{Family, Lacks};
+use super::family::{self, Family, Lacks};
 use super::printer::Facts;
 use super::spelling::plain;
 use super::table::Textures;
@@ -56,33 +56,13 @@ const FACTS: Facts = Facts {
     words: WORDS,
 };
 
-/// MSL's own functions, with the arguments and the order of operations of the dialect.
+/// What it calls otherwise than [`family::call`].
 fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
-    Ok(match builtin {
-        Builtin::Saturate => "saturate",
-        Builtin::Fma => "fma",
-        Builtin::InverseSqrt => "rsqrt",
-        Builtin::Sign => "sign",
-        Builtin::Abs => "abs",
-        Builtin::Min => "min",
-        Builtin::Max => "max",
-        Builtin::Clamp => "clamp",
-        Builtin::Sqrt => "sqrt",
-        Builtin::Exp => "exp",
-        Builtin::Exp2 => "exp2",
-        Builtin::Log => "log",
-        Builtin::Log2 => "log2",
-        Builtin::Pow => "pow",
-        Builtin::Floor => "floor",
-        Builtin::Step => "step",
-        Builtin::SmoothStep => "smoothstep",
-        Builtin::Sin => "sin",
-        Builtin::Cos => "cos",
-        Builtin::Dot => "dot",
-        // Its `mix` is x + t (y - x), which is another number.
-        Builtin::Mix => return Err(Lacks::Helper("mix")),
-        Builtin::Select => return Err(Lacks::Select),
-    })
+    match builtin {
+        Builtin::Saturate => Ok("saturate"),
+        Builtin::Fma => Ok("fma"),
+        _ => family::call(builtin),
+    }
 }
 
 /// The words of C++14, and those of the Metal Shading Language Specification, sections 1.4, 2, 4
