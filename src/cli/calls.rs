@@ -3,12 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::columns::{self, Side::Left, Side::Right};
-use crate::data::{Vendor, natural};
+use crate::data::{Cost, Vendor, natural};
 use crate::emit::call::{
     Around, Call, Callers, How, NAMED, OVER, SPLIT, SPLIT_OVER, TIMES, Uses, arounds, callers,
 };
 use crate::emit::header::short;
-use crate::emit::manifest::CostEntry;
 use crate::report::sections::words;
 use crate::scene::{Kind, Scene};
 
@@ -37,7 +36,7 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     }
     let kinds = scene.materials.iter().map(|material| (material.name.as_str(), material.kind)).collect();
     let row = |(call, names): &(&Call, Vec<&str>)| {
-        let CostEntry { ops, fetches, bytes } = call.cost;
+        let Cost { ops, fetches, bytes } = call.cost;
         let price = call.price.filter(|_| vendor.is_some()).map_or_else(String::new, |x| format!("{x:.1}"));
         let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
         let [ops, fetches, bytes, error] = figures;

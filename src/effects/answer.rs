@@ -235,9 +235,8 @@ fn of_lookups(lookups: &[LookupFunction], fits: &[Fit]) -> Option<Purpose> {
     let width =
         |lookup: &LookupFunction| fits.iter().map(|fit| &fit.approximation).find(|a| a.name == lookup.width);
     let offer = |role: Role, lookup: &LookupFunction| {
-        let cost = Cost { ops: lookup.cost.ops, fetches: lookup.cost.fetches, bytes: lookup.cost.bytes };
         let function = Some(lookup.function.clone());
-        Offer::new(role, &lookup.function, function, (cost, width(lookup).map(errors)))
+        Offer::new(role, &lookup.function, function, (lookup.cost, width(lookup).map(errors)))
     };
     let mut choices = vec![offer(Role::Recommended, best)];
     let cheap = lookups.iter().min_by_key(ops).filter(|lookup| ops(lookup) < ops(&best));

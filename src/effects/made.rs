@@ -12,7 +12,7 @@ use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
 use crate::data::{Approximation, Use};
 use crate::emit::call::{Around, Call, How, TIMES};
-use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
+use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, Report};
 use crate::emit::{compensation, include};
 use crate::report::explore::Explored;
 use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Offer, Page, Purpose, words};
@@ -227,7 +227,7 @@ impl Made {
         (a, price): (&Approximation, Option<f64>),
         file: Option<&str>,
     ) {
-        let (effect, cost) = (self.part.by.name(), CostEntry::new(a));
+        let effect = self.part.by.name();
         self.part.entries.calls.extend(callers.into_iter().map(|by| Call {
             effect: effect.into(),
             of: by.name,
@@ -238,7 +238,7 @@ impl Made {
             then: (a.used_as == Use::NORMALISATION).then(|| TIMES.into()),
             max_error: a.certificate.max_abs,
             metric: answer::metric(a),
-            cost: cost.clone(),
+            cost: a.cost,
             price,
             ..Call::default()
         }));

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
-use super::manifest::{CostEntry, Entries, Manifest};
-use crate::data::Place;
+use super::manifest::{Entries, Manifest};
+use crate::data::{Cost, Place};
 
 /// A function that a material or a probe calls.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ pub struct Call {
     /// What error that is: `furnace error |E N - 1|`, ...
     pub metric: String,
     /// Cost of a call.
-    pub cost: CostEntry,
+    pub cost: Cost,
     /// What it costs beside fetches on the GPUs of the vendor that the scene names, by the model of
     /// them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -155,7 +155,7 @@ pub struct LookupFunction {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub chain: Option<String>,
     /// Cost, its fetches among it; bytes are the chain's.
-    pub cost: CostEntry,
+    pub cost: Cost,
 }
 
 /// A function of the levels of a prefiltered chain.
@@ -198,7 +198,7 @@ pub struct MaskLookup {
     /// What it returns.
     pub gives: String,
     /// Cost.
-    pub cost: CostEntry,
+    pub cost: Cost,
 }
 
 /// The layers of a material that functions are of, from the inside out; without a name, the specular

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::call::{Call, LookupFunction, MaskLookup, MipEntry};
-use crate::data::{Approximation, Axis, Certificate, Form, Half, Place, Table, TexelFormat};
+use crate::data::{Approximation, Axis, Certificate, Cost, Form, Half, Place, Table, TexelFormat};
 use lobefit_import::Note;
 
 /// Version of the manifest's form.
@@ -161,7 +161,7 @@ pub struct TableEntry {
     /// Bytes of texels.
     pub bytes: u64,
     /// Cost of a lookup.
-    pub cost: CostEntry,
+    pub cost: Cost,
 }
 
 /// One axis.
@@ -263,7 +263,7 @@ pub struct FitEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe: Option<BTreeMap<String, [f64; 2]>>,
     /// Cost.
-    pub cost: CostEntry,
+    pub cost: Cost,
     /// `fitted` or the publication.
     pub source: String,
 }
@@ -307,17 +307,6 @@ pub struct SpreadEntry {
     pub least_max: f64,
     /// Number of cells.
     pub cells: usize,
-}
-
-/// Cost of an evaluation.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct CostEntry {
-    /// Operations of the project's model.
-    pub ops: u32,
-    /// Texture fetches.
-    pub fetches: u32,
-    /// Bytes of texels.
-    pub bytes: u64,
 }
 
 /// One include file.
@@ -375,14 +364,6 @@ impl AxisEntry {
     }
 }
 
-impl CostEntry {
-    /// The entry of a cost.
-    pub fn new(approximation: &Approximation) -> CostEntry {
-        let cost = approximation.cost;
-        CostEntry { ops: cost.ops, fetches: cost.fetches, bytes: cost.bytes }
-    }
-}
-
 impl TableEntry {
     /// The entry of a table's approximation.
     pub fn new(
@@ -409,7 +390,7 @@ impl TableEntry {
             axes: table.axes.iter().map(AxisEntry::new).collect(),
             error,
             bytes: table.bytes(),
-            cost: CostEntry::new(approximation),
+            cost: approximation.cost,
         }
     }
 
@@ -452,7 +433,7 @@ impl FitEntry {
             kernel: None,
             total_variation: None,
             safe: None,
-            cost: CostEntry::new(approximation),
+            cost: approximation.cost,
             source: approximation.source.text().to_string(),
         })
     }

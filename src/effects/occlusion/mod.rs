@@ -7,8 +7,8 @@ use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Profile;
 use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::data::Cost;
 use crate::emit::call::{Call, MaskLookup};
-use crate::emit::manifest::CostEntry;
 use crate::report::{Block, EffectFinding, Origin, Page, Section, words};
 use crate::scene::{CULLING, Pass, Scene};
 use lobefit_shade::code::{MASK_FUNCTIONS, MaskCost, MaskFunction, subvoxels};
@@ -84,7 +84,7 @@ impl Effect for Occlusion {
         let mut made = Made::new(called, Some(0.0), METRIC);
         for function in &MASK_FUNCTIONS {
             let cost = cost(function)?;
-            made.part.entries.masks.push(entry(function, cost.clone()));
+            made.part.entries.masks.push(entry(function, cost));
             made.part.entries.calls.push(call(function, cost));
         }
         made.code(context, |language| Ok(subvoxels(language)))?;
@@ -104,12 +104,12 @@ struct Figures {
     functions: Vec<MaskLookup>,
 }
 
-fn cost(function: &MaskFunction) -> Result<CostEntry, BakeError> {
+fn cost(function: &MaskFunction) -> Result<Cost, BakeError> {
     let MaskCost { ops, fetches, bytes } = function.cost().map_err(|e| BakeError::Effect(Box::new(e)))?;
-    Ok(CostEntry { ops, fetches, bytes })
+    Ok(Cost { ops, fetches, bytes })
 }
 
-fn entry(function: &MaskFunction, cost: CostEntry) -> MaskLookup {
+fn entry(function: &MaskFunction, cost: Cost) -> MaskLookup {
     MaskLookup {
         effect: Occlusion.name().into(),
         function: function.name.into(),
@@ -121,7 +121,7 @@ fn entry(function: &MaskFunction, cost: CostEntry) -> MaskLookup {
 
 /// What the culling calls, each for itself: which way to the centroid is cheaper, compiled code
 /// says.
-fn call(function: &MaskFunction, cost: CostEntry) -> Call {
+fn call(function: &MaskFunction, cost: Cost) -> Call {
     Call {
         effect: Occlusion.name().into(),
         of: CULLING.into(),

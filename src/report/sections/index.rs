@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 
 use super::{called_for, words};
+use crate::data::Cost;
 use crate::emit::call::{Call, Callers, NAMED, callers};
-use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
+use crate::emit::manifest::{FitEntry, Manifest, TableEntry};
 use crate::report::{Block, Names, Section, TextTable, figures_of, numbers, place_of};
 
 const COLUMNS: &str = "effect|name|quantity|use|smith|max error>|ops>|fetches>|bytes>";
@@ -119,7 +120,7 @@ fn calls(manifest: &Manifest) -> Block {
         |call: &Call| all.iter().any(|one| one.function == call.function && one.is_preferred(all));
     let row = |(_, calls): &(_, Vec<&Call>)| {
         let (call, names) = (calls[0], calls.iter().map(|call| call.of.as_str()).collect::<Vec<_>>());
-        let CostEntry { ops, fetches, bytes } = call.cost;
+        let Cost { ops, fetches, bytes } = call.cost;
         let figures = [ops, fetches].map(|n| n.to_string()).into_iter().chain([numbers::grouped(bytes)]);
         let words = [
             call.signature() + &call.of_layer(),
@@ -190,7 +191,7 @@ fn fit(f: &FitEntry) -> Vec<String> {
     row([effect, name, quantity, used_as, smith], f.certificate.max_abs, &f.cost)
 }
 
-fn row(names: [&str; 5], max: f64, cost: &CostEntry) -> Vec<String> {
+fn row(names: [&str; 5], max: f64, cost: &Cost) -> Vec<String> {
     let figures =
         [words::max(max), cost.ops.to_string(), cost.fetches.to_string(), numbers::grouped(cost.bytes)];
     names.into_iter().map(String::from).chain(figures).collect()

@@ -12,7 +12,6 @@ use crate::effects::parallax::{Gives, TapRule, named};
 use crate::effects::preferred;
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header;
-use crate::emit::manifest::CostEntry;
 use crate::report::{Offer, Role};
 use lobefit_truth::quantity::PARALLAX;
 
@@ -173,7 +172,7 @@ impl Lookup {
             kernel: kernel.into(),
             alpha_map: alpha_map.into(),
             chain: self.chain.as_ref().map(MipChain::text),
-            cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+            cost: Cost { ops: self.ops, fetches: lookup.taps, bytes: 0 },
         }
     }
 
@@ -189,7 +188,7 @@ impl Lookup {
             name: self.fit.clone(),
             max_error: self.max_error,
             metric: PARALLAX.metric.into(),
-            cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+            cost: Cost { ops: self.ops, fetches: lookup.taps, bytes: 0 },
             price: self.price,
             ..Call::default()
         });
