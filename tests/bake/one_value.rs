@@ -81,11 +81,11 @@ fn each_is_within_its_error_of_the_truth() {
     let glass = |side| Variant { side: Some(side), ..correlated() };
     let coupled = Variant { specular: Some(Specular::Normalised), ..correlated() };
     let cases: [(&str, &dyn Quantity, Variant, &str, f64); 5] = [
-        ("ggx_energy_compensation", &GGX_REFLECTION, correlated(), "E", 1.0),
+        ("ggx_energy_compensation", GGX_REFLECTION, correlated(), "E", 1.0),
         ("ggx_average_albedo", &GgxAverage, correlated(), "E_avg", 1.0),
         ("diffuse_coupling", &DiffuseCoupling, coupled, "factor", 1.0),
-        ("ggx_glass_energy_compensation_outside", &GGX_GLASS, glass(Side::Outside), "E", 1.52),
-        ("ggx_glass_energy_compensation_inside", &GGX_GLASS, glass(Side::Inside), "E", 1.52),
+        ("ggx_glass_energy_compensation_outside", GGX_GLASS, glass(Side::Outside), "E", 1.52),
+        ("ggx_glass_energy_compensation_inside", GGX_GLASS, glass(Side::Inside), "E", 1.52),
     ];
     for (name, quantity, variant, column, ior) in cases {
         let columns = [("alpha", all(alpha)), ("mu", mu.clone()), ("f0", all(0.04)), ("ior", all(ior))];

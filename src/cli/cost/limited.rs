@@ -251,7 +251,8 @@ impl Shipped {
     fn one_limit_of_a_field(&mut self) -> bool {
         let mut largest: BTreeMap<String, f64> = BTreeMap::new();
         let mut differ = false;
-        let fields = || self.ship.iter().filter_map(|of| of.field.as_ref()).filter(|field| field.size.is_none());
+        let fields =
+            || self.ship.iter().filter_map(|of| of.field.as_ref()).filter(|field| field.size.is_none());
         for field in fields() {
             let known = largest.entry(field.path.clone()).or_insert(field.max_error);
             differ |= *known != field.max_error;
