@@ -102,6 +102,11 @@ impl<'a> Formulas<'a> {
         self.all.iter().chain(self.flat)
     }
 
+    /// Whether formulas are of the quantity, so that their names say what they are of.
+    pub fn names(self, formulas: &[Entry]) -> bool {
+        std::ptr::eq(formulas, self.all) || std::ptr::eq(formulas, self.flat)
+    }
+
     /// Those for a target.
     pub fn suiting(self, spec: &TargetSpec) -> &'a [Entry] {
         self.over(spec.ranges(), spec.used_as.is_some_and(|used_as| used_as.blends))

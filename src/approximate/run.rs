@@ -303,7 +303,7 @@ impl<'a> Stage<'a> {
     /// arguments that the scene asks for.
     fn pick(&self, fits: &mut [Fit]) -> Result<(), FitStageError> {
         let Wanted { emission, norms, max_ops, .. } = self.wanted;
-        let is_named = std::ptr::eq(self.wanted.formulas(), self.wanted.own.all);
+        let is_named = self.wanted.own.names(self.wanted.formulas());
         let Some(picked) = emission.picked(fits, (norms, *max_ops), is_named) else { return Ok(()) };
         fits.iter_mut().for_each(|fit| fit.emitted = false);
         for (index, name) in picked {

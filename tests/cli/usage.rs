@@ -211,7 +211,7 @@ fn plan_says_what_is_not_limited_and_what_is_not_yet_known() {
 #[test]
 fn bake_names_everything_that_calls_a_function() {
     let folder = tempfile::tempdir().unwrap();
-    let metal = |name: &str| json!({"name": name, "kind": "metal", "f0": 0.9, "roughness": 0.5, "wants": {"fit": {"max_ops": 8}}});
+    let metal = |name: &str| json!({"name": name, "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6], "wants": {"fit": {"max_ops": 8}}});
     let materials = ["a", "b", "c", "d"].map(metal);
     let scene = json!({"schema_version": 1, "languages": ["wgsl"], "materials": materials});
     let output = lobefit(folder.path(), &["bake", "-", "--no-reports"], scene.to_string().as_bytes());

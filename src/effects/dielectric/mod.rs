@@ -21,6 +21,19 @@ pub struct Dielectric;
 pub const HYPOTHESES: [Entry; 4] =
     own!["ggx_dielectric_37", "ggx_dielectric_41", "ggx_dielectric_47", "ggx_dielectric_50"];
 
+/// The same of one index of refraction, R(alpha, mu).
+pub const OF_ONE_INDEX: [Entry; 9] = own![
+    "ggx_dielectric_flat_6",
+    "ggx_dielectric_flat_7",
+    "ggx_dielectric_flat_8",
+    "ggx_dielectric_flat_10",
+    "ggx_dielectric_flat_12",
+    "ggx_dielectric_flat_13",
+    "ggx_dielectric_flat_14",
+    "ggx_dielectric_flat_18",
+    "ggx_dielectric_flat_20",
+];
+
 /// What engines ship: measured and reported, not emitted.
 pub const PUBLISHED: [Entry; 4] = published![
     "ggx_dielectric_fresnel" by "A. Fresnel, of a smooth surface",
@@ -42,7 +55,7 @@ const FITS: ValueFits = ValueFits {
     side: Some(Side::Outside),
     column: "R",
     used_as: None,
-    own: Formulas::of(&HYPOTHESES),
+    own: Formulas { all: &HYPOTHESES, flat: &OF_ONE_INDEX },
     published: &PUBLISHED,
     role: "ggx_dielectric_albedo",
     of: "dielectrics",

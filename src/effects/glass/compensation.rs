@@ -56,17 +56,31 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
     side: Some(Side::Outside),
     column: "E",
     used_as: Some(Use::NORMALISATION),
-    own: Formulas::of(&own![
-        "ggx_glass_outside_3",
-        "ggx_glass_outside_4",
-        "ggx_glass_outside_6",
-        "ggx_glass_outside_9",
-        "ggx_glass_outside_11",
-        "ggx_glass_outside_14",
-        "ggx_glass_outside_16",
-        "ggx_glass_outside_18",
-        "ggx_glass_outside_20"
-    ]),
+    own: Formulas {
+        all: &own![
+            "ggx_glass_outside_3",
+            "ggx_glass_outside_4",
+            "ggx_glass_outside_6",
+            "ggx_glass_outside_9",
+            "ggx_glass_outside_11",
+            "ggx_glass_outside_14",
+            "ggx_glass_outside_16",
+            "ggx_glass_outside_18",
+            "ggx_glass_outside_20"
+        ],
+        flat: &own![
+            "ggx_glass_outside_flat_3",
+            "ggx_glass_outside_flat_4",
+            "ggx_glass_outside_flat_6",
+            "ggx_glass_outside_flat_8",
+            "ggx_glass_outside_flat_10",
+            "ggx_glass_outside_flat_11",
+            "ggx_glass_outside_flat_12",
+            "ggx_glass_outside_flat_14",
+            "ggx_glass_outside_flat_15",
+            "ggx_glass_outside_flat_16",
+        ],
+    },
     published: &[],
     role: "ggx_glass_energy_compensation_outside",
     of: "glass from outside",
@@ -83,14 +97,27 @@ const FROM_OUTSIDE: ValueFits = ValueFits {
 
 const FROM_INSIDE: ValueFits = ValueFits {
     side: Some(Side::Inside),
-    own: Formulas::of(&own![
-        "ggx_glass_inside_6",
-        "ggx_glass_inside_9",
-        "ggx_glass_inside_10",
-        "ggx_glass_inside_11",
-        "ggx_glass_inside_19",
-        "ggx_glass_inside_25"
-    ]),
+    own: Formulas {
+        all: &own![
+            "ggx_glass_inside_6",
+            "ggx_glass_inside_9",
+            "ggx_glass_inside_10",
+            "ggx_glass_inside_11",
+            "ggx_glass_inside_19",
+            "ggx_glass_inside_25"
+        ],
+        flat: &own![
+            "ggx_glass_inside_flat_3",
+            "ggx_glass_inside_flat_4",
+            "ggx_glass_inside_flat_6",
+            "ggx_glass_inside_flat_8",
+            "ggx_glass_inside_flat_10",
+            "ggx_glass_inside_flat_12",
+            "ggx_glass_inside_flat_14",
+            "ggx_glass_inside_flat_15",
+            "ggx_glass_inside_flat_16",
+        ],
+    },
     role: "ggx_glass_energy_compensation_inside",
     of: "glass from inside",
     caption: "E = R + T from inside: what a rough interface sends on. Beyond the critical angle it reflects alone. The rest is lost \
