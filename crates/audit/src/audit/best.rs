@@ -67,8 +67,13 @@ impl<'a> Search<'a> {
         if fixed.swapped {
             roles.reverse();
         }
-        let sampled =
-            Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
+        let results: Vec<&str> = live.iter().map(|k| table.channels[*k].name.as_str()).collect();
+        let sampled = Fixed {
+            registrations: Some(vec![Registration::Centre]),
+            roles: Some(roles),
+            told: Column::named(&results, truth.spec.columns),
+            ..fixed.clone()
+        };
         let fixed = if table.source == Source::Function { sampled } else { fixed.clone() };
         let few = Sample::new(table, live, SIEVE[usize::from(table.size.len() == 3)], true);
         Ok(Search { quantity, forms, truth, fixed, few })

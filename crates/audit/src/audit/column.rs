@@ -101,6 +101,19 @@ pub const GLASS_MEAN: [Column; 4] =
 /// Columns of averages of a quantity of which there is no other.
 pub const MEAN: [Column; 3] = [Column::Average, Column::AverageLoss, Column::AverageInverse];
 
+/// What members of a structure that hold a column are called, beside its own word.
+const MEMBERS: [(&str, &str); 9] = [
+    ("scale", "A"),
+    ("bias", "B"),
+    ("offset", "B"),
+    ("albedo", "E"),
+    ("loss", "1-E"),
+    ("reflected", "R"),
+    ("reflectance", "R"),
+    ("transmitted", "T"),
+    ("transmittance", "T"),
+];
+
 /// What a column of one f0 is.
 const FIXED: &str = "f0 A + B at that f0, fixed";
 
@@ -110,6 +123,21 @@ impl Column {
     pub fn of(quantity: &dyn Quantity) -> Vec<Column> {
         let specs = spec(quantity).into_iter().chain(averaged(quantity));
         specs.flat_map(|spec| spec.columns.iter().copied()).collect()
+    }
+
+    /// What results of a function hold by their names, of some columns: the members of a structure, as
+    /// `dfg.scale`. Beside a g a single letter is a colour.
+    pub(super) fn named(results: &[&str], columns: &[Column]) -> Vec<Option<Column>> {
+        let member = |name: &str| name.rsplit('.').next().unwrap_or(name).to_ascii_lowercase();
+        let are_colours = results.iter().any(|name| member(name) == "g");
+        let of = |name: &&str| {
+            let member = member(name);
+            let word =
+                MEMBERS.iter().find(|(own, _)| *own == member).map_or(member.as_str(), |(_, word)| word);
+            let is_told = |column: &&Column| column.name().eq_ignore_ascii_case(word);
+            columns.iter().find(is_told).copied().filter(|_| !(are_colours && member.len() == 1))
+        };
+        results.iter().map(of).collect()
     }
 
     /// The word in options, verdicts and files, and what it is.

@@ -55,6 +55,8 @@ pub struct Fixed {
     pub points: usize,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
+    /// Of a function: what the names of its results tell, by live channel.
+    pub told: Vec<Option<Column>>,
     /// Of a function of two arguments: each is given what the name of the other tells.
     pub swapped: bool,
     /// Of a function: its argument that is named for an index of refraction was given 1/ior, as

@@ -18,7 +18,7 @@ use super::truth::Truth;
 use super::{LAST, Registration};
 
 /// How much worse the plain reading must rank for another to be right beyond doubt.
-const BEYOND_DOUBT: f64 = 3.0;
+pub(super) const BEYOND_DOUBT: f64 = 3.0;
 
 /// How much worse it must rank for the texels alone to say that the other is right, whatever lookups
 /// between them make of it.

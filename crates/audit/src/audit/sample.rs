@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Convention, Fixed, Misfit};
+use super::preferred::BEYOND_DOUBT;
 use super::table::{AuditedTable, place};
 use super::truth::{Beyond, Truth, Truths, Values};
 use super::{AuditError, CLEAR, work};
@@ -338,6 +339,7 @@ pub(super) fn fit_columns(
                     continue;
                 }
                 let found = Misfit::of(&errors.collect::<Vec<f64>>());
+    let told = |k: usize| fixed.told.get(k).copied().flatten();
                 if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
                     best = Some((*column, found));
                 }
@@ -355,7 +357,12 @@ pub(super) fn fit_columns(
                 let clear = |f: &(Column, Misfit)| plain.is_none_or(|p| CLEAR * f.1.rank() < p.1.rank());
                 // A channel beside another holds a part of the split sum, not all of it.
                 let alone = values.len() == 1;
-                alone.then(|| least(&fixed)).flatten().filter(clear).or(plain)
+                let found = alone.then(|| least(&fixed)).flatten().filter(clear).or(plain);
+                // What its name tells is taken unless another is right beyond doubt.
+                let told = told(k).and_then(|column| least(&[column]));
+                let is_held =
+                    |own: &(Column, Misfit)| found.is_none_or(|f| own.1.rank() <= BEYOND_DOUBT * f.1.rank());
+                told.filter(is_held).or(found)
             }
         }
     };

@@ -271,6 +271,48 @@ fn what_is_no_fit_is_told() {
     assert!(absent.to_string().contains("x, y, k"), "{absent}");
 }
 
+/// A crude split sum: nearer to E than to A, but for the names of its members.
+const SPLIT: &str = "
+struct Dfg { A: f32, B: f32 }
+struct Named { scale: f32, bias: f32 }
+struct Colour { r: f32, g: f32, b: f32 }
+fn split(roughness: f32, mu: f32) -> Dfg {
+  return Dfg(1.0 - 0.55 * roughness, 0.4 * pow(1.0 - mu, 5.0) * (1.0 - roughness));
+}
+fn named(roughness: f32, mu: f32) -> Named {
+  let found = split(roughness, mu);
+  return Named(found.A, found.B);
+}
+fn colour(roughness: f32, mu: f32) -> Colour {
+  let found = split(roughness, mu);
+  return Colour(1.0, found.B, found.A);
+}
+fn whole(roughness: f32, mu: f32) -> Dfg {
+  let y = roughness * roughness;
+  let e = 1.0 - 1.4594 * y * mu * (-.20277 + y * (2.772 + y * (-2.6175 + .73343 * y)))
+    * (3.09507 + mu * (-9.11369 + mu * (15.8884 + mu * (-13.70343 + 4.51786 * mu))));
+  return Dfg(e, 0.4 * pow(1.0 - mu, 5.0) * (1.0 - roughness));
+}
+";
+
+#[test]
+fn names_of_results_tell_columns() {
+    let columns = |name: &str| {
+        let function = read_functions(SPLIT.as_bytes(), "split.wgsl", Some(name)).unwrap().remove(0);
+        let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
+        let found = audit(&shipped, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
+        eprintln!("{}", said(&found));
+        found.best().columns.clone()
+    };
+    let [a, b, e] = [Column::A, Column::B, Column::E].map(Some);
+    assert_eq!(columns("split"), [a, b]);
+    assert_eq!(columns("named"), [a, b]);
+    // The b of a colour is no B.
+    assert_eq!(columns("colour"), [None, b, e]);
+    // What is E beyond doubt is no A, whatever its name.
+    assert_eq!(columns("whole"), [e, b]);
+}
+
 /// A crude formula that roughness and its square root fit nearly as well: the usual argument is taken, and no
 /// verdict without a word on which is meant.
 #[test]
