@@ -274,14 +274,14 @@ fn what_is_no_fit_is_told() {
 /// A crude split sum: nearer to E than to A, but for the names of its members.
 const SPLIT: &str = "
 struct Dfg { A: f32, B: f32 }
-struct Named { scale: f32, bias: f32 }
+struct Named { scale: f32, bias: f32, bounces: u32, is_rough: bool }
 struct Colour { r: f32, g: f32, b: f32 }
 fn split(roughness: f32, mu: f32) -> Dfg {
   return Dfg(1.0 - 0.55 * roughness, 0.4 * pow(1.0 - mu, 5.0) * (1.0 - roughness));
 }
 fn named(roughness: f32, mu: f32) -> Named {
   let found = split(roughness, mu);
-  return Named(found.A, found.B);
+  return Named(found.A, found.B, 2u, roughness > 0.5);
 }
 fn colour(roughness: f32, mu: f32) -> Colour {
   let found = split(roughness, mu);
@@ -306,6 +306,7 @@ fn names_of_results_tell_columns() {
     };
     let [a, b, e] = [Column::A, Column::B, Column::E].map(Some);
     assert_eq!(columns("split"), [a, b]);
+    // Members that are no numbers of a formula are none of the result.
     assert_eq!(columns("named"), [a, b]);
     // The b of a colour is no B.
     assert_eq!(columns("colour"), [None, b, e]);

@@ -269,6 +269,22 @@ fn what_glsl_would_not_evaluate_is_refused() {
     assert!(read("pure(b)").is_ok() && read("(b <= 0.5 || b >= 0.9 || b == 1.0)").is_ok());
 }
 
+/// Whole numbers and truth values beside the numbers of a result are left out of it.
+#[test]
+fn whole_numbers_of_a_result_are_none_of_it() {
+    let glsl = "struct Found { int first; vec2 ab; ivec2 index; float e; bool is_rough; };
+        Found f(float x, float y) { return Found(3, vec2(x, y), ivec2(1, 2), x * y, x > y); }
+        void g(float x, out int k, out float z) { k = 1; z = 2.0 * x; }
+        int h(float x) { return int(x); }";
+    let function = one(glsl, "r.glsl", "f");
+    assert_eq!(function.results, ["ab.x", "ab.y", "e"]);
+    assert_bits(&function, |x, y| [x, y, x * y]);
+    let written = one(glsl, "r.glsl", "g");
+    assert_eq!((at(&written, &[0.25]), written.results.len()), (vec![0.5], 1));
+    let whole = read_functions(glsl.as_bytes(), "r.glsl", Some("h")).expect_err("no f32").to_string();
+    assert!(whole.contains("a result of h that is no f32"), "{whole}");
+}
+
 #[test]
 fn depth_is_bounded_and_length_is_not() {
     let read = |body: &str| {

@@ -63,11 +63,13 @@ pub struct ShaderFunction {
     /// Which of them are whole numbers or truth values.
     pub whole: Vec<bool>,
     /// Scalars of its result, in order: an empty name for a single number, else `x y`, members of a
-    /// structure, `out` arguments.
+    /// structure, `out` arguments; but for whole numbers and truth values.
     pub results: Vec<String>,
     /// Functions of its file, or overloads, that were asked for with it and cannot be read: of the first.
     pub left_out: Vec<LeftOut>,
     program: Arc<Program>,
+    /// Of all scalars of its result whether they are numbers of a formula.
+    counted: Vec<bool>,
 }
 
 /// A function that is left aside.
@@ -223,13 +225,15 @@ fn one(source: &Source, item: usize) -> Result<ShaderFunction, ForeignError> {
             advice,
         ));
     }
-    if results.iter().any(|r| r.1) {
+    if results.iter().all(|r| r.1) {
         return Err(program.unsupported(span, format!("a result of {name} that is no f32,"), advice));
     }
     let (inputs, whole) = inputs.into_iter().unzip();
-    let results = results.into_iter().map(|r| r.0).collect();
-    let program = Arc::new(program);
-    let function = ShaderFunction { name, signature, inputs, whole, results, left_out: Vec::new(), program };
+    // A flag or an index beside numbers is none of them.
+    let counted = results.iter().map(|r| !r.1).collect();
+    let results = results.into_iter().filter(|r| !r.1).map(|r| r.0).collect();
+    let (program, left_out) = (Arc::new(program), Vec::new());
+    let function = ShaderFunction { name, signature, inputs, whole, results, left_out, program, counted };
     // What is not run is known now, where it is on the way.
     function.at(&vec![0.5; function.inputs.len()])?;
     Ok(function)
@@ -324,8 +328,11 @@ impl ShaderFunction {
         let value = run.call(self.program.entry, arguments)?;
         let mut results = Vec::new();
         for value in std::iter::once(&value).chain(&run.memory[first..]) {
-            results.extend(value.numbers().ok_or_else(|| run.mismatch(span, std::slice::from_ref(value)))?);
+            results
+                .extend(value.all_numbers().ok_or_else(|| run.mismatch(span, std::slice::from_ref(value)))?);
         }
+        let mut counted = self.counted.iter();
+        results.retain(|_| counted.next() == Some(&true));
         if run.undefined {
             results.fill(f32::NAN);
         }

@@ -63,11 +63,20 @@ impl Value {
 
     /// Its scalars, depth first, if all are numbers.
     pub fn numbers(&self) -> Option<Vec<f32>> {
+        if let Value::Truth(_) | Value::Integer(_) = self { None } else { self.scalars(Value::numbers) }
+    }
+
+    /// Its scalars, depth first, whole numbers and truth values as numbers.
+    pub fn all_numbers(&self) -> Option<Vec<f32>> {
+        self.scalars(Value::all_numbers)
+    }
+
+    /// Its scalars, of the entries of a list what `of` has.
+    fn scalars(&self, of: fn(&Value) -> Option<Vec<f32>>) -> Option<Vec<f32>> {
         match self {
-            Value::Number(x) => Some(vec![*x]),
-            Value::List(list) => {
-                Some(list.iter().map(Value::numbers).collect::<Option<Vec<Vec<f32>>>>()?.concat())
-            }
+            Value::Number(x) | Value::Truth(x) => Some(vec![*x]),
+            Value::Integer(n) => Some(vec![*n as f32]),
+            Value::List(list) => Some(list.iter().map(of).collect::<Option<Vec<Vec<f32>>>>()?.concat()),
             _ => None,
         }
     }
