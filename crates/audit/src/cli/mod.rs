@@ -321,6 +321,9 @@ fn has_extension_of_shaders(options: &Options) -> bool {
     extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
 }
 
+/// What so many samples leave of a texel's mean is no defect: a function has no texels.
+const SAMPLES: &str = "--samples";
+
 /// Refuses options that mean nothing for the kind of file.
 fn other_kind(options: &Options, shader: bool) -> Result<(), CliError> {
     let (kind, given) = if shader {
@@ -332,7 +335,7 @@ fn other_kind(options: &Options, shader: bool) -> Result<(), CliError> {
             ("--symbol", options.symbol.is_some()),
             ("--layer", options.layer.is_some()),
             ("--encoding", options.encoding.is_some()),
-            ("--samples", options.samples.is_some()),
+            (SAMPLES, options.samples.is_some()),
         ];
         ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     } else {
@@ -345,7 +348,15 @@ fn other_kind(options: &Options, shader: bool) -> Result<(), CliError> {
         ];
         ("a table", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
     };
-    let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
+    let advice = match given {
+        Some(SAMPLES) => {
+            "only of tables, whose texels are means of so many samples: of a function that loops over samples set their number, if it is an \
+             argument, by --set; at how many points a function is judged follows from what it costs, the first line says how many, --domain says \
+             where, and --points N lists some"
+        }
+        _ if shader => "only of tables",
+        _ => "only of shader functions: --function names one",
+    };
     given.map_or(Ok(()), |option| {
         let file = options.file.display();
         Err(CliError::Usage(format!("{option}: {file} is read as {kind}, and this is {advice}")))

@@ -45,6 +45,7 @@ fn macros_folders_overloads_and_domains_are_options() {
         (&["--domain", "mu=1..0"][..], "INPUT=LOW..HIGH"),
         (&["--domain", "nu=0..1"], "alpha, mu, ior, anisotropy, roughness"),
         (&["--domain", "roughness=-1..1"], "no negative number"),
+        (&["--function", "exact", "--samples", "9"], "a function is judged follows from what it costs"),
         (&["--define", "=2", "--function", "exact"], "NAME=VALUE"),
         (&["--include", "nowhere", "--function", "exact"], "nowhere"),
     ] {
