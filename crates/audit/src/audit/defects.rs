@@ -455,6 +455,11 @@ pub(super) fn stored(step: Step, values: &[f64]) -> Step {
         (Step::Decimals(5), Some(1e5)),
         (Step::Decimals(6), Some(1e6)),
     ];
+    if let Step::Small(bits @ 6..=10) = step {
+        // Of a word of 32 bits the last float has a bit less.
+        let ends = |v: &f64| half::f16::from_f64(*v).to_bits().is_multiple_of(1 << (11 - bits));
+        return if values.iter().all(ends) { Step::Small(bits - 1) } else { step };
+    }
     let holds = |v: f64, n| match n {
         Some(n) => is_multiple(v, n),
         None => half::f16::from_f64(v).to_f64() == v,

@@ -12,6 +12,8 @@ pub enum Step {
     None,
     /// IEEE half.
     Half,
+    /// Floats of the exponents of halves with so many bits of mantissa, without a sign.
+    Small(u32),
     /// Integers of so many bits over the largest.
     Unorm(u32),
     /// Mantissas of 8 bits under the exponent of the largest of three.
@@ -26,6 +28,9 @@ pub enum Step {
     Decimals(u32),
 }
 
+/// The least normal number of halves, and of the smaller floats of their exponents: 2^-14.
+const SMALLEST: f64 = 1.0 / 16384.0;
+
 impl Step {
     /// Half the distance between neighbours of the format near `x`: what rounding to nearest may
     /// have done to a value that is stored as x. 0 for [`Step::None`].
@@ -39,6 +44,8 @@ impl Step {
                 let gap = next.to_f64() - f16::from_bits(bits).to_f64();
                 if gap.is_finite() { 0.5 * gap } else { 16.0 }
             }
+            // One more significant bit than are stored, down to 2^-14, and one spacing below.
+            Step::Small(bits) => 0.5 * ops::exp2(ops::log2(x.abs().max(SMALLEST)).floor() - f64::from(bits)),
             Step::Unorm(bits) => 0.5 / f64::from((1_u32 << bits) - 1),
             // Of the largest of the three: what is known of one alone.
             Step::Rgbe if x == 0.0 => 0.0,
@@ -61,6 +68,7 @@ impl Step {
         match self {
             Step::None => "single or better".into(),
             Step::Half => "half".into(),
+            Step::Small(bits) => format!("floats of {bits} bits of mantissa"),
             Step::Unorm(bits) => format!("{bits}-bit unorm"),
             Step::Rgbe => "RGBE".into(),
             Step::Srgb(n) => format!("{}-bit sRGB", (n + 1).ilog2()),

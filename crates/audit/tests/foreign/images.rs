@@ -158,6 +158,46 @@ fn dds_formats_old_and_new() {
     );
 }
 
+/// Floats of 11, 11 and 10 bits of a word, whose lowest bits are red, exactly.
+#[test]
+fn words_of_three_small_floats() {
+    // Halves without the last bits of their mantissa, and so the least number, infinity's neighbour and 1.
+    let held = |t: usize, c: usize| {
+        let bits = match t {
+            0 => [1 << 4, 1 << 4, 1 << 5][c],
+            1 => [0x7bf0, 0x7bf0, 0x7be0][c],
+            2 => 0x3c00,
+            _ => half::f16::from_f64(value(t, c)).to_bits() >> [4, 4, 5][c] << [4, 4, 5][c],
+        };
+        half::f16::from_bits(bits)
+    };
+    let word = |t: usize| {
+        let [red, green, blue] = [0, 1, 2].map(|c| u32::from(held(t, c).to_bits()));
+        (red >> 4) | (green >> 4) << 11 | (blue >> 5) << 22
+    };
+    let data: Vec<u8> = (0..32).flat_map(|t| word(t).to_le_bytes()).collect();
+    for (bytes, file) in [
+        (dds_extended(26, [8, 4, 1], 1, &data), "t.dds"),
+        (ktx2(122, [8, 4, 0], 0, &data, false), "t.ktx2"),
+        (ktx2(122, [8, 4, 0], 0, &data, true), "t.ktx2"),
+    ] {
+        let table = one(&bytes, file, &Hints::default());
+        assert!(table.what.contains("R11G11B10 float, 8 x 4, channels R G B"), "{}", table.what);
+        for (c, channel) in table.channels.iter().enumerate() {
+            let expected: Vec<f64> = (0..32).map(|t| held(t, c).to_f64()).collect();
+            assert_eq!(*channel.values, expected, "{file} {c}");
+        }
+        let near = [(1.0, 1.0 / 128.0), (0.75, 1.0 / 256.0), (1e-6, 1.0 / 2_097_152.0)];
+        near.iter().for_each(|(x, step)| assert_eq!(table.step.rounding(*x), *step, "{x}"));
+        let cut = &bytes[..bytes.len() - 9];
+        assert!(refused(cut, file).contains("cut short") || refused(cut, file).contains("damaged"));
+    }
+    let mut endless = data;
+    endless[..4].copy_from_slice(&(0x7c00_u32 >> 4).to_le_bytes());
+    let said = refused(&dds_extended(26, [8, 4, 1], 1, &endless), "t.dds");
+    assert!(said.contains("channel R, texel [0, 0]: inf"), "{said}");
+}
+
 /// A copy of a table holds the same values, not others like them.
 #[test]
 fn copies_of_a_table_share_its_values() {

@@ -13,6 +13,7 @@ pub(super) fn pixels(format: u32) -> Option<Pixels> {
         10 => Pixels::of(F16, "RGBA"),
         11 => Pixels::of(Unorm16, "RGBA"),
         16 => Pixels::of(F32, "RG"),
+        26 => Pixels::r11g11b10(),
         28 => Pixels::of(Unorm8, "RGBA"),
         29 => srgb("RGBA"),
         34 => Pixels::of(F16, "RG"),
@@ -34,7 +35,6 @@ pub(super) fn name(format: u32) -> String {
     let what = match format {
         70..=84 | 94..=99 => "a block-compressed format",
         24 => "R10G10B10A2",
-        26 => "R11G11B10 float, 6 bits of mantissa",
         67 => "R9G9B9E5, a shared exponent",
         88 | 93 => "B8G8R8X8",
         0 => "unknown, 0",

@@ -41,7 +41,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         ));
     }
     let values = claimed(file, &sides, pixels.order.len() as u64)?;
-    let length = (values * pixels.format.bytes()) as u64;
+    let length = (values / pixels.order.len() * pixels.bytes()) as u64;
     let level = level(source)?;
     let texels = match scheme {
         0 => level.to_vec(),

@@ -45,7 +45,7 @@ impl Image {
             kind,
             size: size.iter().map(|n| *n as usize).collect(),
             channels: pixels.channels(texels),
-            step: pixels.format.step(),
+            step: pixels.step(),
             note: String::new(),
         };
         Ok(vec![image.table(hints)?])

@@ -1,12 +1,22 @@
 //! Headers of little-endian words, and texels that lie one after another.
 
-use crate::foreign::{Channel, ForeignError, RawFormat, Spot};
+use crate::foreign::{Channel, ForeignError, RawFormat, Spot, Step};
+
+/// How the numbers of a texel are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stored {
+    /// Each in bytes of its own.
+    Apart(RawFormat),
+    /// Red, green and blue, from the lowest bit of a word on, as floats of five bits of exponent and these
+    /// bits of mantissa, without a sign.
+    Floats([u32; 3]),
+}
 
 /// A format of texels: the numbers of a texel and how each is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pixels {
-    /// How a number is stored.
-    pub format: RawFormat,
+    /// How its numbers are stored.
+    pub stored: Stored,
     /// Its channels in the order of their bytes: `RGBA`, `BGRA`.
     pub order: &'static str,
     /// The values are meant to be read through the sRGB curve; they are given as stored.
@@ -16,18 +26,38 @@ pub(super) struct Pixels {
 impl Pixels {
     /// Linear values.
     pub const fn of(format: RawFormat, order: &'static str) -> Pixels {
-        Pixels { format, order, srgb: false }
+        Pixels { stored: Stored::Apart(format), order, srgb: false }
+    }
+
+    /// Floats of 11, 11 and 10 bits in a word.
+    pub const fn r11g11b10() -> Pixels {
+        Pixels { stored: Stored::Floats([6, 6, 5]), order: "RGB", srgb: false }
     }
 
     /// Bytes of a texel.
     pub fn bytes(self) -> usize {
-        self.order.len() * self.format.bytes()
+        match self.stored {
+            Stored::Apart(format) => self.order.len() * format.bytes(),
+            Stored::Floats(_) => 4,
+        }
+    }
+
+    /// The step of its values: of several that of most channels, which is the finest.
+    pub fn step(self) -> Step {
+        match self.stored {
+            Stored::Apart(format) => format.step(),
+            Stored::Floats([red, ..]) => Step::Small(red),
+        }
     }
 
     /// In words: `f16`, `unorm8 marked sRGB (values as stored)`.
     pub fn words(self) -> String {
         let srgb = if self.srgb { " marked sRGB (values as stored)" } else { "" };
-        format!("{}{srgb}", self.format.name())
+        match self.stored {
+            Stored::Apart(format) => format!("{}{srgb}", format.name()),
+            Stored::Floats([6, 6, 5]) => "R11G11B10 float".into(),
+            Stored::Floats(bits) => format!("floats of {bits:?} bits of mantissa"),
+        }
     }
 
     /// The channels of texels, named and in the order red, green, blue, alpha.
@@ -38,10 +68,29 @@ impl Pixels {
             .filter_map(|name| Some((name, self.order.find(name)?)))
             .map(|(name, c)| Channel {
                 name: name.to_string(),
-                values: self.format.every(bytes, c, count).into(),
+                values: match self.stored {
+                    Stored::Apart(format) => format.every(bytes, c, count),
+                    Stored::Floats(bits) => floats(bytes, bits, c),
+                }
+                .into(),
             })
             .collect()
     }
+}
+
+/// Bits of the exponent of a small float, as of a half, whose infinity is its largest.
+const EXPONENT: u32 = 5;
+
+/// One of the floats of every word.
+fn floats(bytes: &[u8], mantissas: [u32; 3], which: usize) -> Vec<f64> {
+    let below: u32 = mantissas[..which].iter().map(|bits| bits + EXPONENT).sum();
+    let bits = mantissas[which];
+    let one = |word: &[u8; 4]| {
+        let float = u32::from_le_bytes(*word) >> below & ((1 << (bits + EXPONENT)) - 1);
+        // The half with the same exponent and mantissa, from its highest bit on.
+        half::f16::from_bits((float << (10 - bits)) as u16).to_f64()
+    };
+    bytes.as_chunks::<4>().0.iter().map(one).collect()
 }
 
 /// The bytes of a file, read with bounds.
@@ -86,4 +135,5 @@ impl<'a> Source<'a> {
 }
 
 /// What to do with a format that is not read.
-pub(super) const CONVERT: &str = "export it as R, RG, RGB or RGBA of 8 or 16 bit unorm, 16 or 32 bit float";
+pub(super) const CONVERT: &str =
+    "export it as R, RG, RGB or RGBA of 8 or 16 bit unorm, 16 or 32 bit float, or as R11G11B10 float";

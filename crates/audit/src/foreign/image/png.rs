@@ -28,7 +28,7 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
     let (width, height) = (info.width, info.height);
     let pixels = pixels(source, info.color_type, info.bit_depth)?;
     let values = claimed(source.file, &[width.into(), height.into()], pixels.order.len() as u64)?;
-    let length = values * pixels.format.bytes();
+    let length = values / pixels.order.len() * pixels.bytes();
     if length as u64 > limits::EXPANSION * source.bytes.len() as u64 {
         return Err(source
             .malformed(16, format!("the file cannot hold {width} x {height} texels: the header is wrong")));
@@ -37,7 +37,7 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
     let marks = marks(reader.info());
     let mut texels = vec![0; length];
     reader.next_frame(&mut texels).map_err(damaged)?;
-    if pixels.format == RawFormat::Unorm16 {
+    if pixels.step() == RawFormat::Unorm16.step() {
         texels.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.reverse());
     }
     let kind = format!("PNG, {}{marks}", pixels.words());

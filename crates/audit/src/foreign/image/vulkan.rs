@@ -34,6 +34,7 @@ pub(super) fn pixels(format: u32) -> Option<Pixels> {
         115 => Pixels::of(F64, "RG"),
         118 => Pixels::of(F64, "RGB"),
         121 => Pixels::of(F64, "RGBA"),
+        122 => Pixels::r11g11b10(),
         _ => return None,
     })
 }
@@ -45,7 +46,6 @@ pub(super) fn name(format: u32) -> String {
         131..=146 => "BC, block-compressed",
         147..=156 => "ETC2 or EAC, block-compressed",
         157..=184 | 1000066000..=1000066013 => "ASTC, block-compressed",
-        122 => "B10G11R11 float, 6 bits of mantissa",
         123 => "E5B9G9R9, a shared exponent",
         1..=130 => "a format of other texels",
         _ => "no known format",

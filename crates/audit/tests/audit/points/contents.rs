@@ -106,6 +106,21 @@ fn encoding(word: &str) -> Fixed {
     Fixed { encoding: Encoding::find(word), ..Fixed::default() }
 }
 
+/// Floats of 11, 11 and 10 bits: what the last of them holds is coarser.
+#[test]
+fn small_floats_leave_what_their_bits_cannot_hold() {
+    let held = |bits: u32, x: f64| {
+        let unit = 1_u32 << (10 - bits);
+        let half = u32::from(half::f16::from_f64(x).to_bits());
+        half::f16::from_bits(((half + unit / 2) / unit * unit) as u16).to_f64()
+    };
+    let channels: [Filled; 3] =
+        [("R", &|x, y| held(6, a(x, y))), ("G", &|x, y| held(6, b(x, y))), ("B", &|x, y| held(5, e(x, y)))];
+    let found = reflection_of(&AuditedTable { step: Step::Small(6), ..table(&channels) });
+    let left = |bits: u32| format!("what rounding to floats of {bits} bits of mantissa leaves");
+    says(&found.verdict(None), "PASS", &["A, B and E", &left(6), &left(5)]);
+}
+
 /// RGBE as four channels of eight bits.
 #[test]
 fn point_05_rgbe_in_a_picture_of_four_channels_is_found() {
