@@ -3,7 +3,9 @@
 use super::axis::{AxisReading, Input};
 use super::column::Column;
 use super::convention::{Fixed, Misfit};
-use super::errors::{rms, spread};
+use super::defects::SEEN;
+use super::errors::{median, rms, spread};
+use super::first_line::{FirstLine, STANDS_OUT, USUAL, found, largest_of, stand_out};
 use super::judge::{judge, rejudge};
 use super::sample::{Candidate, Fitted, Sample};
 use super::truth::Truth;
@@ -64,12 +66,19 @@ pub(super) fn with_floors(
         at = search.along(at, *axis)?;
     }
     // What was looked for along one axis was so beside the clamp of the other as it was then.
-    if at.axes != candidate.axes && axes.len() > 1 {
+    for _ in 0..AGAIN {
+        if at.axes == candidate.axes || axes.len() < 2 {
+            break;
+        }
+        let before = at.axes.clone();
         for axis in &axes {
             at = search.along(search.without(at, *axis)?, *axis)?;
         }
+        if at.axes == before {
+            break;
+        }
     }
-    Ok(at)
+    axes.iter().chain(&iors).try_fold(at, |at, axis| search.rounded(at, *axis))
 }
 
 /// A search for the clamps of a reading.
@@ -108,8 +117,11 @@ impl Search<'_> {
         let clamps = |floor: &&(usize, f64)| nodes(floor.0).into_iter().any(|node| node < floor.1);
         let floors: Vec<(usize, f64)> = floors.iter().filter(clamps).copied().collect();
         let differ = |(axis, floor): &(usize, f64)| self.lines.differ(*axis, &self.bare.axes[*axis], *floor);
-        let is_below = |(axis, floor): &(usize, f64)| *floor < self.copied[*axis];
-        if floors.is_empty() || floors.iter().any(|floor| differ(floor) || is_below(floor)) {
+        let is_beyond = |(axis, floor): &(usize, f64)| {
+            let reading = &self.bare.axes[*axis];
+            *floor < self.copied[*axis] || *floor > self.lines.next(*axis, reading) * (1.0 + SAME)
+        };
+        if floors.is_empty() || floors.iter().any(|floor| differ(floor) || is_beyond(floor)) {
             return Ok(None);
         }
         let mut clamped = at.clone();
@@ -153,14 +165,86 @@ impl Search<'_> {
         (0..size - 1).any(|k| is_at(k) && !is_meant(k))
     }
 
+    /// The clamp of an axis that shows in its first line alone, which is off by far more than others: where it
+    /// leaves the line no farther off than those, or next to nothing of what it was off, as of one near to the
+    /// clamp it must. A line may be off for other reasons, of which no clamp leaves so little.
+    fn alone(&self, at: &Candidate, axis: usize) -> Result<Option<f64>, AuditError> {
+        let reading = &self.bare.axes[axis];
+        let (lines, nodes) =
+            (self.lines.below(axis, reading, f64::INFINITY), self.sample.nodes(axis, reading));
+        if lines.len() < 2 || !self.lines.held(axis, reading).is_empty() {
+            return Ok(None);
+        }
+        // Where it crosses the first lines of another axis it is off by the clamp of that.
+        let line = |is_whole: bool| {
+            let kept = |(k, n): (usize, &usize)| -> Vec<usize> {
+                let first = self.lines.same(k, &self.bare.axes[k]);
+                let is_kept = |place: &usize| {
+                    if k == axis { first.contains(place) } else { is_whole || !first.contains(place) }
+                };
+                (0..*n).filter(is_kept).collect()
+            };
+            let line = self.sample.only(&self.sample.dims().iter().enumerate().map(kept).collect::<Vec<_>>());
+            FirstLine { truth: self.truth, at, axis, line }
+        };
+        let [most, whole] = [false, true].map(line);
+        let usual = self.lines.usual(&at.fitted.columns);
+        let before = most.errors(reading.floor)?;
+        if !stand_out(&before, &usual, STANDS_OUT) {
+            return Ok(None);
+        }
+        let floor = found([&most, &whole], [nodes[lines[0]], nodes[lines[1]]])?;
+        let left = most.errors(floor)?;
+        let is_near = self.lines.is_near(axis, reading, [self.least(axis), floor]);
+        let [most, was] = [&left, &before].map(|errors| largest_of(errors));
+        let explains =
+            most < MENDED * was || !is_near && most < NEARLY * was && !stand_out(&left, &usual, USUAL);
+        // A line that comes out far nearer to its truth than others are follows it by chance.
+        let by_chance = left
+            .iter()
+            .zip(&usual)
+            .any(|(own, usual)| *usual > SEEN && rms(own.iter().copied()) * STANDS_OUT < *usual);
+        let explains = explains && !by_chance;
+        Ok(explains.then_some(floor))
+    }
+
     /// A reading with the clamp of an axis that fits best.
     fn along(&self, mut at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
-        let seen = self.lines.held(axis, &self.bare.axes[axis]);
         for floor in FLOORS.map(|floor| self.least(axis) + floor) {
             at = self.taken(at, &[(axis, floor)])?;
         }
-        // Of those between two lines that explain something the nearest is taken, and looked about.
-        let (mut width, mut nearest) = (seen.get(1).map_or(0.0, |next| next - seen[0]), None);
+        self.between(at, axis)
+    }
+
+    /// A reading with a clamp of the list in place of one that is near to it, where that is hardly worse: a clamp
+    /// is a round number.
+    fn rounded(&self, at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
+        let floor = at.axes[axis].floor;
+        let listed = FLOORS.map(|listed| self.least(axis) + listed);
+        let near =
+            listed.into_iter().find(|listed| *listed != floor && (listed - floor).abs() < ROUND * floor);
+        let raised = near.map(|near| self.raised(&at, &[(axis, near)])).transpose()?.flatten();
+        let is_as_good = |t: &Candidate| WORTH * t.fitted.rank <= at.fitted.rank;
+        Ok(raised.map(|(raised, _)| raised).filter(is_as_good).unwrap_or(at))
+    }
+
+    /// A reading with the clamp of an axis that its first lines, or the first alone, show between two lines.
+    fn between(&self, mut at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
+        let seen = self.lines.held(axis, &self.bare.axes[axis]);
+        if let Some(floor) = self.alone(&at, axis)? {
+            // What is noise makes one number as good as another.
+            let share = if at.axes[axis].floor > self.bare.axes[axis].floor { WORTH } else { 1.0 };
+            let is_better =
+                |t: &Candidate| t.fitted.rank < share * at.fitted.rank && t.fitted.texels >= at.fitted.texels;
+            let raised = self.raised(&at, &[(axis, floor)])?.map(|(raised, _)| raised);
+            return Ok(raised.filter(is_better).unwrap_or(at));
+        }
+        // Of those between two lines that explain something the nearest is taken, and looked about, and so is
+        // one of the list.
+        let mut width = seen.get(1).map_or(0.0, |next| next - seen[0]);
+        let is_between =
+            |floor: &f64| seen.first().is_some_and(|last| (*last..last + 8.0 * width).contains(floor));
+        let mut nearest = Some(at.axes[axis].floor).filter(is_between);
         let raised = |at: &Candidate, floor: f64| -> Result<Option<Candidate>, AuditError> {
             Ok(self.raised(at, &[(axis, floor)])?.filter(|(_, near)| !near).map(|(raised, _)| raised))
         };
@@ -212,6 +296,15 @@ impl<'a> Clampable<'a> {
         Ok(Clampable { sample, truth: columns.map(of).collect() })
     }
 
+    /// Median magnitude of the errors of every channel that is judged.
+    fn usual(&self, columns: &[Option<Column>]) -> Vec<f64> {
+        let channels = columns.iter().zip(self.truth.iter().zip(&self.sample.values));
+        let of = |(truth, own): (&Vec<f64>, &Vec<f64>)| {
+            median(truth.iter().zip(own).map(|(truth, own)| (own - truth).abs()).collect())
+        };
+        channels.filter(|(column, _)| column.is_some()).map(|(_, channel)| of(channel)).collect()
+    }
+
     /// Which texels hold the largest value of a channel, as others do that lie on no line which is the same
     /// as the one before it, and have a truth beyond it; none of those that are left out already.
     fn clipped(&self) -> Vec<bool> {
@@ -260,12 +353,28 @@ impl<'a> Clampable<'a> {
         lines.len() > 1 && rms_of(&self.sample.values) > SAME.max(ALIKE * rms_of(&self.truth))
     }
 
+    /// Places along an axis of the first line, and of those after it that are the same.
+    fn same(&self, axis: usize, reading: &AxisReading) -> Vec<usize> {
+        let all = self.below(axis, reading, f64::INFINITY);
+        match self.held(axis, reading).first() {
+            Some(last) => self.below(axis, reading, last * (1.0 + SAME)),
+            None => all.into_iter().take(1).collect(),
+        }
+    }
+
+    /// The input at the line after the first ones that are the same, which a clamp beyond it would make one with
+    /// them; infinite where there are none.
+    fn next(&self, axis: usize, reading: &AxisReading) -> f64 {
+        let (same, all) = (self.same(axis, reading).len(), self.below(axis, reading, f64::INFINITY));
+        let next = all.get(same).filter(|_| same > 1);
+        next.map_or(f64::INFINITY, |line| self.sample.nodes(axis, reading)[*line])
+    }
+
     /// The input at the last of the first lines that are the same, though their truths differ by more than
     /// formats do; 0 where there are none.
     fn copied(&self, axis: usize, reading: &AxisReading) -> f64 {
         let nodes = self.sample.nodes(axis, reading);
-        let last = self.held(axis, reading).first().copied().unwrap_or(0.0);
-        let same = self.below(axis, reading, last * (1.0 + SAME));
+        let same = self.same(axis, reading);
         let largest: Norm = |all| all.fold(0.0, |most, difference| most.max(difference.abs()));
         let is_plain = same.len() < 2 || self.difference(&self.truth, axis, &same, largest) < APART;
         if is_plain { 0.0 } else { same.iter().map(|k| nodes[*k]).fold(0.0, f64::max) }
@@ -296,6 +405,13 @@ fn is_round(x: f64) -> bool {
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(f64::NAN);
     (x - rounded).abs() <= SAME * x
 }
+
+/// Times that the clamps of two axes are looked for again beside each other.
+const AGAIN: usize = 3;
+
+/// A clamp of the list is taken for one that is within this share of it, and leaves this share of its rank.
+const ROUND: f64 = 0.01;
+const WORTH: f64 = 0.8;
 
 /// Share of a clamp to which it is looked for between two lines.
 const NARROW: f64 = 1e-4;

@@ -24,6 +24,7 @@ mod enlarged;
 mod error;
 mod errors;
 mod extent;
+mod first_line;
 mod found;
 mod function;
 mod judge;

@@ -74,6 +74,20 @@ impl Sample {
         (places.collect(), offsets(&kept, &strides(&dims)))
     }
 
+    /// Some of its places along every axis.
+    pub(super) fn only(&self, kept: &[Vec<usize>]) -> Sample {
+        let offsets = offsets(kept, &strides(&self.dims()));
+        let places = kept.iter().zip(&self.at).map(|(kept, at)| kept.iter().map(|k| at[*k]).collect());
+        let values = self.values.iter().map(|list| offsets.iter().map(|i| list[*i]).collect());
+        let left_out = if self.left_out.is_empty() { &[][..] } else { &offsets[..] };
+        Sample {
+            at: places.collect(),
+            values: values.collect(),
+            left_out: left_out.iter().map(|i| self.left_out[*i]).collect(),
+            ..self.clone()
+        }
+    }
+
     /// Which lines along every axis are the same in all of some channels as the one before, but for this
     /// share of their values.
     pub(super) fn repeated(&self, channels: &[impl AsRef<[f64]>], share: f64) -> Vec<Vec<bool>> {
@@ -325,6 +339,7 @@ pub(super) fn fit_columns(
         let place = columns.iter().position(|c| *c == column)?;
         Some(truths[place].get_or_init(made))
     };
+    let told = |k: usize| fixed.told.get(k).copied().flatten();
     let best = |k: usize, channel: &Vec<f64>| {
         let own: Vec<f64> = texels.iter().map(|i| channel[*i]).collect();
         // The first of the columns that fit best; those of which two sums tell that they do not are
@@ -339,7 +354,6 @@ pub(super) fn fit_columns(
                     continue;
                 }
                 let found = Misfit::of(&errors.collect::<Vec<f64>>());
-    let told = |k: usize| fixed.told.get(k).copied().flatten();
                 if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
                     best = Some((*column, found));
                 }

@@ -131,3 +131,45 @@ fn clamps_at_round_numbers_are_clamps() {
     let found = reflection_of(&plane([11; 2], &[("R", &value)]));
     says(&found.verdict(None), "PASS", &["alpha clamped to 0.01."]);
 }
+
+/// A clamp that shows in the first line alone was known at round numbers only: any other was of other code.
+#[test]
+fn clamps_of_one_line_are_found_at_any_number() {
+    const SIDE: usize = 24;
+    let (end, centre) = (|i: usize| i as f64 / 23.0, |i: usize| (i as f64 + 0.5) / 24.0);
+    type Place<'a> = &'a dyn Fn(usize) -> f64;
+    let clamped = |place: Place, [least_alpha, least_mu]: [f64; 2]| {
+        let of = |x: usize, y: usize| {
+            let roughness = place(y);
+            both(Smith::Correlated, (roughness * roughness).max(least_alpha), place(x).max(least_mu))
+        };
+        plane([SIDE; 2], &[("R", &|x, y| of(x, y).0 - of(x, y).1), ("G", &|x, y| of(x, y).1)])
+    };
+    for (place, clamps) in [
+        (&end as Place, [0.0, 0.0134]),
+        (&end, [0.0, 0.0041]),
+        (&end, [0.0009, 0.0134]),
+        (&centre, [0.0, 0.0337]),
+        (&centre, [0.0011, 0.0337]),
+    ] {
+        let found = reflection_of(&clamped(place, clamps));
+        says(&found.verdict(None), "PASS", &[]);
+        let floors: Vec<f64> = found.best().axes.iter().map(|axis| axis.floor).collect();
+        let [alpha, mu] = clamps;
+        let off = [floors[0] - mu, floors[1] - alpha].map(f64::abs);
+        assert!(off[0] < 1e-4 * mu && off[1] <= 1e-2 * alpha && found.worst() < 1e-5, "{floors:?}");
+    }
+    // What else is off in one line is no clamp.
+    let whole = clamped(&centre, [0.0; 2]);
+    for share in [0.97, 1.02] {
+        let mut damaged = whole.clone();
+        for channel in &mut damaged.channels {
+            let values =
+                channel.values.iter().enumerate().map(|(i, v)| if i % SIDE == 0 { share * v } else { *v });
+            channel.values = values.collect::<Vec<_>>().into();
+        }
+        let found = reflection_of(&damaged);
+        says(&found.verdict(None), "FAIL", &["at x = 0"]);
+        assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
+    }
+}
