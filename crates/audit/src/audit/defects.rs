@@ -59,6 +59,17 @@ pub enum Defect {
     OtherLobe(TwoLobes),
     /// It is a smaller table made larger.
     Enlarged(Enlarged),
+    /// All values are so many times what they should be.
+    Factor {
+        /// So many times.
+        factor: f64,
+        /// What they should be.
+        column: Column,
+        /// By this they are off at most.
+        most: f64,
+        /// At this texel.
+        texel: Vec<usize>,
+    },
     /// All values are too high or too low.
     Bias {
         /// Mean error.
@@ -144,7 +155,7 @@ pub(super) struct Grain {
 
 impl Grain {
     /// What rounding to the format may have done to a value.
-    fn rounding(self, x: f64) -> f64 {
+    pub(super) fn rounding(self, x: f64) -> f64 {
         self.scale * self.step.rounding(x / self.scale)
     }
 
@@ -166,10 +177,17 @@ const ROUNDED: f64 = 1.5;
 /// Second differences of errors that are rounded show up to this many times the root mean square of rounding.
 const NOISE_OF_ROUNDING: f64 = 1.2;
 
-/// Defects of a channel; `alpha` of a texel where the table has such an axis.
-pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
+/// Defects of a channel, which may have a constant factor; `alpha` of a texel where the table has such an axis.
+pub(super) fn defects(
+    r: &Residuals,
+    grain: Grain,
+    factor: Option<Defect>,
+    alpha: impl Fn(&[usize]) -> Option<f64>,
+) -> Vec<Defect> {
     let step = grain.step;
-    let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, grain, alpha)).collect();
+    let is_scaled = factor.is_some();
+    let other = || clamped(r).into_iter().chain(missing_loss(r, grain, alpha));
+    let mut found: Vec<Defect> = factor.map_or_else(|| other().collect(), |factor| vec![factor]);
     if found.is_empty() {
         let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
         found.extend(
@@ -198,7 +216,7 @@ pub(super) fn defects(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> O
         let left = r.judged.iter().map(|i| grain.leaves(r, *i)).fold(0.0, f64::max);
         found.push(Defect::Sampled { samples, left, texels: [over, r.judged.len()] });
     }
-    found.extend(bias(r, rms).filter(|_| !apart));
+    found.extend(bias(r, rms).filter(|_| !apart && !is_scaled));
     found
 }
 
@@ -437,6 +455,11 @@ pub(super) fn stored(step: Step, values: &[f64]) -> Step {
         values.iter().any(|v| *v != values[0])
             && values.iter().all(|v| (v * most - (v * most).round()).abs() <= most * 0.51 / 255.0)
     };
+    if let Step::Small(bits @ 6..=10) = step {
+        // Of a word of 32 bits the last float has a bit less.
+        let ends = |v: &f64| half::f16::from_f64(*v).to_bits().is_multiple_of(1 << (11 - bits));
+        return if values.iter().all(ends) { Step::Small(bits - 1) } else { step };
+    }
     if step != Step::None || values.len() < 16 {
         let coarse = FEW_BITS.iter().find(|bits| step == Step::Unorm(8) && values.len() >= 16 && few(bits));
         return coarse.map_or(step, |bits| Step::Unorm(*bits));
@@ -455,11 +478,6 @@ pub(super) fn stored(step: Step, values: &[f64]) -> Step {
         (Step::Decimals(5), Some(1e5)),
         (Step::Decimals(6), Some(1e6)),
     ];
-    if let Step::Small(bits @ 6..=10) = step {
-        // Of a word of 32 bits the last float has a bit less.
-        let ends = |v: &f64| half::f16::from_f64(*v).to_bits().is_multiple_of(1 << (11 - bits));
-        return if values.iter().all(ends) { Step::Small(bits - 1) } else { step };
-    }
     let holds = |v: f64, n| match n {
         Some(n) => is_multiple(v, n),
         None => half::f16::from_f64(v).to_f64() == v,

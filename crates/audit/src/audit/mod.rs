@@ -24,6 +24,7 @@ mod enlarged;
 mod error;
 mod errors;
 mod extent;
+mod factor;
 mod first_line;
 mod found;
 mod function;
@@ -177,6 +178,13 @@ pub fn audit(
             return encoding.beside(read, &case, quantity);
         }
     }
+    // Of no factor of all channels a channel may have one of its own.
+    for channel in done.channels.iter_mut().filter(|c| c.fit == Fit::None) {
+        let is_scaled = channel.defects.iter().any(|d| matches!(d, Defect::Factor { .. }));
+        channel.fit = if is_scaled { Fit::Whole } else { Fit::None };
+    }
+    let judged = done.channels.iter().filter(|c| c.column.is_some());
+    done.fit = judged.map(|c| c.fit).fold(Fit::Whole, Fit::max);
     let uneven = |m: &Misfit| m.rms > UNEVEN * m.trimmed;
     let uneven = off > CLOSE && found[0].fitted.misfits.iter().flatten().any(uneven);
     let odd = uneven || done.fit != Fit::Whole || done.channels.iter().any(part);
@@ -324,6 +332,7 @@ fn finish(
     };
     let sum = energy::Sum::of(&sample, &convention, live);
     let enlarged = Enlarged::of(table, live);
+    let mut factors = factor::of_some(case, (&sample, &judgement), &convention);
     let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -346,7 +355,7 @@ fn finish(
             (Source::Table, None) if enlarged.is_some() => {
                 enlarged.iter().cloned().map(Defect::Enlarged).collect()
             }
-            (Source::Table, None) => defects::defects(&residuals, grain, alpha),
+            (Source::Table, None) => defects::defects(&residuals, grain, factors[k].take(), alpha),
             (Source::Function, None) => defects::of_function(&residuals),
         };
         let mut defects = defects::dead(table, &channel.values).chain(defects).collect::<Vec<_>>();

@@ -112,6 +112,7 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::Optimised { .. } => "optimised",
         Defect::Gain { .. } => "gain",
         Defect::Dead { .. } => "dead",
+        Defect::Factor { .. } => "factor",
         Defect::Bias { .. } => "bias",
         Defect::Clamped { .. } => "clamped",
         Defect::Noise { .. } => "noise",

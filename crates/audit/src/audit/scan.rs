@@ -78,7 +78,8 @@ impl Found {
         let part = part.filter(|_| !is_explained);
         let stands_out = part.is_some();
         if let Some(part) = part {
-            let is_of_all = |d: &Defect| matches!(d, Defect::Steps { .. } | Defect::Bias { .. });
+            let is_of_all =
+                |d: &Defect| matches!(d, Defect::Steps { .. } | Defect::Bias { .. } | Defect::Factor { .. });
             channel.defects.retain(|d| !is_single(d) && !is_of_all(d));
             channel.defects.push(part);
         }

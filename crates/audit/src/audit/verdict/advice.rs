@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::defect::{LINES, extent};
 use super::drop_in::drop_in;
 use super::points::{LIKELY, SAME, is_loose};
-use super::words::{excluded, listed, readings_differ};
+use super::words::{excluded, listed, long, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::convention::NAMES;
 use crate::audit::enlarged::Enlarged;
@@ -42,13 +42,17 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     }
     let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     steps.extend(audit.plain.iter().flat_map(|plain| readings(audit, plain)));
-    let defects = audit.channels.iter().flat_map(|c| &c.defects);
+    // What is too much by a factor is mended with it.
+    let is_scaled =
+        audit.channels.iter().flat_map(|c| &c.defects).any(|d| matches!(d, Defect::Factor { .. }));
+    let is_gain = |d: &Defect| is_scaled && matches!(d, Defect::Gain { .. });
+    let defects = audit.channels.iter().flat_map(|c| &c.defects).filter(|d| !is_gain(d));
     steps.extend(defects.filter_map(|d| mending(d, &audit.axes, audit.source)));
     steps.extend(audit.plain.as_ref().and_then(|plain| unassumed(audit, plain, limit)));
     let mut said = BTreeSet::new();
     steps.retain(|step| said.insert(step.clone()));
     let is_poor = |d: &Defect| matches!(d, Defect::Gain { .. } | Defect::MissingLoss { .. });
-    let is_poor = audit.channels.iter().flat_map(|c| &c.defects).any(is_poor);
+    let is_poor = !is_scaled && audit.channels.iter().flat_map(|c| &c.defects).any(is_poor);
     steps.extend(drop_in(audit).filter(|_| is_poor && audit.source == Source::Table));
     steps
 }
@@ -126,6 +130,9 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
             return Some(format!(
                 "store the {from} texels that it was made from, or make it at its own size"
             ));
+        }
+        Defect::Factor { factor, column, .. } => {
+            return Some(format!("divide {} by {}", column.name(), long(*factor)));
         }
         Defect::Clamped { .. } if source == Source::Function => {
             "the function saturates there: let it go on beyond that value, or clamp what becomes of it"

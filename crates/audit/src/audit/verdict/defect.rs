@@ -45,6 +45,9 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
         Defect::Enlarged(from) => {
             format!("It is a table of {from}, and holds no more than that.")
         }
+        Defect::Factor { factor, column, .. } => {
+            format!("All of its values are {} times those of {}.", long(*factor), column.name())
+        }
         Defect::Bias { mean } => {
             format!(
                 "The error is mostly a bias: values are {} {} on average.",

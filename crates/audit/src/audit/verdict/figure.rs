@@ -242,6 +242,15 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
             let found = format!(" stands at {held}{of} where the truth goes on to {there}");
             (Kind::Damage, (truth - value).abs(), texel, found)
         }
+        Defect::Factor { factor, column: own, most, texel } => {
+            let (times, max) = (long(*factor), number(*most));
+            (
+                Kind::Damage,
+                *most,
+                texel,
+                format!(" has {times} times {}: off by at most {max}{of}", own.name()),
+            )
+        }
         Defect::MissingLoss { worst: [held, truth], texel, .. } => {
             let (stored, loss) = (number(*held), number(*truth));
             let found = format!(" holds {stored} of a loss of {loss} at texel {texel:?}");

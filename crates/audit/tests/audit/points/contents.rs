@@ -289,11 +289,25 @@ fn a_channel_of_nothing_is_no_pass() {
     says(&left_out.verdict(None), "PASS", &["ggx-reflection B"]);
 }
 
-/// One channel of two with a factor of its own: there is none to divide both by.
+/// One channel of two with a factor of its own: it is named, and none that divides both.
 #[test]
 fn a_factor_of_one_channel_is_none_of_the_table() {
-    let found = reflection_of(&table(&[("R", &|x, y| 0.95 * a(x, y)), ("G", &b)]));
-    assert!(!found.verdict(None).to_string().contains("divide"), "{}", found.verdict(None));
+    for (factor, of_b) in [(0.95, false), (0.995, false), (0.995, true), (1.02, true)] {
+        let [own, other] = if of_b { [1.0, factor] } else { [factor, 1.0] };
+        let found = reflection_of(&table(&[("R", &|x, y| own * a(x, y)), ("G", &|x, y| other * b(x, y))]));
+        let name = if of_b { "B" } else { "A" };
+        let words = [
+            format!("All of its values are {factor} times those of {name}."),
+            format!("Remedy: divide {name} by {factor}"),
+            format!(" has {factor} times {name}: "),
+        ];
+        let verdict = found.verdict(None);
+        says(&verdict, "FAIL", &words.each_ref().map(String::as_str));
+        assert_eq!((columns(&found), verdict.remedy.len()), (vec![Some(Column::A), Some(Column::B)], 1));
+    }
+    // Rounding leaves more than a factor that is near to 1.
+    let stored = table(&[("R", &|x, y| eight(0.9995 * a(x, y))), ("G", &|x, y| eight(b(x, y)))]);
+    says(&reflection_of(&AuditedTable { step: Step::Unorm(8), ..stored }).verdict(None), "PASS", &[]);
 }
 
 /// 1 - E where E is asked for is said to be that.
