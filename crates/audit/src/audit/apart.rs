@@ -1,13 +1,14 @@
 //! Channels one by one: a file may hold several quantities, and a channel that is foreign to the
 //! one that is asked for does not condemn the others.
 
+use super::axis::AxisReading;
 use super::best::{Best, Case, best, promising};
 use super::column::Column;
 use super::encoded::follows;
 use super::found::{Audit, ChannelAudit, Fit, Other};
 use super::screen::Sieved;
-use super::table::{AuditedTable, Source};
-use super::truth::spec;
+use super::table::{AuditedTable, Source, flat, place};
+use super::truth::{Spec, averaged, spec};
 use super::{AuditError, FITS, Fixed};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
@@ -54,7 +55,9 @@ pub(super) fn with_others(
         return Ok(done);
     }
     for k in live.iter().filter(|k| !own.contains(k)) {
-        let other = quantity_of(&found, &Case { table: &alone(table, *k), live: &[0], ..*case })?;
+        let axes: Vec<AxisReading> = found.best().axes.clone();
+        let (own, axes) = alone(table, *k, &axes);
+        let other = quantity_of(found.quantity, &axes, &Case { table: &own, live: &[0], ..*case })?;
         let channel = &mut found.channels[*k];
         let other = other.map_or(Other::Unknown, |audit| Other::Quantity(Box::new(audit)));
         *channel = ChannelAudit { other: Some(other), ..channel.clone() };
@@ -73,15 +76,35 @@ pub(super) fn following(case: &Case, quantity: &dyn Quantity) -> Result<Vec<usiz
     Ok(own)
 }
 
-/// The table of one channel.
-fn alone(table: &AuditedTable, channel: usize) -> AuditedTable {
-    let channels = vec![table.channels[channel].clone()];
-    AuditedTable { channels, what: format!("channel {}", table.channels[channel].name), ..table.clone() }
+/// The table of one channel, and how its axes are read: without those along which it is the same, as an average
+/// over the cosine is that stands beside what it is of.
+fn alone(table: &AuditedTable, channel: usize, axes: &[AxisReading]) -> (AuditedTable, Vec<AxisReading>) {
+    let own = &table.channels[channel];
+    let places = |i: usize| place(i, &table.size);
+    let first_along = |axis: usize, i: usize| {
+        let mut at = places(i);
+        at[axis] = 0;
+        flat(&at, &table.size)
+    };
+    let varies =
+        |axis: &usize| (0..own.values.len()).any(|i| own.values[i] != own.values[first_along(*axis, i)]);
+    let kept: Vec<usize> = (0..axes.len()).filter(varies).collect();
+    let is_kept = |i: &usize| places(*i).iter().enumerate().all(|(axis, k)| *k == 0 || kept.contains(&axis));
+    let values: Vec<f64> = (0..own.values.len()).filter(is_kept).map(|i| own.values[i]).collect();
+    let of = |axis: &usize| table.dead.get(*axis).cloned().unwrap_or_default();
+    let alone = AuditedTable {
+        channels: vec![Channel { name: own.name.clone(), values: values.into() }],
+        what: format!("channel {}", own.name),
+        size: kept.iter().map(|axis| table.size[*axis]).collect(),
+        axes: kept.iter().map(|axis| table.axes[*axis].clone()).collect(),
+        dead: kept.iter().map(of).collect(),
+        ..table.clone()
+    };
+    (alone, kept.iter().map(|axis| axes[*axis]).collect())
 }
 
-/// The other quantity that a channel is of, with the axes of those beside it.
-fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditError> {
-    let axes = &beside.best().axes;
+/// The other quantity that a channel is of, or the average of the same, with the axes of those beside it.
+fn quantity_of(beside: &str, axes: &[AxisReading], channel: &Case) -> Result<Option<Audit>, AuditError> {
     let fixed = Fixed {
         axes: Some(axes.iter().map(|a| (a.scale, a.reversed)).collect()),
         registrations: Some(axes.iter().map(|a| a.registration).collect()),
@@ -91,10 +114,15 @@ fn quantity_of(beside: &Audit, channel: &Case) -> Result<Option<Audit>, AuditErr
     inputs.sort();
     let case = Case { fixed: &fixed, ..*channel };
     let mut found: Vec<Best> = Vec::new();
-    for quantity in QUANTITIES.into_iter().filter(|q| q.name() != beside.quantity) {
-        let mut own = spec(quantity).map_or(Vec::new(), |spec| spec.inputs.to_vec());
+    let sorted = |spec: Spec| {
+        let mut own = spec.inputs.to_vec();
         own.sort();
-        if own != inputs || promising(&case, quantity)?.is_empty() {
+        own
+    };
+    for quantity in QUANTITIES {
+        let other = spec(quantity).filter(|_| quantity.name() != beside);
+        let is_of = other.into_iter().chain(averaged(quantity)).any(|spec| sorted(spec) == inputs);
+        if !is_of || promising(&case, quantity)?.is_empty() {
             continue;
         }
         found.extend(best(&case, quantity)?);

@@ -8,7 +8,7 @@ use lobefit_audit::audit::{
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
-use lobefit_truth::quantity::{SCHLICK_SMITH, sheen};
+use lobefit_truth::quantity::{self, Quantity, SCHLICK_SMITH, Variant, sheen};
 
 use super::{N, a, at, b, e, table};
 use crate::common::{lobefit, stderr};
@@ -308,6 +308,24 @@ fn a_factor_of_one_channel_is_none_of_the_table() {
     // Rounding leaves more than a factor that is near to 1.
     let stored = table(&[("R", &|x, y| eight(0.9995 * a(x, y))), ("G", &|x, y| eight(b(x, y)))]);
     says(&reflection_of(&AuditedTable { step: Step::Unorm(8), ..stored }).verdict(None), "PASS", &[]);
+}
+
+/// E beside its average over the cosine, the same in every column, "follows nothing that is known".
+#[test]
+fn an_average_beside_what_it_is_of_is_one() {
+    let average = quantity::find("ggx-average").unwrap();
+    let variant = Variant { smith: Some(Smith::Correlated), ..Variant::default() };
+    let rows: Vec<f64> = (0..N).map(|y| average.at(&variant, &[at(y) * at(y)], 1e-7).unwrap()[0]).collect();
+    let found = reflection_of(&table(&[("R", &e), ("G", &|_, y| rows[y])]));
+    let Some(Other::Quantity(other)) = &found.channels[1].other else {
+        panic!("{:?}", found.channels[1].other)
+    };
+    assert_eq!((other.quantity, columns(other)), ("ggx-average", vec![Some(Column::Average)]));
+    says(
+        &found.verdict(None),
+        "PASS",
+        &["ggx-reflection E: ", "Channel G is of another quantity: ggx-average E_avg"],
+    );
 }
 
 /// 1 - E where E is asked for is said to be that.
