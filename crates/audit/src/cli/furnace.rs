@@ -100,7 +100,6 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     // A folder that cannot be written is an error before the work.
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
-    progress.stage("the white furnace");
     let asked = Asked {
         roles: options.role.clone(),
         set: options.source.set.clone(),
@@ -108,7 +107,8 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         cosine: options.cosine.map(|c| matches!(c, CosineOption::Included)),
         tolerance: options.limit.iter().chain(&options.max_loss).fold(TOLERANCE, |all, x| all.min(x / 4.0)),
     };
-    let found = options.threads.install(|| Ok(furnace::furnace(&function, &asked)?))?;
+    let told = |stage: &str| progress.stage(stage);
+    let found = options.threads.install(|| Ok(furnace::furnace(&function, &asked, &told)?))?;
     drop(progress);
     let name = options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned());
     let allowance = Allowance { limit: options.limit, loss: options.max_loss, one_way: options.one_way };

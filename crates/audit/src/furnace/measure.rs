@@ -177,11 +177,16 @@ pub fn unfit(function: &ShaderFunction, asked: &Asked) -> Option<AuditError> {
     roles(function, &asked.roles, &asked.set).err()
 }
 
-/// A BRDF in the furnace.
+/// A BRDF in the furnace. `progress` hears of the stages.
 ///
 /// # Errors
 /// Arguments whose role is not known; what cannot be run, with its place.
-pub fn furnace(function: &ShaderFunction, asked: &Asked) -> Result<Furnace, AuditError> {
+pub fn furnace(
+    function: &ShaderFunction,
+    asked: &Asked,
+    progress: &dyn Fn(&str),
+) -> Result<Furnace, AuditError> {
+    progress("whether it holds the cosine of the light");
     let roles = roles(function, &asked.roles, &asked.set)?;
     let arguments = roles.named.clone();
     let all: Vec<usize> = (0..function.results.len()).collect();
@@ -191,12 +196,18 @@ pub fn furnace(function: &ShaderFunction, asked: &Asked) -> Result<Furnace, Audi
     brdf.look(&rough, asked.cosine)?;
     let mut cells = Vec::new();
     for r in &rough {
+        progress(&match brdf.has_roughness() {
+            true => format!("the white furnace at roughness {r}"),
+            false => "the white furnace".to_string(),
+        });
         for mu in VIEWS {
             cells.push(brdf.cell(*r, mu, asked.tolerance)?);
         }
     }
+    progress("the largest and the least energy");
     let most = brdf.extreme(&cells, &rough, 1.0, asked.tolerance)?;
     let least = brdf.extreme(&cells, &rough, -1.0, asked.tolerance)?;
+    progress("reciprocity");
     let mut reciprocity = brdf.reciprocity(&rough)?;
     if brdf.darken() {
         let dark = brdf.reciprocity(&rough)?;

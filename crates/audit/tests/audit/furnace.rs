@@ -1,6 +1,8 @@
 //! Whole BRDFs in a white furnace: what their energy is by other means, what gains energy, what is
 //! not reciprocal.
 
+use std::sync::Mutex;
+
 use lobefit::data::Smith;
 use lobefit_audit::audit::Grade;
 use lobefit_audit::foreign::{ShaderFunction, Surroundings, read_functions};
@@ -18,7 +20,7 @@ fn within(limit: Option<f64>) -> Allowance {
 
 fn measured(text: &str, file: &str, name: &str, roughness: &[f64]) -> Furnace {
     let asked = Asked { roughness: roughness.to_vec(), tolerance: 1e-3, ..Asked::default() };
-    furnace(&read(text, file, name), &asked).unwrap_or_else(|e| panic!("{e}"))
+    furnace(&read(text, file, name), &asked, &|_| ()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Correlated GGX of Walter et al. 2007 and Heitz 2014, F = 1.
@@ -155,9 +157,21 @@ fn a_lobe_that_prefers_a_direction_is_found() {
         verdict.line
     );
     let asked = Asked { cosine: Some(false), roughness: vec![0.5], tolerance: 1e-3, ..Asked::default() };
-    let stated = furnace(&read(hlsl, "f.hlsl", "f"), &asked).unwrap_or_else(|e| panic!("{e}"));
+    let stated = furnace(&read(hlsl, "f.hlsl", "f"), &asked, &|_| ()).unwrap_or_else(|e| panic!("{e}"));
     let verdict = judgement("f", &stated, one_way);
     assert!(verdict.grade == Grade::Pass && verdict.line.contains("gains no energy"), "{}", verdict.line);
+}
+
+/// Every roughness is a stage of its own.
+#[test]
+fn the_stages_are_told() {
+    let stages = Mutex::new(Vec::new());
+    let told = |stage: &str| stages.lock().unwrap().push(stage.to_string());
+    let asked = Asked { roughness: vec![0.5, 1.0], tolerance: 0.1, ..Asked::default() };
+    furnace(&read(GGX, "f.wgsl", "ggx"), &asked, &told).unwrap();
+    let energies = ["the white furnace at roughness 0.5", "the white furnace at roughness 1"];
+    let all = stages.into_inner().unwrap();
+    assert!(all.len() == 5 && energies.iter().all(|stage| all.contains(&(*stage).to_string())), "{all:?}");
 }
 
 #[test]
@@ -167,7 +181,7 @@ fn arguments_are_known_by_name_or_said() {
         float nan(vec3 l, vec3 v) { return sqrt(l.z * v.z - 0.2); }";
     let function = read(text, "f.glsl", "f");
     let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
-    let refused = |asked: &Asked| furnace(&function, asked).unwrap_err().to_string();
+    let refused = |asked: &Asked| furnace(&function, asked, &|_| ()).unwrap_err().to_string();
     let message = refused(&asked);
     assert!(
         message.contains("what m.metallic, a.z is given is not known") && message.contains("--role"),
@@ -175,7 +189,7 @@ fn arguments_are_known_by_name_or_said() {
     );
     let roles = vec![("a".to_string(), role("l").unwrap())];
     let asked = Asked { roles, set: vec![("m.metallic".into(), 0.0)], ..asked };
-    let found = furnace(&function, &asked).unwrap();
+    let found = furnace(&function, &asked, &|_| ()).unwrap();
     let named: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name}={role}")).collect();
     assert_eq!(
         named,
@@ -184,7 +198,7 @@ fn arguments_are_known_by_name_or_said() {
     let unknown = Asked { set: vec![("q".into(), 0.0)], ..asked.clone() };
     assert!(refused(&unknown).contains("--set"), "{}", refused(&unknown));
     // What is no number is named with its place.
-    let found = furnace(&read(text, "f.glsl", "nan"), &asked).unwrap_err().to_string();
+    let found = furnace(&read(text, "f.glsl", "nan"), &asked, &|_| ()).unwrap_err().to_string();
     assert!(found.contains("--role"), "{found}");
     let found = measured(text, "f.glsl", "nan", &[1.0]);
     let bad = found.unusable.as_ref().expect("a root of what is negative");
@@ -210,10 +224,10 @@ fn names_of_arguments_tell_what_they_are() {
         }";
     let function = read(text, "f.glsl", "f");
     let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
-    let message = furnace(&function, &asked).unwrap_err().to_string();
+    let message = furnace(&function, &asked, &|_| ()).unwrap_err().to_string();
     assert!(message.contains("what s.metallic, mode, position.x is given is not known"), "{message}");
     let set = ["s.metallic", "mode", "position"].map(|name| (name.to_string(), 0.0)).to_vec();
-    let found = furnace(&function, &Asked { set, ..asked }).unwrap();
+    let found = furnace(&function, &Asked { set, ..asked }, &|_| ()).unwrap();
     let named: Vec<String> = found.arguments.iter().map(|(name, role)| format!("{name}={role}")).collect();
     let wanted = "s.TdotH=t.h s.baseColor=1 (white) s.specularF90=1 (white) s.metallic=0 NdotL=n.l n_dot_v=n.v dotNH=n.h \
         _NoV=n.v LoH=l.h VdotH=v.h cosNL=n.l clampedNdotL=n.l perceptual_roughness=roughness lightDir=l wo=v normal=n \
@@ -229,7 +243,7 @@ fn names_of_arguments_tell_what_they_are() {
             "float f(float {other}, float alpha, vec3 l, vec3 v) {{ return {other} * alpha * l.z * v.z; }}"
         );
         let asked = Asked { roughness: vec![0.5], tolerance: 1e-2, ..Asked::default() };
-        let found = furnace(&read(&text, "f.glsl", "f"), &asked).unwrap();
+        let found = furnace(&read(&text, "f.glsl", "f"), &asked, &|_| ()).unwrap();
         assert_eq!(found.arguments[1], ("alpha".to_string(), told.to_string()));
     }
 }
