@@ -83,6 +83,10 @@ pub enum FitStageError {
 impl FitStageError {
     /// Whether a formula of the catalogue has no reliable fit in this domain.
     pub(super) fn is_unreliable(&self) -> bool {
+        // One coefficient on its way to infinity, as far as f32 goes.
+        if let FitStageError::Fit(FitError::Shade(ShadeError::NotFinite { column, .. })) = self {
+            return column.contains("coefficient");
+        }
         matches!(
             self,
             FitStageError::NotConverged { .. }

@@ -259,15 +259,23 @@ impl Target {
         ranges
     }
 
-    /// Where a formula is to have no pole: the domain, and of a formula of the cosine without the width of a
-    /// lobe also the views below it, at which shaders call it too.
+    /// Where a formula is to have no pole: the domain, and where an input has one value also the views and the
+    /// widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and mu there.
     ///
     /// # Errors
     /// As [`Target::domain`].
     pub fn proven(&self, formula: &Hypothesis) -> Result<Domain, ShadeError> {
+        if self.axes.iter().all(Span::is_spanned) {
+            return self.domain();
+        }
         let mut target = self.clone();
-        if !takes(formula, ROUGHNESS) && !takes(formula, "alpha") {
-            target.axes.iter_mut().filter(|axis| axis.name == "mu").for_each(|axis| axis.range[0] = 0.0);
+        let corner = vec![vec![0.0]; formula.inputs().len()];
+        let there = formula.tape().evaluate(&corner, &formula.starts());
+        let is_defined = there.is_ok_and(|values| values.iter().all(|value| value.is_finite()));
+        for axis in &mut target.axes {
+            if axis.name == "mu" || (axis.name == ROUGHNESS && axis.is_spanned() && is_defined) {
+                axis.range[0] = 0.0;
+            }
         }
         target.domain()
     }

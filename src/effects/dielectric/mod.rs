@@ -22,16 +22,13 @@ pub const HYPOTHESES: [Entry; 4] =
     own!["ggx_dielectric_37", "ggx_dielectric_41", "ggx_dielectric_47", "ggx_dielectric_50"];
 
 /// The same of one index of refraction, R(alpha, mu).
-pub const OF_ONE_INDEX: [Entry; 9] = own![
+pub const OF_ONE_INDEX: [Entry; 6] = own![
     "ggx_dielectric_flat_6",
     "ggx_dielectric_flat_7",
     "ggx_dielectric_flat_8",
     "ggx_dielectric_flat_10",
-    "ggx_dielectric_flat_12",
     "ggx_dielectric_flat_13",
-    "ggx_dielectric_flat_14",
-    "ggx_dielectric_flat_18",
-    "ggx_dielectric_flat_20",
+    "ggx_dielectric_flat_15",
 ];
 
 /// What engines ship: measured and reported, not emitted.

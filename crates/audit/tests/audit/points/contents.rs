@@ -8,7 +8,7 @@ use lobefit_audit::audit::{
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
-use lobefit_truth::quantity::{self, Quantity, SCHLICK_SMITH, Variant, sheen};
+use lobefit_truth::quantity::{self, SCHLICK_SMITH, Variant, sheen};
 
 use super::{N, a, at, b, e, table};
 use crate::common::{lobefit, stderr};
