@@ -3,8 +3,8 @@
 use super::target::TargetSpec;
 use super::{Fit, FitStageError};
 use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick, Vendor, WeightsError};
-use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Float;
+use lobefit_shade::{Hypothesis, Op};
 
 /// The error that is kept where a scene states neither an error nor a budget. Beside a true picture
 /// two percent of a lobe's energy are hard to see; the figure is a choice.
@@ -235,7 +235,9 @@ impl Emission {
         let others = INPUTS.into_iter().filter(|input| spec.domain.contains_key(*input) || reads(input));
         let arguments: Vec<String> =
             width.iter().copied().chain(others).map(|argument| format!("{argument}: f32")).collect();
-        let lacks = |input: &str| reads(input) && !width.contains(&input);
+        // A number is called with what there is.
+        let is_number = matches!(formula.tape().ops(), [.., Op::Parameter(_)]);
+        let lacks = |input: &str| reads(input) && !width.contains(&input) && !is_number;
         let mut lets = String::new();
         if lacks("alpha") {
             lets += &format!("    let alpha = {};\n", spec.alpha_map.alpha_source("roughness"));
@@ -243,7 +245,8 @@ impl Emission {
         if lacks("roughness") {
             lets += &format!("    let roughness = {};\n", spec.alpha_map.roughness_source("alpha"));
         }
-        let call = format!("{}({})", formula.name(), formula.inputs().join(", "));
+        let given = if is_number { width[0].into() } else { formula.inputs().join(", ") };
+        let call = format!("{}({given})", formula.name());
         let original = Hypothesis::parse(formula.file(), formula.source())?;
         let call = call.replacen(formula.name(), original.name(), 1);
         let function =

@@ -11,7 +11,7 @@ use crate::data::{Certificate, Form, Half, HalfRefusal, Norm, Source};
 use crate::store::Key;
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::code::Float;
-use lobefit_shade::{Domain, Hypothesis, Precision};
+use lobefit_shade::{Domain, Hypothesis, Precision, RangeProof, prove_range};
 
 /// A target with its samples. Formulas that are affine in f0 and those that are not have different
 /// ones.
@@ -92,7 +92,25 @@ impl<'a> Prepared<'a> {
                 (found, Some(safe))
             }
         };
+        if self.target.has_one_value() {
+            self.not_negative(hypothesis, norm, &found)?;
+        }
         Ok((found, safe))
+    }
+
+    /// Refuses coefficients with a value below 0 where they are proven to have no pole: what is fitted is an
+    /// albedo, a factor or a width.
+    fn not_negative(
+        &self,
+        hypothesis: &Hypothesis,
+        norm: Norm,
+        coefficients: &[f32],
+    ) -> Result<(), FitStageError> {
+        let domain = self.target.proven(hypothesis)?;
+        let found = prove_range(hypothesis.tape(), &wide(coefficients), &domain, 0.0, f64::INFINITY)?;
+        let RangeProof::Violated { at, value } = found else { return Ok(()) };
+        let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
+        Err(FitStageError::Unkept { hypothesis, norm, reason: format!("it is {value:.2e} at {at}") })
     }
 
     /// A published formula with its constants, measured like ours.

@@ -1,5 +1,6 @@
 //! `lobefit bake`: the main job.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -219,10 +220,18 @@ fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<Str
     let (dear, ours): (Vec<_>, Vec<_>) = baked.dropped.iter().partition(|dropped| dropped.norm == "any");
     lines.extend(dear.iter().map(|dropped| format!("{} left out: {}", dropped.hypothesis, dropped.reason)));
     if !ours.is_empty() {
-        let mut names: Vec<&str> = ours.iter().map(|dropped| dropped.hypothesis.as_str()).collect();
-        names.sort_by(|a, b| natural(a, b));
-        names.dedup();
-        let names = names.join(", ");
+        // Formulas of fewer inputs have one name in every effect.
+        let mut by_effect: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        ours.iter()
+            .for_each(|dropped| by_effect.entry(&dropped.effect).or_default().push(&dropped.hypothesis));
+        let several = by_effect.len() > 1;
+        let of_effect = |(effect, mut names): (&str, Vec<&str>)| {
+            names.sort_by(|a, b| natural(a, b));
+            names.dedup();
+            let of = if several { format!(" of {effect}") } else { String::new() };
+            names.join(", ") + &of
+        };
+        let names = by_effect.into_iter().map(of_effect).collect::<Vec<_>>().join("; ");
         lines.push(format!("without a reliable fit over this scene's ranges, and left out: {names} (why: manifest.json, fits_left_out)"));
     }
     if plan.is_empty() {

@@ -210,7 +210,9 @@ impl Made {
             reason: dropped.reason.clone(),
         }));
         for fit in fits {
-            if self.fits.iter().all(|known| known.approximation.name != fit.approximation.name) {
+            // Formulas of fewer inputs have one name in every job, and functions of their own.
+            let names = |fit: &Fit| [fit.approximation.name.clone(), fit.hypothesis.name().to_string()];
+            if self.fits.iter().all(|known| names(known) != names(&fit)) {
                 self.fits.push(fit);
             }
         }

@@ -143,3 +143,22 @@ fn where_something_else_varies_one_roughness_becomes_a_range() {
     assert_eq!(plan("1.52"), [0.4, 0.4]);
     assert_eq!(plan("[1.4, 1.6]"), [0.395, 0.405]);
 }
+
+#[test]
+fn a_limit_that_is_not_kept_names_the_table_that_keeps_it() {
+    let text = r#"{"schema_version": 1, "name": "m", "reports": false, "languages": ["wgsl"], "materials": [
+        {"name": "m", "kind": "metal", "f0": 0.9, "roughness": 0.5, "wants": {"fit": {"max_ops": 5, "max_error": 0.001}}}]}"#;
+    let baked = bake_scene(&Scene::from_json(text.as_bytes(), "m.json").expect("a scene")).expect("a bake");
+    let said = baked.broken.join("\n");
+    assert!(said.contains("max_error 0.001") && said.contains("table"), "{said}");
+}
+
+/// A number takes no argument, and its function no line for one.
+#[test]
+fn a_number_makes_nothing_of_alpha() {
+    let text = LAMP.replacen("\"name\"", r#""arguments": "alpha", "name""#, 1);
+    let code = code(&baked(&text));
+    let from = code.find("fn ggx_average_albedo(alpha: f32) -> f32 {").expect("the function");
+    let body = &code[from..from + code[from..].find('}').expect("an end")];
+    assert!(!body.contains("let "), "{body}");
+}

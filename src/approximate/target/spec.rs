@@ -259,13 +259,18 @@ impl Target {
         ranges
     }
 
+    /// Whether an input but f0 has one value.
+    pub fn has_one_value(&self) -> bool {
+        !self.axes.iter().all(Span::is_spanned)
+    }
+
     /// Where a formula is to have no pole: the domain, and where an input has one value also the views and the
     /// widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and mu there.
     ///
     /// # Errors
     /// As [`Target::domain`].
     pub fn proven(&self, formula: &Hypothesis) -> Result<Domain, ShadeError> {
-        if self.axes.iter().all(Span::is_spanned) {
+        if !self.has_one_value() {
             return self.domain();
         }
         let mut target = self.clone();

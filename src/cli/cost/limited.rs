@@ -307,7 +307,9 @@ impl Shipped {
 
 /// Which functions have room in the budget since another of their formula costs more.
 fn dearer(calls: &[Call]) -> Option<String> {
-    let is_dearer = |own: &Call, other: &Call| other.name == own.name && cost(other) > cost(own);
+    let is_dearer = |own: &Call, other: &Call| {
+        (&other.name, &other.effect) == (&own.name, &own.effect) && cost(other) > cost(own)
+    };
     let by = |own: &Call| calls.iter().find(|other| is_dearer(own, other)).map(|o| o.function.clone());
     let rooms: BTreeSet<(&str, String)> =
         calls.iter().filter_map(|own| Some((own.function.as_str(), by(own)?))).collect();

@@ -9,7 +9,7 @@ use super::{Family, Judge, Region, Spec, TableJob};
 use crate::data::{Layout, TexelFormat};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::demand::ROUGHNESS_WIDTH_MIN;
+use crate::effects::demand::{ROUGHNESS_WIDTH_MIN, Span};
 use crate::emit::header::short;
 use crate::scene::TableWant;
 use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
@@ -163,6 +163,9 @@ pub fn table_instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
+    // Of one roughness fits are of the cosine alone, and a table of a range about it.
+    let roughness = Span::roughness(job.region.roughness, job.region.alpha_map).widened();
+    let job = &TableJob { region: Region { roughness, ..job.region }, ..job.clone() };
     let judge = Judge::new(family, job.smith, job.region, false, &context.memo)?;
     let wide = |size: &Vec<usize>| (size[0] >= WIDE_SIDE).then(|| (size.clone(), TexelFormat::F32));
     let each = |size: Vec<usize>| [wide(&size), Some((size, TexelFormat::F16))].into_iter().flatten().rev();
