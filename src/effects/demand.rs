@@ -176,7 +176,8 @@ impl Span {
     /// range alone: whether one value stays one is the job's to say.
     pub fn text(self) -> String {
         let (own, job) = (range_text(self.range), self.widened());
-        if job == self.range || self.one != One::Never {
+        let is_one = self.range[0] == self.range[1];
+        if job == self.range || (is_one && self.one != One::Never) {
             return own;
         }
         format!("{own}, widened to {} to {}", job[0], job[1])

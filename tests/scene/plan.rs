@@ -241,9 +241,9 @@ fn a_single_roughness_is_told_with_the_range_of_its_job() {
     let because =
         |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).effects[0].because[0].clone();
     for (given, told) in [
-        ("0.5", "(roughness 0.5, widened to 0.495 to 0.505)"),
-        ("0.3", "(roughness 0.3, widened to 0.295 to 0.305)"),
-        ("1", "(roughness 1, widened to 0.99 to 1)"),
+        ("0.5", "(roughness 0.5)"),
+        ("0.3", "(roughness 0.3)"),
+        ("1", "(roughness 1)"),
         ("[0.5,0.502]", "(roughness 0.5 to 0.502, widened to 0.496 to 0.506)"),
         ("[0.1,0.7]", "(roughness 0.1 to 0.7)"),
     ] {
@@ -291,7 +291,7 @@ fn fits_merge_and_keep_each_promise() {
 }
 
 #[test]
-fn ranges_begin_where_rough_begins_and_are_never_a_point() {
+fn ranges_begin_where_rough_begins_and_one_value_stays_one() {
     let range = |roughness: &str| {
         let plan = plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)]));
         fits(&plan).map(|fit| fit.ranges["roughness"])
@@ -299,10 +299,11 @@ fn ranges_begin_where_rough_begins_and_are_never_a_point() {
     assert_eq!(range("[0,1]"), Some([0.01, 1.0]));
     assert_eq!(range("[0.02,1]"), Some([0.02, 1.0]));
     assert_eq!(range("0.0099"), None);
-    assert_eq!(range("[0,0.01]"), Some([0.01, 0.02]));
-    assert_eq!(range("1"), Some([0.99, 1.0]));
-    let [lo, hi] = range("0.5").unwrap();
-    assert!(lo < 0.5 && hi > 0.5 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
+    assert_eq!(range("[0,0.01]"), Some([0.01, 0.01]));
+    assert_eq!(range("1"), Some([1.0, 1.0]));
+    assert_eq!(range("0.5"), Some([0.5, 0.5]));
+    let [lo, hi] = range("[0.5,0.502]").unwrap();
+    assert!(lo < 0.5 && hi > 0.502 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
 }
 
 #[test]
