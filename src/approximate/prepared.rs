@@ -93,24 +93,9 @@ impl<'a> Prepared<'a> {
             }
         };
         if self.target.has_one_value() {
-            self.not_negative(hypothesis, norm, &found)?;
+            not_negative(hypothesis, norm, &found, &domain)?;
         }
         Ok((found, safe))
-    }
-
-    /// Refuses coefficients with a value below 0 where they are proven to have no pole: what is fitted is an
-    /// albedo, a factor or a width.
-    fn not_negative(
-        &self,
-        hypothesis: &Hypothesis,
-        norm: Norm,
-        coefficients: &[f32],
-    ) -> Result<(), FitStageError> {
-        let domain = self.target.proven(hypothesis)?;
-        let found = prove_range(hypothesis.tape(), &wide(coefficients), &domain, 0.0, f64::INFINITY)?;
-        let RangeProof::Violated { at, value } = found else { return Ok(()) };
-        let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
-        Err(FitStageError::Unkept { hypothesis, norm, reason: format!("it is {value:.2e} at {at}") })
     }
 
     /// A published formula with its constants, measured like ours.
@@ -184,6 +169,20 @@ impl<'a> Prepared<'a> {
 
 fn wide(coefficients: &[f32]) -> Vec<f64> {
     coefficients.iter().map(|c| f64::from(*c)).collect()
+}
+
+/// Refuses coefficients with a value below 0 where they are proven to have no pole: what is fitted is an
+/// albedo, a factor or a width.
+fn not_negative(
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    coefficients: &[f32],
+    domain: &Domain,
+) -> Result<(), FitStageError> {
+    let found = prove_range(hypothesis.tape(), &wide(coefficients), domain, 0.0, f64::INFINITY)?;
+    let RangeProof::Violated { at, value } = found else { return Ok(()) };
+    let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
+    Err(FitStageError::Unkept { hypothesis, norm, reason: format!("it is {value:.2e} at {at}") })
 }
 
 /// What a formula's coefficients are to keep, and how long they are searched.

@@ -10,9 +10,9 @@ use crate::data::AlphaMap;
 use crate::report::words;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
 
-/// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no
-/// second dimension to fit, so it is widened about itself to this width; the figure is a choice,
-/// small beside the curvature of E in roughness.
+/// Narrowest roughness range of a table, and of a fit beside another input that varies: one value has no
+/// axis to interpolate along, and formulas of all inputs are hardly determined by it, so it is widened
+/// about itself to this width; the figure is a choice, small beside the curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
 
 /// Range by input.

@@ -264,8 +264,9 @@ impl Target {
         !self.axes.iter().all(Span::is_spanned)
     }
 
-    /// Where a formula is to have no pole: the domain, and where an input has one value also the views and the
-    /// widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and mu there.
+    /// Where a formula is to have no pole: the domain, and where an input has one value also the views and
+    /// the widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and mu
+    /// there.
     ///
     /// # Errors
     /// As [`Target::domain`].

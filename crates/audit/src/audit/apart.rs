@@ -76,8 +76,8 @@ pub(super) fn following(case: &Case, quantity: &dyn Quantity) -> Result<Vec<usiz
     Ok(own)
 }
 
-/// The table of one channel, and how its axes are read: without those along which it is the same, as an average
-/// over the cosine is that stands beside what it is of.
+/// The table of one channel, and how its axes are read: without those along which it is the same, as an
+/// average over the cosine is that stands beside what it is of.
 fn alone(table: &AuditedTable, channel: usize, axes: &[AxisReading]) -> (AuditedTable, Vec<AxisReading>) {
     let own = &table.channels[channel];
     let places = |i: usize| place(i, &table.size);

@@ -165,9 +165,9 @@ impl Search<'_> {
         (0..size - 1).any(|k| is_at(k) && !is_meant(k))
     }
 
-    /// The clamp of an axis that shows in its first line alone, which is off by far more than others: where it
-    /// leaves the line no farther off than those, or next to nothing of what it was off, as of one near to the
-    /// clamp it must. A line may be off for other reasons, of which no clamp leaves so little.
+    /// The clamp of an axis that shows in its first line alone, which is off by far more than others: where
+    /// it leaves the line no farther off than those, or next to nothing of what it was off, as the clamp of a
+    /// line near to it must. A line may be off for other reasons, of which no clamp leaves so little.
     fn alone(&self, at: &Candidate, axis: usize) -> Result<Option<f64>, AuditError> {
         let reading = &self.bare.axes[axis];
         let (lines, nodes) =
@@ -216,8 +216,8 @@ impl Search<'_> {
         self.between(at, axis)
     }
 
-    /// A reading with a clamp of the list in place of one that is near to it, where that is hardly worse: a clamp
-    /// is a round number.
+    /// A reading with a clamp of the list in place of one that is near to it, where that is hardly worse: a
+    /// clamp is a round number.
     fn rounded(&self, at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
         let floor = at.axes[axis].floor;
         let listed = FLOORS.map(|listed| self.least(axis) + listed);
@@ -362,8 +362,8 @@ impl<'a> Clampable<'a> {
         }
     }
 
-    /// The input at the line after the first ones that are the same, which a clamp beyond it would make one with
-    /// them; infinite where there are none.
+    /// The input at the line after the first ones that are the same, which a clamp beyond it would make one
+    /// with them; infinite where there are none.
     fn next(&self, axis: usize, reading: &AxisReading) -> f64 {
         let (same, all) = (self.same(axis, reading).len(), self.below(axis, reading, f64::INFINITY));
         let next = all.get(same).filter(|_| same > 1);

@@ -177,7 +177,8 @@ const ROUNDED: f64 = 1.5;
 /// Second differences of errors that are rounded show up to this many times the root mean square of rounding.
 const NOISE_OF_ROUNDING: f64 = 1.2;
 
-/// Defects of a channel, which may have a constant factor; `alpha` of a texel where the table has such an axis.
+/// Defects of a channel, which may have a constant factor; `alpha` of a texel where the table has such an
+/// axis.
 pub(super) fn defects(
     r: &Residuals,
     grain: Grain,

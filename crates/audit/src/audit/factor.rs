@@ -7,7 +7,7 @@ use super::errors::{Residuals, rms};
 use super::judge::Judgement;
 use super::sample::Sample;
 
-/// Least share by which a factor that is told changes values.
+/// Least share by which a factor that is named changes values.
 const LEAST: f64 = 1e-3;
 
 /// Share of the root mean square of the errors that a factor may leave, but for what rounding does.
@@ -16,8 +16,8 @@ const LEFT: f64 = 0.1;
 /// Root mean square of the errors that a factor explains, beside that of rounding.
 const ABOVE_ROUNDING: f64 = 3.0;
 
-/// The factors that channels have, by channel; none where all that are judged have one, as then it is one of the
-/// table.
+/// The factors that channels have, by channel; none where all that are judged have one, as then it is one of
+/// the table.
 pub(super) fn of_some(
     case: &Case,
     (sample, judgement): (&Sample, &Judgement),
