@@ -16,38 +16,83 @@ pub struct Formulas<'a> {
 /// Where every input has one value.
 const CONSTANTS: [Entry; 1] = own!["constant_0"];
 
+/// A polynomial of coefficients by Horner's scheme.
+macro_rules! horner {
+    ($x:literal; $last:literal) => {
+        $last
+    };
+    ($x:literal; $first:literal $last:literal) => {
+        concat!($first, " + ", $x, " * ", $last)
+    };
+    ($x:literal; $first:literal $($rest:literal)+) => {
+        concat!($first, " + ", $x, " * (", horner!($x; $($rest)+), ")")
+    };
+}
+
+/// A formula of one input: operations, what it is, parameters after a0 and where their search begins, and
+/// coefficients of the dividend and the divisor, or of one polynomial.
+macro_rules! of_one_input {
+    ($family:literal $x:literal $of:literal; $operations:literal $is:literal; $($free:literal)+ = $start:literal;
+     $($c:literal)+ $(/ $($d:literal)+)?) => {
+        Entry {
+            file: concat!($family, "_", $operations, ".wgsl"),
+            source: concat!(
+                "override a0: f32 = 1.0;\n",
+                $("override ", $free, ": f32 = ", $start, ";\n",)+
+                "\n/// Of ", $of, " alone: every other input has one value.\n/// ", $is, ".\n",
+                "fn ", $family, "_", $operations, "(", $x, ": f32) -> f32 {\n",
+                of_one_input!($x; $($c)+ $(/ $($d)+)?),
+                "}\n",
+            ),
+            publication: None,
+        }
+    };
+    ($x:literal; $($c:literal)+) => {
+        concat!("    return ", horner!($x; $($c)+), ";\n")
+    };
+    ($x:literal; $($c:literal)+ / $($d:literal)+) => {
+        concat!(
+            "    let dividend = ", horner!($x; $($c)+), ";\n",
+            "    let divisor = ", horner!($x; $($d)+), ";\n",
+            "    return dividend / divisor;\n",
+        )
+    };
+    ($family:literal $x:literal $of:literal) => {
+        [
+            of_one_input!($family $x $of; 1 "One operation: a polynomial"; "a1" = "0.1"; "a0" "a1"),
+            of_one_input!($family $x $of; 2 "Two operations: a polynomial";
+                "a1" "a2" = "0.1"; "a0" "a1" "a2"),
+            of_one_input!($family $x $of; 3 "Three operations: a polynomial";
+                "a1" "a2" "a3" = "0.1"; "a0" "a1" "a2" "a3"),
+            of_one_input!($family $x $of; 4 "Four operations: a polynomial";
+                "a1" "a2" "a3" "a4" = "0.1"; "a0" "a1" "a2" "a3" "a4"),
+            of_one_input!($family $x $of; 5 "Five operations: a polynomial";
+                "a1" "a2" "a3" "a4" "a5" = "0.1"; "a0" "a1" "a2" "a3" "a4" "a5"),
+            of_one_input!($family $x $of; 7 "Seven operations: a quotient";
+                "a1" "b1" = "1.0"; "a0" "a1" / "1.0" "b1"),
+            of_one_input!($family $x $of; 8 "Eight operations: a quotient, whose divisor has no linear term";
+                "a1" "a2" "b0" = "1.0"; "a0" "a1" "a2" / "b0" $x),
+            of_one_input!($family $x $of; 9 "Nine operations: a quotient";
+                "a1" "a2" "b1" "b2" = "1.0"; "a0" "a1" "a2" / "1.0" "b1" "b2"),
+            of_one_input!($family $x $of; 10 "Ten operations: a quotient, whose divisor has no square";
+                "a1" "a2" "a3" "b0" "b1" = "1.0"; "a0" "a1" "a2" "a3" / "b0" "b1" $x),
+            of_one_input!($family $x $of; 11 "Eleven operations: a quotient";
+                "a1" "a2" "a3" "b1" "b2" "b3" = "1.0"; "a0" "a1" "a2" "a3" / "1.0" "b1" "b2" "b3"),
+            of_one_input!($family $x $of; 12 "Twelve operations: a quotient";
+                "a1" "a2" "a3" "a4" "b1" "b2" "b3" = "1.0"; "a0" "a1" "a2" "a3" "a4" / "1.0" "b1" "b2" "b3"),
+            of_one_input!($family $x $of; 13 "Thirteen operations: a quotient";
+                "a1" "a2" "a3" "a4" "b1" "b2" "b3" "b4" = "1.0";
+                "a0" "a1" "a2" "a3" "a4" / "1.0" "b1" "b2" "b3" "b4"),
+        ]
+    };
+}
+
 /// Where mu alone varies: of each number of operations the one that errs least over most roughnesses, of
 /// polynomials, and of quotients of degree up to 4 with and without terms left out.
-const COSINES: [Entry; 12] = own![
-    "cosine_1",
-    "cosine_2",
-    "cosine_3",
-    "cosine_4",
-    "cosine_5",
-    "cosine_7",
-    "cosine_8",
-    "cosine_9",
-    "cosine_10",
-    "cosine_11",
-    "cosine_12",
-    "cosine_13",
-];
+const COSINES: [Entry; 12] = of_one_input!("cosine" "mu" "the cosine of the view");
 
 /// The same in roughness, where it alone varies.
-const ROUGHNESSES: [Entry; 12] = own![
-    "roughness_1",
-    "roughness_2",
-    "roughness_3",
-    "roughness_4",
-    "roughness_5",
-    "roughness_7",
-    "roughness_8",
-    "roughness_9",
-    "roughness_10",
-    "roughness_11",
-    "roughness_12",
-    "roughness_13",
-];
+const ROUGHNESSES: [Entry; 12] = of_one_input!("roughness" "roughness" "roughness");
 
 /// f0 A + B where mu and f0 vary.
 const COSINE_BLENDS: [Entry; 10] = own![

@@ -132,11 +132,14 @@ fn every_formula_has_its_promise() {
         path.is_file().then(|| path.file_stem().expect("a name").to_string_lossy().into_owned())
     };
     let there: BTreeSet<String> = fs::read_dir(folder).expect("formulas").filter_map(stem).collect();
-    let excused: BTreeSet<String> =
-        promises().exceptions.iter().filter_map(|e| Some(e.name.strip_prefix(FORMULA)?.to_owned())).collect();
     let promised: BTreeSet<String> = promises().formulas.iter().map(|f| f.name.clone()).collect();
-    let open: BTreeSet<String> = there.difference(&promised).cloned().collect();
-    assert_eq!(open, excused, "formulas without a promise, and those that may be");
+    let mut open: BTreeSet<&String> = there.difference(&promised).collect();
+    for excused in promises().exceptions.iter().filter_map(|e| e.name.strip_prefix(FORMULA)) {
+        let before = open.len();
+        open.retain(|name| !name.starts_with(excused));
+        assert!(open.len() < before, "{excused}: no formula needs this exception");
+    }
+    assert!(open.is_empty(), "formulas without a promise: {open:?}");
     let gone: Vec<&String> = promised.difference(&there).collect();
     assert!(gone.is_empty(), "promised, but no formula: {gone:?}");
 }
