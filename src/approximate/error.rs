@@ -56,7 +56,8 @@ pub enum FitStageError {
         /// What was found instead.
         reason: String,
     },
-    /// A formula that is not finite in half precision, which the scene asks for.
+    /// A formula that is not finite in half precision, which the scene asks for; one that is mostly rounding
+    /// in f32.
     #[error("{hypothesis}, norm {norm}: {reason}")]
     Refused {
         /// File of the hypothesis.

@@ -94,6 +94,7 @@ impl<'a> Prepared<'a> {
         };
         if self.target.has_one_value() {
             not_negative(hypothesis, norm, &found, &domain)?;
+            not_rounding(hypothesis, norm, &found, &samples)?;
         }
         Ok((found, safe))
     }
@@ -183,6 +184,35 @@ fn not_negative(
     let RangeProof::Violated { at, value } = found else { return Ok(()) };
     let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
     Err(FitStageError::Unkept { hypothesis, norm, reason: format!("it is {value:.2e} at {at}") })
+}
+
+/// Rounding in f32 that a fit may have whatever its error, and as a part of its error.
+const ROUNDED: (f64, f64) = (1e-6, 0.1);
+
+/// Refuses coefficients whose values in f32 are off by rounding alone, as where a pole and a zero nearly
+/// cancel: the largest of errors that change from one float to the next is at none of the points measured.
+fn not_rounding(
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    coefficients: &[f32],
+    samples: &Samples,
+) -> Result<(), FitStageError> {
+    let narrow: Vec<Vec<f32>> =
+        samples.inputs.iter().map(|column| column.iter().map(|x| *x as f32).collect()).collect();
+    let rounded = hypothesis.tape().evaluate(&narrow, coefficients)?;
+    let exact = hypothesis.tape().evaluate(&samples.inputs, &wide(coefficients))?;
+    let (mut rounding, mut error) = (0.0_f64, 0.0_f64);
+    for (i, (rounded, exact)) in rounded.into_iter().zip(exact).enumerate() {
+        rounding = rounding.max((samples.scale[i] * (f64::from(rounded) - exact)).abs());
+        error = error.max((samples.scale[i] * exact - samples.target[i]).abs());
+    }
+    let (always, part) = ROUNDED;
+    if rounding <= always.max(part * error) {
+        return Ok(());
+    }
+    let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name().to_string());
+    let reason = format!("f32 rounds its values by up to {rounding:.1e}, and it errs by {error:.1e} without");
+    Err(FitStageError::Refused { hypothesis, norm, reason })
 }
 
 /// What a formula's coefficients are to keep, and how long they are searched.

@@ -265,8 +265,8 @@ impl Target {
     }
 
     /// Where a formula is to have no pole: the domain, and where an input has one value also the views and
-    /// the widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and mu
-    /// there.
+    /// the widths below it, at which shaders call it too; the widths unless the formula is 0/0 of alpha and
+    /// mu there.
     ///
     /// # Errors
     /// As [`Target::domain`].
