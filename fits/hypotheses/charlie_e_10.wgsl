@@ -6,7 +6,7 @@ override c4: f32 = 3.010243;
 override c5: f32 = 3.4458816;
 override k: f32 = 2.0453992;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Ten operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_10(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

@@ -8,7 +8,7 @@ override c6: f32 = 0.17670275;
 override c7: f32 = -17.254286;
 override k: f32 = 1.0891752;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Thirteen operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_13(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

@@ -9,7 +9,7 @@ override c7: f32 = 2.3907883;
 override c8: f32 = -0.7587741;
 override k: f32 = 1.0320626;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Fourteen operations. mu and roughness times one reciprocal depend on mu/roughness alone, as the rim does.
 fn charlie_e_14(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

@@ -11,7 +11,7 @@ override c9: f32 = -7.8904614;
 override c10: f32 = 105.72418;
 override k: f32 = 1.704764;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Fifteen operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_15(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

@@ -12,7 +12,7 @@ override c10: f32 = -3.696173;
 override c11: f32 = -107.849815;
 override k: f32 = 1.6021181;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Sixteen operations. One reciprocal resolves the rim, mu ~ roughness. In half precision charlie_e_15 errs less.
 fn charlie_e_16(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

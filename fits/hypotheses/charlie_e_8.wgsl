@@ -4,7 +4,7 @@ override c2: f32 = -0.2148915;
 override c3: f32 = -0.52241546;
 override k: f32 = 1.1098683;
 
-/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing.
+/// Directional albedo E of the Charlie sheen lobe, which exceeds 1 at grazing. Where E is next to 0 the formula may be below it, by its error at most.
 /// Eight operations. One reciprocal resolves the rim, mu ~ roughness.
 fn charlie_e_8(roughness: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);

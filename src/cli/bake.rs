@@ -208,7 +208,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection<
 /// What was made: what each material and probe calls, or everything where more than one function of
 /// a job is emitted; then what was left out.
 fn summary((scene, plan): (&Scene, &Plan), baked: &Baked, out: &Path) -> Vec<String> {
-    let mut lines = table(&baked.calls, None, scene);
+    let mut lines = table(&baked.calls, scene.output.cost, scene);
     lines.extend(recommended(&baked.calls));
     lines.extend(cosines(&baked.calls, scene));
     let own = baked.calls.iter().any(|call| call.function.starts_with(PATH_TRACER));

@@ -18,8 +18,8 @@ pub fn nine_digits(x: f64) -> f64 {
     format!("{x:.8e}").parse().unwrap_or(x)
 }
 
-/// A formula in half precision: inputs, coefficients and every operation rounded to f16, products
-/// contracted into the sums that use them or not, whichever errs more. A compiler that keeps f32
+/// A formula or a lookup in half precision: inputs, coefficients, the texel that is fetched and every
+/// operation rounded to f16, products contracted into the sums that use them or not, whichever errs more. A compiler that keeps f32
 /// has the error of the [`Certificate`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -30,7 +30,24 @@ pub enum Half {
     Refused(HalfRefusal),
 }
 
-/// Error of a formula in half precision, over the domain and at the points of its certificate.
+impl Half {
+    /// The one that errs more, a refusal before any; the first of equals.
+    pub fn or_worse(self, other: Half) -> Half {
+        match (&self, &other) {
+            (Half::Refused(_), _) => self,
+            (_, Half::Refused(_)) => other,
+            (Half::Measured(a), Half::Measured(b)) => {
+                if b.max_abs > a.max_abs {
+                    other
+                } else {
+                    self
+                }
+            }
+        }
+    }
+}
+
+/// Error of a formula or a lookup in half precision, over the domain and at the points of its certificate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HalfError {
@@ -58,7 +75,7 @@ impl From<&Result<Certificate, HalfRefusal>> for Half {
     }
 }
 
-/// Why a formula is not for half precision.
+/// Why a formula or a lookup is not for half precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HalfRefusal {

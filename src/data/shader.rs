@@ -1,11 +1,12 @@
 //! Warps and decodings as a shader computes them: the functions of `warps.wgsl` and
-//! `decodings.wgsl`, evaluated in f32 and counted.
+//! `decodings.wgsl`, evaluated in f32 or f16 and counted.
 
 use std::sync::LazyLock;
 
 use super::{ARGUMENT_NAMES, AlphaMap, Arguments, Axis, Decode, Surface, Values};
 use lobefit_shade::code::{LETTERS, TEXTURE_AXES, decimal};
-use lobefit_shade::{Features, ShadeError, Source, Tape};
+use lobefit_shade::tape::Half;
+use lobefit_shade::{Features, Precision, Real, ShadeError, Source, Tape};
 
 /// The text of both files.
 const TEXT: &str = concat!(include_str!("warps.wgsl"), "\n", include_str!("decodings.wgsl"));
@@ -37,6 +38,8 @@ const INPUTS: [&str; 12] = [
 #[derive(Clone, Debug)]
 struct Evaluated {
     tape: Tape,
+    /// With products fused into the sums that use them.
+    fused: Tape,
     inputs: Vec<usize>,
 }
 
@@ -53,15 +56,16 @@ impl Evaluated {
             given: INPUTS.join(", "),
         };
         let inputs = tape.inputs().iter().map(place).collect::<Option<Vec<usize>>>().ok_or_else(unknown)?;
-        Ok(Evaluated { tape, inputs })
+        Ok(Evaluated { fused: tape.contracted(), tape, inputs })
     }
 
-    fn at(&self, given: &[f32; INPUTS.len()]) -> f32 {
-        let mut inputs = [0.0; INPUTS.len()];
+    fn at<R: Real>(&self, given: &[f32; INPUTS.len()], is_fused: bool) -> R {
+        let mut inputs = [R::ZERO; INPUTS.len()];
         for (input, place) in inputs.iter_mut().zip(&self.inputs) {
-            *input = given[*place];
+            *input = R::literal(given[*place]);
         }
-        self.tape.at(&inputs[..self.inputs.len()], &[])
+        let tape = if is_fused { &self.fused } else { &self.tape };
+        tape.at(&inputs[..self.inputs.len()], &[])
     }
 }
 
@@ -75,15 +79,24 @@ pub struct Coordinate {
 }
 
 impl Coordinate {
-    /// The texture coordinate of a value.
-    pub fn at(&self, x: f32, surface: Surface<f32>) -> f32 {
+    /// The texture coordinate of a value; in f16 everything given is rounded first.
+    pub fn at(&self, x: f32, surface: Surface<f32>, precision: Precision) -> f32 {
+        if precision.is_half() {
+            return self.in_numbers::<Half>(x, surface, precision.is_fused()).to_f32();
+        }
+        self.in_numbers(x, surface, precision.is_fused())
+    }
+
+    fn in_numbers<R: Real>(&self, x: f32, surface: Surface<f32>, is_fused: bool) -> R {
         let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
         let mut given = [0.0; INPUTS.len()];
         given[..7].copy_from_slice(&[x, alpha, ior, anisotropy, cos2_phi, self.least, self.whole]);
-        let value = self.warp.at(&given);
+        let value: R = self.warp.at(&given, is_fused);
+        let (scale, offset) = (R::literal(self.affine.0), R::literal(self.affine.1));
         match self.affine {
             (1.0, 0.0) => value,
-            (scale, offset) => value * scale + offset,
+            _ if is_fused => value.fma(scale, offset),
+            _ => value * scale + offset,
         }
     }
 }
@@ -96,12 +109,17 @@ pub struct Decoder {
 }
 
 impl Decoder {
-    /// The values of a texel; what lies beyond the table's channels is not read.
-    pub fn at(&self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
+    /// The values of a texel; what lies beyond the table's channels is not read. In f16 the texel is
+    /// rounded first too.
+    pub fn at(&self, texel: [f32; 4], mu: f32, surface: Surface<f32>, precision: Precision) -> Values {
         let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
         let [r, g, b, a] = texel;
         let given = [0.0, alpha, ior, anisotropy, cos2_phi, 0.0, 0.0, r, g, b, a, mu];
-        Values { e: self.albedo.at(&given), b: self.bias.as_ref().map(|bias| bias.at(&given)) }
+        let value = |decoding: &Evaluated| match precision.is_half() {
+            true => decoding.at::<Half>(&given, precision.is_fused()).to_f32(),
+            false => decoding.at(&given, precision.is_fused()),
+        };
+        Values { e: value(&self.albedo), b: self.bias.as_ref().map(value) }
     }
 }
 

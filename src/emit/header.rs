@@ -99,6 +99,7 @@ pub fn lookup_lines(
     table: &Table,
     decode: Decode,
     certificate: &Certificate,
+    half: &Half,
     note: Option<&str>,
 ) -> Vec<String> {
     let sizes: Vec<String> = table.axes.iter().map(|axis| axis.size.to_string()).collect();
@@ -112,6 +113,7 @@ pub fn lookup_lines(
         format!("{}alpha = {}.", smith(table), table.alpha_map.name()),
         format!("Error: max {max_abs}, rms {} over {}.", short(*rms), domain.join(", ")),
     ];
+    lines.push(format!("With coordinates and decoding {}.", of_half(half)));
     lines.extend(both_line(decode));
     lines.extend(judged_line(table, certificate));
     lines.extend(note.map(String::from));
@@ -180,12 +182,16 @@ pub fn certificate_lines(what: &str, certificate: &Certificate) -> Vec<String> {
 /// The line that states a formula's error in half precision, where it is emitted in f32.
 pub fn half_line(approximation: &Approximation) -> Option<String> {
     let Form::Formula(formula) = &approximation.form else { return None };
-    Some(match formula.half.as_ref()? {
-        _ if approximation.certificate.precision.starts_with("f16") => return None,
-        Half::Measured(half) => format!("  in f16: max {}, rms {}", half.max_abs, short(half.rms)),
-        Half::Refused(half) if half.at.is_empty() => "  not for f16: a coefficient is beyond it".into(),
-        Half::Refused(half) => format!("  not for f16: not finite at {}", place(&half.at)),
-    })
+    let half = formula.half.as_ref()?;
+    (!approximation.certificate.precision.starts_with("f16")).then(|| format!("  {}", of_half(half)))
+}
+
+fn of_half(half: &Half) -> String {
+    match half {
+        Half::Measured(half) => format!("in f16: max {}, rms {}", half.max_abs, short(half.rms)),
+        Half::Refused(half) if half.at.is_empty() => "not for f16: a coefficient is beyond it".into(),
+        Half::Refused(half) => format!("not for f16: not finite at {}", place(&half.at)),
+    }
 }
 
 /// A place as `name = value, ...`.

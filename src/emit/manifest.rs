@@ -192,6 +192,8 @@ pub struct TableError {
     pub lookup: LookupEntry,
     /// The same with weights of 8 fractional bits.
     pub lookup_8_bit_weights: LookupEntry,
+    /// Coordinates and decoding in half precision.
+    pub half: Half,
 }
 
 /// Error of a lookup.

@@ -171,7 +171,7 @@ fn what_f32_rounds_away_is_left_out() {
         {"name": "m", "kind": "glass", "ior": 1.33, "roughness": 0.05, "wants": {"fit": {"norms": ["max", "rms"]}}}]}"#;
     let baked = bake_scene(&Scene::from_json(text.as_bytes(), "m.json").expect("a scene")).expect("a bake");
     let said: Vec<String> = baked.dropped.iter().map(|left| left.reason.clone()).collect();
-    assert!(said.iter().any(|why| why.contains("f32 rounds its values by up to 8.")), "{said:#?}");
+    assert!(said.iter().any(|why| why.contains("f32 rounds its values by up to")), "{said:#?}");
     for fit in baked.fits.iter().filter(|fit| fit.approximation.source == lobefit::data::Source::Fitted) {
         let largest = fit.coefficients().iter().fold(0.0_f32, |largest, c| largest.max(c.abs()));
         assert!(largest < 1e4, "{}: {largest}", fit.hypothesis.name());

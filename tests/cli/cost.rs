@@ -162,6 +162,13 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
         let held = "the budget holds for ggx_energy_compensation_rgb, which costs more than ggx_energy_compensation of";
         assert_eq!(text.contains(held), dearer, "{text}");
     }
+    // What a scene picks by, `bake` prints.
+    let priced = br#"{"schema_version": 1, "cost": "intel", "reports": false, "languages": ["wgsl"], "materials": [
+      {"name": "m", "kind": "metal", "f0": 0.6, "roughness": 0.5, "wants": {"fit": {}}}]}"#;
+    let output = lobefit(folder.path(), &["bake", "-"], priced);
+    let text = String::from_utf8_lossy(&output.stdout);
+    let header = text.lines().next().expect("a header");
+    assert!(header.contains("operations  Intel cost  fetches"), "{text} {}", stderr(&output));
     // Tables whose sizes a limit on the error would leave open: every job is shipped, or said to be beyond.
     let sized = br#"{"schema_version": 1, "materials": [
       {"name": "a", "kind": "metal", "f0": 0.6, "roughness": [0.3, 1], "wants": {"tables": [{"size": [8, 8], "layout": "plain"}]}},

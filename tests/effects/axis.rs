@@ -1,6 +1,7 @@
 //! Axes of tables: physical values, unit coordinates, and back in a shader's arithmetic.
 
 use lobefit::data::{AlphaMap, Axis, Registration, Surface, Warp};
+use lobefit_shade::Precision;
 
 fn axis(name: &str, warp: Warp, min: f64, max: f64) -> Axis {
     Axis { name: name.into(), size: 32, registration: Registration::Endpoint, warp, min, max }
@@ -48,8 +49,11 @@ fn a_lookup_finds_the_unit_coordinate_that_a_value_came_from() {
                     anisotropy: surface.anisotropy as f32,
                     cos2_phi: surface.cos2_phi as f32,
                 };
-                let found =
-                    f64::from(coordinate.at((value as f32).max(axis.min.min(axis.max) as f32), shader));
+                let found = f64::from(coordinate.at(
+                    (value as f32).max(axis.min.min(axis.max) as f32),
+                    shader,
+                    Precision::F32,
+                ));
                 // ior is rounded by 6e-8, which next to 1 is itself a step of the axis.
                 let tolerance = match value - axis.min {
                     excess if axis.warp != Warp::Ior || excess > 1e-4 => 0.01,
@@ -86,7 +90,7 @@ fn a_mirror_has_finite_coordinates() {
         let surface = Surface::<f32>::rough(0.0);
         let value = (axis.min as f32).max(0.001);
         let coordinate = axis.coordinate().expect("it parses");
-        assert!(coordinate.at(value, surface).is_finite(), "{axis:?}");
+        assert!(coordinate.at(value, surface, Precision::F32).is_finite(), "{axis:?}");
     }
 }
 

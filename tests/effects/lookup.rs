@@ -1,9 +1,11 @@
 //! Lookups of tables of any number of axes.
 
+use half::f16;
 use lobefit::data::{
     AlphaMap, Axis, Channel, Decode, Registration, Smith, Surface, Table, TexelFormat, Warp,
 };
 use lobefit::effects::table::{Lookup, LookupError, Point};
+use lobefit_shade::Precision;
 
 fn axis(name: &str, size: usize, registration: Registration, min: f64, max: f64) -> Axis {
     Axis { name: name.into(), size, registration, warp: Warp::Linear, min, max }
@@ -89,6 +91,36 @@ fn coarse_weights_are_off_by_at_most_half_a_step_of_each_axis() {
         worst = worst.max((exact.at(&point).e - coarse.at(&point).e).abs());
     }
     assert!(worst > 0.0 && worst < steps / 512.0 + 1e-6, "{worst}");
+}
+
+/// Coordinates in half precision by another arithmetic of it: every operation rounded, and with the product
+/// fused into the sum.
+#[test]
+fn in_f16_every_operation_of_the_coordinates_is_rounded() {
+    let table = table();
+    let half = |x: f64| f16::from_f64(x).to_f64();
+    let lookups = [Precision::F16, Precision::F16Fused]
+        .map(|p| Lookup::new(&table, Decode::Albedo).expect("three known axes").with_precision(p));
+    let mut differs = 0;
+    for i in 0..1000 {
+        let part = |k: usize| ((i * k) % 1009) as f32 / 1008.0;
+        let point = Point { mu: part(1), roughness: part(37), ior: 1.0 + part(211), ..Point::default() };
+        let [mu, roughness, ior] = [point.mu, point.roughness, point.ior].map(|x| half(f64::from(x)));
+        // Ends are the centres of the outermost texels: u (n - 1) / n + 1 / (2 n).
+        let product = |x: f64, n: f64| x * half((n - 1.0) / n);
+        let offset = |n: f64| half(0.5 / n);
+        let apart = |x: f64, n: f64| half(half(product(x, n)) + offset(n));
+        let fused = |x: f64, n: f64| half(product(x, n) + offset(n));
+        let expected =
+            [[apart(mu, 5.0), apart(half(ior - 1.0), 3.0)], [fused(mu, 5.0), fused(half(ior - 1.0), 3.0)]];
+        for (lookup, [u, w]) in lookups.iter().zip(expected) {
+            let texels = |u: f64, n: f64| (u * n - 0.5).clamp(0.0, n - 1.0);
+            let expected = [texels(u, 5.0), texels(roughness, 4.0), texels(w, 3.0)];
+            assert_eq!(lookup.position(&point)[..3], expected, "{point:?}");
+        }
+        differs += usize::from(expected[0] != expected[1]);
+    }
+    assert!(differs > 0);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use lobefit::data::{AlphaMap, Coordinate, Smith, Surface};
 use lobefit::effects::anisotropy::aniso_axes;
 use lobefit::effects::glass::glass_axes;
 use lobefit::effects::table::{Node, TexelPlan, check};
+use lobefit_shade::Precision;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{Effort, albedo};
 
@@ -12,7 +13,7 @@ use lobefit_truth::integrate::reflection::{Effort, albedo};
 fn lookup(axes: &[(usize, Coordinate); 3], texels: &[f64], values: [f64; 3], surface: Surface<f32>) -> f64 {
     let cells = [0, 1, 2].map(|k| {
         let (n, coordinate) = (axes[k].0, &axes[k].1);
-        let x = f64::from(coordinate.at(values[k] as f32, surface)) * n as f64 - 0.5;
+        let x = f64::from(coordinate.at(values[k] as f32, surface, Precision::F32)) * n as f64 - 0.5;
         let x = x.clamp(0.0, (n - 1) as f64);
         let base = (x.floor() as usize).min(n - 2);
         (base, x - base as f64)

@@ -8,11 +8,12 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::emit_support::{self, example::text};
 use lobefit::bake::Baked;
+use lobefit::data::Half;
 use lobefit::effects::table::{Lookup, Point};
 use lobefit_math::ops;
 use lobefit_promises::promises;
 use lobefit_shade::code::Language;
-use lobefit_shade::{Kind, Real, Source, Tape};
+use lobefit_shade::{Kind, Precision, Real, Source, Tape};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -366,22 +367,26 @@ fn a_nan_gives_what_the_include_files_say() {
 }
 
 #[test]
-fn lookups_with_weights_of_8_bits_keep_their_certificate() {
+fn lookups_with_weights_of_8_bits_and_in_f16_keep_their_certificates() {
     let mut random = Pcg64::seed_from_u64(8);
     for baked in &emit_support::baked().0.tables {
         let (table, region) = (baked.table().expect("a table"), &baked.region);
         let exact = Lookup::new(table, baked.decode).expect("axes and channels of its decoding");
         let coarse = exact.clone().with_weight_bits(8);
+        let Half::Measured(certified_half) = &baked.errors.half else { panic!("{:?}", baked.errors.half) };
+        let precision = if certified_half.precision == "f16" { Precision::F16 } else { Precision::F16Fused };
+        let half = exact.clone().with_precision(precision);
         let certified = baked.errors.lookup.max + baked.errors.lookup_8_bit.max;
         let slice = region.slices.map_or([0.0, 1.0], |slices| slices.range);
-        let mut worst = 0.0_f64;
+        let (mut worst, mut worst_half) = (0.0_f64, 0.0_f64);
         for _ in 0..POINTS * 10 {
             let mut within = |[low, high]: [f64; 2]| (low + (high - low) * random.random::<f64>()) as f32;
             let (roughness, mu, of_slice) = (within(region.roughness), within(region.mu), within(slice));
             let alpha = region.alpha_map.alpha(f64::from(roughness)) as f32;
             let cos2_phi = within([0.0, 1.0]);
             let point = Point { roughness, alpha, mu, anisotropy: of_slice, ior: of_slice, cos2_phi };
-            let [fine, rounded] = [&exact, &coarse].map(|lookup| lookup.at(&point));
+            let [fine, rounded, in_half] = [&exact, &coarse, &half].map(|lookup| lookup.at(&point));
+            worst_half = worst_half.max(f64::from((in_half.e - fine.e).abs()));
             let b = rounded.b.unwrap_or(0.0);
             let (e, b) = (f64::from(rounded.e), f64::from(b));
             let most = baked.errors.lookup_8_bit.max;
@@ -393,5 +398,12 @@ fn lookups_with_weights_of_8_bits_keep_their_certificate() {
         }
         println!("{}: {worst:e} of {certified:e}", table.name);
         assert!(worst > 0.0 && worst <= certified, "{}: {worst:e} of {certified:e}", table.name);
+        let certified = certified_half.max_abs + baked.errors.lookup.max;
+        println!("{} in f16: {worst_half:e} of {certified:e}", table.name);
+        assert!(
+            worst_half > 0.0 && worst_half <= certified,
+            "{}: {worst_half:e} of {certified:e}",
+            table.name
+        );
     }
 }

@@ -14,8 +14,8 @@ use lobefit::data::{Axis, Decode, Registration, Surface, Table, TexelFormat, War
 use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
 use lobefit::emit::lookup::Readable;
-use lobefit_shade::Hypothesis;
 use lobefit_shade::code::{Language, TEXTURE_AXES, helpers};
+use lobefit_shade::{Hypothesis, Precision};
 
 /// Tables of three axes and of five.
 fn looked_up() -> Vec<Solid> {
@@ -274,7 +274,7 @@ fn near(axis: &Axis, i: usize, point: &Point) -> f64 {
         _ => point.mu,
     };
     let coordinate = axis.coordinate().expect("it parses");
-    let at = |x: f32| f64::from(coordinate.at(x, surface(point)));
+    let at = |x: f32| f64::from(coordinate.at(x, surface(point), Precision::F32));
     let exact = axis.node(i, exact(point)) == f64::from(x);
     let rounding = if exact { 0.0 } else { (at(x.next_up()) - at(x)).abs() };
     (16.0 * f64::from(f32::EPSILON) + rounding) * axis.size as f64

@@ -19,7 +19,7 @@ pub use fit::{fitted, misplaced};
 pub use lobe::{Lobe, View};
 pub use matrix::Matrix;
 pub use measure::{Deviation, Measured, Setting, measured};
-pub use pair::{Pair, SIDE, bytes, side_within};
+pub use pair::{Lookup, Pair, SIDE, bytes, side_within};
 pub use polygon::{cosine_share, proxy_share, sphere_share, vector_share};
 pub use quad::{FUNCTIONS, QUAD, Quad, TEXT};
 pub use square::{PER_PLACE, Share, Square, squares};

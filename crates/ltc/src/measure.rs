@@ -4,7 +4,7 @@ use crate::LtcError;
 use crate::fit::misplaced;
 use crate::lobe::{Lobe, View};
 use crate::matrix::Matrix;
-use crate::pair::Pair;
+use crate::pair::{Lookup, Pair};
 use crate::polygon::{cosine_share, proxy_share, sphere_share, vector_share};
 use crate::quad::{QUAD, Quad};
 use crate::square::squares;
@@ -55,6 +55,8 @@ pub struct Measured {
     pub shape: Deviation,
     /// The same with weights of the lookup of 8 fractional bits.
     pub shape_8_bit: Deviation,
+    /// The same by coordinates and texels of half precision.
+    pub shape_half: Deviation,
     /// Errors of the truths of squares.
     pub integration: Deviation,
     /// Share of the light that comes from elsewhere: the bound for lights of any shape.
@@ -67,6 +69,8 @@ pub struct Measured {
     pub light: Deviation,
     /// The same by coarse weights.
     pub light_8_bit: Deviation,
+    /// The same in half precision.
+    pub light_half: Deviation,
     /// The share of a sphere, by cosine and length in place of roughness and mu.
     pub sphere: Deviation,
     /// A square's light by the emitted function in f32, from that of the closed form.
@@ -85,6 +89,7 @@ struct Place {
     at: [f64; 2],
     shape: Vec<f64>,
     shape_8_bit: Vec<f64>,
+    shape_half: Vec<f64>,
     code: Vec<f64>,
     horizon: Vec<f64>,
     integration: Vec<f64>,
@@ -92,8 +97,8 @@ struct Place {
 }
 
 impl Place {
-    /// The errors of squares of a view by a texel of matrices and by one of coarse weights.
-    fn over_squares(&mut self, view: &View, [texel, coarse]: [[f64; 4]; 2], quad: &Quad) {
+    /// The errors of squares of a view by texels of matrices, one of each lookup.
+    fn over_squares(&mut self, view: &View, [texel, coarse, half]: [[f64; 4]; 3], quad: &Quad) {
         let matrix = Matrix::of_texel(texel);
         self.misplaced.push(misplaced(view, matrix));
         for square in squares(view) {
@@ -102,6 +107,7 @@ impl Place {
             let share = cosine_share(&taken);
             self.shape.push(share - truth.value);
             self.shape_8_bit.push(Matrix::of_texel(coarse).share(&corners) - truth.value);
+            self.shape_half.push(Matrix::of_texel(half).share(&corners) - truth.value);
             self.integration.push(truth.error);
             self.code.push(quad.share(texel, &corners) - share);
             self.horizon.push(proxy_share(towards(&taken)) - share);
@@ -173,26 +179,28 @@ impl Setting {
     }
 }
 
-/// What the lobe's albedo is off by: E, B, both, and both by coarse weights.
+/// The lookups that are measured.
+const LOOKUPS: [Lookup; 3] = [Lookup::Exact, Lookup::Coarse, Lookup::Half];
+
+/// What the lobe's albedo is off by: E, B, and both by each lookup.
 fn scales(
     pair: &Pair,
     setting: &Setting,
     alpha: &(impl Fn(f64) -> f64 + Sync),
-) -> Result<[Deviation; 4], LtcError> {
+) -> Result<[Deviation; 5], LtcError> {
     let (lobe, places) = (setting.lobe, setting.everywhere(pair.side));
     let widths: Vec<[f64; 2]> = places.iter().map(|[r, mu]| [lobe.within(alpha(*r)), *mu]).collect();
-    let mut found = [const { Vec::new() }; 4];
+    let mut found = [const { Vec::new() }; 5];
     for (&at, [e, b]) in places.iter().zip(lobe.albedo(&widths)?) {
-        let [[_, [own_e, own_b, ..]], [_, [coarse_e, coarse_b, ..]]] =
-            [false, true].map(|coarse| pair.at(at[0], at[1], coarse));
-        for (what, value) in [("E", own_e), ("B", own_b)] {
+        let own = LOOKUPS.map(|lookup| pair.at(at[0], at[1], lookup)[1]);
+        for (what, value) in [("E", own[0][0]), ("B", own[0][1])] {
             if !value.is_finite() {
                 return Err(LtcError::NotFinite { what, value, roughness: at[0], mu: at[1] });
             }
         }
-        let errors = [[own_e - e, own_b - b], [coarse_e - e, coarse_b - b]];
-        let [[own_e, own_b], _] = errors;
-        let lists: [&[f64]; 4] = [&[own_e], &[own_b], &errors[0], &errors[1]];
+        let errors = own.map(|[own_e, own_b, ..]| [own_e - e, own_b - b]);
+        let [e_alone, b_alone] = errors[0].each_ref().map(std::slice::from_ref);
+        let lists: [&[f64]; 5] = [e_alone, b_alone, &errors[0], &errors[1], &errors[2]];
         for (all, errors) in found.iter_mut().zip(lists) {
             all.extend(errors.iter().map(|error| (at, *error, e)));
         }
@@ -206,7 +214,7 @@ fn spheres(pair: &Pair) -> Deviation {
     let one = |i: usize| {
         let [u, length] = [i % (last + 1), i / (last + 1)].map(|i| i as f64 / last as f64);
         let cosine = 2.0 * u - 1.0;
-        let share = Pair::between(pair.side, &pair.amplitudes, [u, length], false)[3] * length;
+        let share = Pair::between(pair.side, &pair.amplitudes, [u, length], Lookup::Exact)[3] * length;
         ([cosine, length], share - sphere_share(cosine, length), 1.0)
     };
     Deviation::of((0..(last + 1) * (last + 1)).map(one))
@@ -225,15 +233,15 @@ pub fn measured(
 ) -> Result<Measured, LtcError> {
     pair.check()?;
     let (lobe, quad, axes) = (setting.lobe, Quad::new()?, setting.axes(pair.side));
-    let [amplitude, bias, light, light_8_bit] = scales(pair, setting, &alpha)?;
+    let [amplitude, bias, light, light_8_bit, light_half] = scales(pair, setting, &alpha)?;
     let places: Vec<[f64; 2]> = axes[1].iter().flat_map(|mu| axes[0].iter().map(|r| [*r, *mu])).collect();
     let one = |&[roughness, mu]: &[f64; 2]| -> Result<Place, LtcError> {
-        let texels = [false, true].map(|is_coarse| pair.at(roughness, mu, is_coarse)[0]);
+        let texels = LOOKUPS.map(|lookup| pair.at(roughness, mu, lookup)[0]);
         let mut place = Place { at: [roughness, mu], ..Place::default() };
         place.over_squares(&View::new(lobe, lobe.within(alpha(roughness)), mu)?, texels, &quad);
         let sum = |errors: &[f64]| errors.iter().sum::<f64>();
-        let named =
-            [("the shape error", sum(&place.shape) + sum(&place.shape_8_bit)), (QUAD, sum(&place.code))];
+        let shapes = [&place.shape, &place.shape_8_bit, &place.shape_half].map(|errors| sum(errors));
+        let named = [("the shape error", shapes.iter().sum()), (QUAD, sum(&place.code))];
         match named.into_iter().find(|(_, value)| !value.is_finite()) {
             Some((what, value)) => Err(LtcError::NotFinite { what, value, roughness, mu }),
             None => Ok(place),
@@ -254,12 +262,14 @@ pub fn measured(
     Ok(Measured {
         shape: over(|place| &place.shape),
         shape_8_bit: over(|place| &place.shape_8_bit),
+        shape_half: over(|place| &place.shape_half),
         integration: over(|place| &place.integration),
         misplaced: over(|place| &place.misplaced),
         amplitude,
         bias,
         light,
         light_8_bit,
+        light_half,
         sphere: spheres(pair),
         code: over(|place| &place.code),
         horizon: over(|place| &place.horizon),

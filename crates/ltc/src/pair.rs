@@ -4,6 +4,8 @@ use crate::LtcError;
 use crate::fit::fitted;
 use crate::lobe::{Lobe, View};
 use crate::polygon::sphere_share;
+use lobefit_shade::Real;
+use lobefit_shade::tape::Half;
 use rayon::prelude::*;
 
 /// Texels along both axes of the tables that engines ship.
@@ -38,6 +40,17 @@ pub struct Pair {
 /// Value of a node.
 fn node(i: usize, side: usize) -> f64 {
     i as f64 / (side - 1) as f64
+}
+
+/// What a lookup computes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lookup {
+    /// Numbers that are exact.
+    Exact,
+    /// Weights of texels that are multiples of 2^-8, as of many texture units.
+    Coarse,
+    /// Inputs, texture coordinates and the texel that is fetched rounded to f16.
+    Half,
 }
 
 impl Pair {
@@ -95,21 +108,39 @@ impl Pair {
         Pair { side: self.side, matrices: all(&self.matrices), amplitudes: all(&self.amplitudes) }
     }
 
-    /// The matrix and the second texel at a place, by the bilinear lookup between texels, whose
-    /// weights are multiples of 2^-8 where `coarse`.
-    pub fn at(&self, roughness: f64, mu: f64, coarse: bool) -> [[f64; 4]; 2] {
+    /// The matrix and the second texel at a place, by the bilinear lookup between texels.
+    pub fn at(&self, roughness: f64, mu: f64, lookup: Lookup) -> [[f64; 4]; 2] {
+        let texels = [&self.matrices, &self.amplitudes];
+        if lookup == Lookup::Half {
+            let place = self.place_in_half(roughness, mu);
+            return texels.map(|texels| {
+                Pair::between(self.side, texels, place, lookup)
+                    .map(|x| Half::nearest(x as f32).to_f32().into())
+            });
+        }
         let place = [roughness, (1.0 - mu).max(0.0).sqrt()];
-        [&self.matrices, &self.amplitudes].map(|texels| Pair::between(self.side, texels, place, coarse))
+        texels.map(|texels| Pair::between(self.side, texels, place, lookup))
+    }
+
+    /// The place in the unit square by texture coordinates in f16.
+    fn place_in_half(&self, roughness: f64, mu: f64) -> [f64; 2] {
+        let [roughness, mu] = [roughness, mu].map(|x| Half::nearest(x as f32));
+        let n = self.side as f64;
+        let [scale, offset] = [(n - 1.0) / n, 0.5 / n].map(|x| Half::nearest(x as f32));
+        [roughness, (Half::ONE - mu).root()].map(|at| {
+            let coordinate = f64::from((at * scale + offset).to_f32());
+            (coordinate * n - 0.5) / (n - 1.0)
+        })
     }
 
     /// The lookup in a texture at a place in the unit square, whose ends are texels.
-    pub(crate) fn between(side: usize, texels: &[[f64; 4]], place: [f64; 2], coarse: bool) -> [f64; 4] {
+    pub(crate) fn between(side: usize, texels: &[[f64; 4]], place: [f64; 2], lookup: Lookup) -> [f64; 4] {
         let last = (side - 1) as f64;
         let [(i, u), (k, v)] = place.map(|at| {
             let at = (at * last).clamp(0.0, last);
             let floor = at.floor().min(last - 1.0);
             let weight = at - floor;
-            (floor as usize, if coarse { (weight * 256.0).round() / 256.0 } else { weight })
+            (floor as usize, if lookup == Lookup::Coarse { (weight * 256.0).round() / 256.0 } else { weight })
         });
         let t = |i: usize, k: usize| texels[k * side + i];
         let mix = |a: [f64; 4], b: [f64; 4], t: f64| -> [f64; 4] {

@@ -2,8 +2,8 @@
 //! the closed form; and that a fitted matrix is the best about.
 
 use lobefit_ltc::{
-    Lobe, Matrix, Pair, Quad, Setting, Square, View, cosine_share, fitted, measured, misplaced, proxy_share,
-    sphere_share, squares, vector_share,
+    Lobe, Lookup, Matrix, Pair, Quad, Setting, Square, View, cosine_share, fitted, measured, misplaced,
+    proxy_share, sphere_share, squares, vector_share,
 };
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
@@ -252,7 +252,7 @@ fn a_small_pair_is_measured_at_its_texels_and_between() {
         let near = |at: f64, k: i32| (at + quad * f64::from(k - 3)).clamp(0.0, 1.0);
         let (r, v) = (near(roughness, k % 7).max(0.3), near((1.0 - mu).sqrt(), k / 7));
         let mu = (1.0 - v * v).max(0.05);
-        let matrix = Matrix::of_texel(pair.at(r, mu, false)[0]);
+        let matrix = Matrix::of_texel(pair.at(r, mu, Lookup::Exact)[0]);
         let view = View::new(GGX, alpha(r), mu).expect("in the domain");
         for square in squares(&view) {
             let off = (matrix.share(&square.corners()) - square.share(&view).value).abs();

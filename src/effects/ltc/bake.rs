@@ -3,8 +3,8 @@
 use super::{METRIC, side};
 use crate::approximate::FitStageError;
 use crate::data::{
-    Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Source, Table, Use, Warp, lookup_features,
-    lookup_ops, shortest,
+    Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Half, HalfError, Source, Table, Use, Warp,
+    lookup_features, lookup_ops, shortest,
 };
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
@@ -72,9 +72,9 @@ pub(super) fn bake(
             format,
         };
         table.validate()?;
-        let (error, coarse, integration) = match k {
-            0 => (found.shape, found.shape_8_bit, found.integration.max),
-            _ => (found.light, found.light_8_bit, 1e-6),
+        let (error, coarse, half, integration) = match k {
+            0 => (found.shape, found.shape_8_bit, found.shape_half, found.integration.max),
+            _ => (found.light, found.light_8_bit, found.light_half, 1e-6),
         };
         let rounded = texels.iter().flatten().map(|x| (format.quantise(*x) - x).abs()).fold(0.0, f64::max);
         let error_entry = TableError {
@@ -82,6 +82,12 @@ pub(super) fn bake(
             quantisation: round_up(rounded, 4),
             lookup: entry(&error),
             lookup_8_bit_weights: entry(&coarse),
+            half: Half::Measured(HalfError {
+                max_abs: round_up(half.max, 4),
+                rms: half.rms,
+                at: place(half.at),
+                precision: "f16".into(),
+            }),
         };
         let ops = lookup_ops(&table.axes, decode).map_err(shader)?;
         let approximation = Approximation {
@@ -205,10 +211,11 @@ impl Baked {
     /// The lookups in a language.
     pub fn code(&self, language: Language, context: &Context) -> Result<String, BakeError> {
         let mut text = String::new();
-        for (k, (approximation, decode, names, _)) in self.tables.iter().enumerate() {
+        for (k, (approximation, decode, names, errors)) in self.tables.iter().enumerate() {
             let Form::Table(table) = &approximation.form else { continue };
             let note = &self.measured.notes()[k];
-            let header = header::lookup_lines(table, *decode, &approximation.certificate, Some(note));
+            let half = &errors.half;
+            let header = header::lookup_lines(table, *decode, &approximation.certificate, half, Some(note));
             let readable = self.readable(context, table, *decode, names, &header);
             if k == 0 {
                 text += &format!("\n{}", readable.print_parts(language)?);

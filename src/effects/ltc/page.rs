@@ -8,7 +8,7 @@ use crate::report::{
     Block, Curves, EffectFinding, Field, HeatMap, Origin, Page, Ruler, Section, Series, Spread, Style,
     figures as drawn, words,
 };
-use lobefit_ltc::{Deviation, Matrix, View};
+use lobefit_ltc::{Deviation, Lookup, Matrix, View};
 
 /// Roughness and mu of the views that are drawn.
 const VIEWS: [[f64; 2]; 4] = [[0.3, 0.8], [0.6, 0.5], [0.6, 0.1], [1.0, 0.1]];
@@ -61,7 +61,7 @@ fn map(one: &Baked) -> Field {
 /// The lobe and its cosine in the plane of incidence.
 fn chart(one: &Baked, [roughness, mu]: [f64; 2], alpha: f64) -> Result<Curves, BakeError> {
     let view = View::new(one.lobe, one.lobe.within(alpha), mu)?;
-    let matrix = Matrix::of_texel(one.pair.at(roughness, mu, false)[0]);
+    let matrix = Matrix::of_texel(one.pair.at(roughness, mu, Lookup::Exact)[0]);
     let line = |name: &str, style: Style, density: &dyn Fn([f64; 3]) -> f64| {
         let at = |k: i32| {
             let degrees = f64::from(k) * 90.0 / f64::from(STEPS);

@@ -87,6 +87,7 @@ fn errors(baked: &BakedTable) -> TableError {
         quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),
         lookup: entry(&baked.errors.lookup),
         lookup_8_bit_weights: entry(&baked.errors.lookup_8_bit),
+        half: baked.errors.half.clone(),
     }
 }
 
@@ -99,7 +100,8 @@ fn code(language: Language, tables: &[BakedTable], context: &Context) -> Result<
     let mut stems: Vec<&str> = Vec::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let header = header::lookup_lines(table, baked.decode, &baked.approximation.certificate, baked.note);
+        let certificate = &baked.approximation.certificate;
+        let header = header::lookup_lines(table, baked.decode, certificate, &baked.errors.half, baked.note);
         let readable = readable(baked, table, context, &header);
         if !stems.contains(&baked.names.stem.as_str()) {
             text += &format!("\n{}", readable.print_parts(language)?);

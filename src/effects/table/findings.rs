@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::results::{PathTracerFinding, SlicedFindings};
 use super::{BakedTable, Lookup, Region, Sliced, furnaces};
-use crate::data::{Layout, Place, Smith};
+use crate::data::{Half, HalfError, Layout, Place, Smith};
 use crate::effects::context::Context;
 use crate::effects::grid::{self, grazing};
 use crate::effects::table::estimator::{PATH_TRACER_SAMPLES, estimate};
@@ -135,6 +135,10 @@ fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
     lines.push(lookup("lookup of E", &e.lookup_e));
     lines.extend(e.lookup_b.iter().map(|b| lookup("lookup of B", b)));
     lines.push(lookup("lookup in use, weights of 8 bits", &e.lookup_8_bit));
+    if let Half::Measured(HalfError { max_abs, rms, at, .. }) = &e.half {
+        let figure = ErrorFigure { max: *max_abs, rms: Some(*rms), at: at.clone() };
+        lines.push(("lookup in use, coordinates and decoding in f16".into(), figure));
+    }
     lines
 }
 

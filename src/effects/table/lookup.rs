@@ -1,8 +1,8 @@
 //! A table as a shader reads it, whatever the number of its axes: coordinates, linear fetch and
-//! decoding, in f32.
+//! decoding, in f32 or f16.
 
 use crate::data::{AXES, Axis, Coordinate, Decode, Decoder, Surface, Table, Values};
-use lobefit_shade::ShadeError;
+use lobefit_shade::{Precision, ShadeError};
 
 /// Arguments of an emitted lookup. Those that the table does not use are not read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -117,6 +117,8 @@ pub struct Lookup<'a> {
     decoder: Decoder,
     /// Steps of the interpolation weights: many texture units keep 8 fractional bits.
     weight_steps: Option<f32>,
+    /// Of coordinates and decoding; the fetch between is that of the texture unit.
+    precision: Precision,
 }
 
 /// The texels around a position along one axis, as offsets into the channel.
@@ -156,12 +158,20 @@ impl<'a> Lookup<'a> {
         let axes = table.axes.iter().map(variable).collect::<Result<_, LookupError>>()?;
         let texels = table.channels.iter().map(|c| c.texels.iter().map(|t| *t as f32).collect()).collect();
         let decoder = decode.decoder().map_err(LookupError::Shader)?;
-        Ok(Lookup { table: &table.name, axes, texels, decoder, weight_steps: None })
+        let (weight_steps, precision) = (None, Precision::F32);
+        Ok(Lookup { table: &table.name, axes, texels, decoder, weight_steps, precision })
     }
 
     /// The same with interpolation weights rounded to `bits` fractional bits, as texture units do.
     pub fn with_weight_bits(mut self, bits: u32) -> Lookup<'a> {
         self.weight_steps = Some((1_u32 << bits) as f32);
+        self
+    }
+
+    /// The same with coordinates and decoding in another arithmetic. In f16 the inputs, both roughness and
+    /// alpha given, and the texel that is fetched are rounded first.
+    pub fn with_precision(mut self, precision: Precision) -> Lookup<'a> {
+        self.precision = precision;
         self
     }
 
@@ -172,7 +182,7 @@ impl<'a> Lookup<'a> {
 
     /// The decoded values at a point, in the shader's arithmetic.
     pub fn at(&self, point: &Point) -> Values {
-        self.decoder.at(self.texel(point), point.mu, point.surface())
+        self.decoder.at(self.texel(point), point.mu, point.surface(), self.precision)
     }
 
     /// Where a point lies, in texels from the centre of the first one along each axis; 0 along axes
@@ -181,7 +191,7 @@ impl<'a> Lookup<'a> {
         let mut position = [0.0; AXES];
         for (x, (variable, size, coordinate)) in position.iter_mut().zip(&self.axes) {
             let n = *size as f64;
-            let u = f64::from(coordinate.at(variable.at(point), point.surface()));
+            let u = f64::from(coordinate.at(variable.at(point), point.surface(), self.precision));
             *x = (u * n - 0.5).clamp(0.0, n - 1.0);
         }
         position
@@ -192,7 +202,7 @@ impl<'a> Lookup<'a> {
         let (surface, mut stride) = (point.surface(), 1);
         let mut cells = [Cell::default(); AXES];
         for (cell, (variable, size, coordinate)) in cells.iter_mut().zip(&self.axes) {
-            *cell = self.cell(coordinate.at(variable.at(point), surface), *size, stride);
+            *cell = self.cell(coordinate.at(variable.at(point), surface, self.precision), *size, stride);
             stride *= size;
         }
         let mut texel = [0.0; 4];

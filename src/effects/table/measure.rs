@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 
 use super::{Lookup, LookupError, LookupPoints};
-use crate::data::{Decode, Table, Values};
+use crate::data::{Decode, Half, HalfError, HalfRefusal, Table, Values};
 use crate::effects::{Albedo, Deviation, Rounding};
+use lobefit_shade::{Precision, round_up};
 
 /// The true values at the points where a lookup is judged, in their order.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,8 @@ pub struct Errors {
     pub lookup: Deviation,
     /// The same with weights of 8 fractional bits, as many texture units interpolate.
     pub lookup_8_bit: Deviation,
+    /// The same with coordinates and decoding in f16 and f32 weights.
+    pub half: Half,
     /// Error of E alone.
     pub lookup_e: Deviation,
     /// Error of B alone, where the table has it.
@@ -72,16 +75,14 @@ pub fn measure(
     let over = |lookup: &Lookup, judged| deviation(lookup, judged, points, truth);
     let lookup_e = over(&exact, Judged::E)?;
     let has_b = decode.has_bias();
-    let (lookup, lookup_8_bit) = if has_b {
-        (over(&exact, Judged::Either)?, over(&coarse, Judged::Either)?)
-    } else {
-        (lookup_e.clone(), over(&coarse, Judged::E)?)
-    };
+    let in_use = if has_b { Judged::Either } else { Judged::E };
+    let lookup = if has_b { over(&exact, in_use)? } else { lookup_e.clone() };
     Ok(Errors {
         integration,
         quantisation: Rounding::of(table, &quantised),
         lookup,
-        lookup_8_bit,
+        lookup_8_bit: over(&coarse, in_use)?,
+        half: half(&exact, in_use, points, truth)?,
         lookup_e,
         lookup_b: if has_b { Some(over(&exact, Judged::B)?) } else { None },
         points: points.len(),
@@ -110,6 +111,23 @@ pub fn error_map(
         Ok(if judged == Judged::B || of_b.abs() > of_e.abs() { of_b } else { of_e })
     };
     points.all.par_iter().enumerate().map(at).collect()
+}
+
+/// The error of a lookup in half precision, by the worse of the two ways of rounding products, or the first
+/// point where it has no finite value.
+fn half(lookup: &Lookup, judged: Judged, points: &LookupPoints, truth: Truth) -> Result<Half, LookupError> {
+    let of = |precision: Precision| -> Result<Half, LookupError> {
+        let errors = error_map(&lookup.clone().with_precision(precision), judged, points, truth)?;
+        let precision = precision.name().to_string();
+        if let Some(i) = errors.iter().position(|error| !error.is_finite()) {
+            let refused = format!("the lookup has no finite value in {precision}");
+            return Ok(Half::Refused(HalfRefusal { refused, at: points.place(i) }));
+        }
+        let Deviation { max, rms, at, .. } =
+            Deviation::of(&errors, truth.e, |i| points.uniform[i], |worst| points.place(worst));
+        Ok(Half::Measured(HalfError { max_abs: round_up(max, 4), rms, at, precision }))
+    };
+    Ok(of(Precision::F16)?.or_worse(of(Precision::F16Fused)?))
 }
 
 fn deviation(
