@@ -172,8 +172,14 @@ fn what_f32_rounds_away_is_left_out() {
     let baked = bake_scene(&Scene::from_json(text.as_bytes(), "m.json").expect("a scene")).expect("a bake");
     let said: Vec<String> = baked.dropped.iter().map(|left| left.reason.clone()).collect();
     assert!(said.iter().any(|why| why.contains("f32 rounds its values by up to")), "{said:#?}");
-    for fit in baked.fits.iter().filter(|fit| fit.approximation.source == lobefit::data::Source::Fitted) {
-        let largest = fit.coefficients().iter().fold(0.0_f32, |largest, c| largest.max(c.abs()));
-        assert!(largest < 1e4, "{}: {largest}", fit.hypothesis.name());
+    let mu: Vec<f32> = (0..50_000).map(|i| 0.01 + 0.99 * (i as f32 + 0.37) / 50_000.0).collect();
+    let wide = |column: &[f32]| column.iter().map(|x| f64::from(*x)).collect::<Vec<f64>>();
+    for fit in baked.fits.iter().filter(|fit| fit.hypothesis.inputs() == ["mu"]) {
+        let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
+        let rounded = tape.evaluate(&[mu.clone()], &coefficients).expect("values");
+        let exact = tape.evaluate(&[wide(&mu)], &wide(&coefficients)).expect("values");
+        let off = rounded.iter().zip(&exact).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
+        let stated = fit.approximation.certificate.max_abs;
+        assert!(off <= f64::max(2e-6, 0.2 * stated), "{}: {off}, {stated}", fit.hypothesis.name());
     }
 }

@@ -163,7 +163,8 @@ fn a_budget_is_counted_in_operations_or_by_the_model_of_a_vendor() {
         assert_eq!(text.contains(held), dearer, "{text}");
     }
     // What a scene picks by, `bake` prints.
-    let priced = br#"{"schema_version": 1, "cost": "intel", "reports": false, "languages": ["wgsl"], "materials": [
+    let priced =
+        br#"{"schema_version": 1, "cost": "intel", "reports": false, "languages": ["wgsl"], "materials": [
       {"name": "m", "kind": "metal", "f0": 0.6, "roughness": 0.5, "wants": {"fit": {}}}]}"#;
     let output = lobefit(folder.path(), &["bake", "-"], priced);
     let text = String::from_utf8_lossy(&output.stdout);

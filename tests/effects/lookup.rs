@@ -106,13 +106,13 @@ fn in_f16_every_operation_of_the_coordinates_is_rounded() {
         let part = |k: usize| ((i * k) % 1009) as f32 / 1008.0;
         let point = Point { mu: part(1), roughness: part(37), ior: 1.0 + part(211), ..Point::default() };
         let [mu, roughness, ior] = [point.mu, point.roughness, point.ior].map(|x| half(f64::from(x)));
-        // Ends are the centres of the outermost texels: u (n - 1) / n + 1 / (2 n).
-        let product = |x: f64, n: f64| x * half((n - 1.0) / n);
-        let offset = |n: f64| half(0.5 / n);
-        let apart = |x: f64, n: f64| half(half(product(x, n)) + offset(n));
-        let fused = |x: f64, n: f64| half(product(x, n) + offset(n));
-        let expected =
-            [[apart(mu, 5.0), apart(half(ior - 1.0), 3.0)], [fused(mu, 5.0), fused(half(ior - 1.0), 3.0)]];
+        // Ends are the centres of the outermost texels: u (n - 1) / n + 1 / (2 n), u from the first value on.
+        let apart = |x: f64, scale: f64, offset: f64| half(half(x * half(scale)) + half(offset));
+        let fused = |x: f64, scale: f64, offset: f64| half(x * half(scale) + half(offset));
+        let of_mu = (mu, 0.8, 0.1);
+        let of_ior = (ior, 2.0 / 3.0, 0.5 / 3.0 - 2.0 / 3.0);
+        let expected = [&apart as &dyn Fn(f64, f64, f64) -> f64, &fused]
+            .map(|f| [of_mu, of_ior].map(|(x, scale, offset)| f(x, scale, offset)));
         for (lookup, [u, w]) in lookups.iter().zip(expected) {
             let texels = |u: f64, n: f64| (u * n - 0.5).clamp(0.0, n - 1.0);
             let expected = [texels(u, 5.0), texels(roughness, 4.0), texels(w, 3.0)];

@@ -3,7 +3,7 @@
 use crate::approximate::{Entry, own, published};
 
 /// E(alpha, mu) with free parameters, by rising cost.
-pub const HYPOTHESES: [Entry; 11] = own![
+pub const HYPOTHESES: [Entry; 9] = own![
     "charlie_e_8",
     "charlie_e_9",
     "charlie_e_10",
@@ -12,9 +12,7 @@ pub const HYPOTHESES: [Entry; 11] = own![
     "charlie_e_14",
     "charlie_e_15",
     "charlie_e_16",
-    "charlie_e_rational",
     "charlie_e_exp",
-    "charlie_e_gauss",
 ];
 
 /// E(roughness, mu) as engines ship it: measured and reported, not emitted.
