@@ -76,7 +76,7 @@ pub fn dielectric_average(ior: f64) -> f64 {
 }
 
 /// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to
-/// outside; without absorption eta >= 1) at the cosine c in [0, 1]; 1 at c = 0. Born and Wolf, sec.
+/// outside) at the cosine c in [0, 1]; 1 at c = 0, and without absorption from the critical angle on. Born and Wolf, sec.
 /// 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2 +
 /// b^2), and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
 ///
@@ -89,7 +89,8 @@ pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {
     let contrast = (eta - 1.0) * (eta + 1.0) - k * k;
     let real = if s2 < 0.5 { eta * eta - k * k - s2 } else { contrast + c * c };
     let larger = (0.5 * ((real * real + 4.0 * product * product).sqrt() + real.abs())).sqrt();
-    let smaller = product / larger;
+    // Both are 0 at the critical angle itself.
+    let smaller = if larger == 0.0 { 0.0 } else { product / larger };
     let (a, b, difference) = if real >= 0.0 {
         (larger, smaller, (contrast + smaller * smaller) / (larger + c))
     } else {
