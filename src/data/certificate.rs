@@ -19,8 +19,8 @@ pub fn nine_digits(x: f64) -> f64 {
 }
 
 /// A formula or a lookup in half precision: inputs, coefficients, the texel that is fetched and every
-/// operation rounded to f16, products contracted into the sums that use them or not, whichever errs more. A compiler that keeps f32
-/// has the error of the [`Certificate`].
+/// operation rounded to f16, products contracted into the sums that use them or not, whichever errs more.
+/// A compiler that keeps f32 has the error of the [`Certificate`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Half {

@@ -9,7 +9,6 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 
 use super::page::{Block, Card, Choice, Page, Section, TextTable, figures_of, place_of};
 use super::{bar, fold};
-use crate::scene::UNNAMED;
 
 /// Widest drawing in pixels that is still read where it is made as small as a narrow screen; a wider one
 /// scrolls there.
@@ -140,8 +139,9 @@ fn head(out: &mut String, page: &Page) {
 fn footer(out: &mut String, page: &Page) {
     let origin = &page.origin;
     out.push_str("<footer>\n<dl class=\"facts\">\n");
-    if !origin.scene.is_empty() && origin.scene != UNNAMED {
-        put(out, format_args!("<dt>Scene</dt><dd>{}</dd>\n", Escaped(&origin.scene)));
+    let scene = origin.scene_words();
+    if !scene.is_empty() {
+        put(out, format_args!("<dt>Scene</dt><dd>{}</dd>\n", Escaped(scene)));
     }
     let (recipe, tool, command) = (Escaped(&origin.recipe), Escaped(&origin.tool), Escaped(&origin.command));
     put(out, format_args!("<dt>Recipe</dt><dd><code>{recipe}</code></dd>\n"));

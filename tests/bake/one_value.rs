@@ -176,7 +176,7 @@ fn what_f32_rounds_away_is_left_out() {
     let wide = |column: &[f32]| column.iter().map(|x| f64::from(*x)).collect::<Vec<f64>>();
     for fit in baked.fits.iter().filter(|fit| fit.hypothesis.inputs() == ["mu"]) {
         let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
-        let rounded = tape.evaluate(&[mu.clone()], &coefficients).expect("values");
+        let rounded = tape.evaluate(std::slice::from_ref(&mu), &coefficients).expect("values");
         let exact = tape.evaluate(&[wide(&mu)], &wide(&coefficients)).expect("values");
         let off = rounded.iter().zip(&exact).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
         let stated = fit.approximation.certificate.max_abs;

@@ -8,6 +8,7 @@ use lobefit_ltc::{
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, normalise, scaled};
+use lobefit_shade::tape::Half;
 use lobefit_truth::optics::{Smith, ggx};
 use std::f64::consts::PI;
 
@@ -259,6 +260,16 @@ fn a_small_pair_is_measured_at_its_texels_and_between() {
             assert!(off < 1.02 * found.shape.max, "{r} {mu}: {off}, stated {:?}", found.shape);
         }
     }
+    // In half precision places move by some 2^-11, 0.003 of a texel: as much as what lies between two texels.
+    for (exact, half) in [(&found.shape, &found.shape_half), (&found.light, &found.light_half)] {
+        let moved = (half.max - exact.max).abs();
+        assert!(half != exact && moved < 0.02 * exact.max + 2e-3, "{exact:?} {half:?}");
+    }
+    let [exact, half] = [Lookup::Exact, Lookup::Half].map(|lookup| pair.at(0.7, 0.4, lookup)[1][0]);
+    assert!(
+        half == f64::from(Half::nearest(half as f32).to_f32()) && (half - exact).abs() < 2e-3,
+        "{exact} {half}"
+    );
     assert!(found.misplaced.max >= found.shape.max, "a square is no worse than any light");
     assert!(found.code.max < 1e-4 && found.integration.max < 2e-3);
     assert!(found.horizon.max > 0.05, "the formula without clipping is what errs: {:?}", found.horizon);

@@ -49,10 +49,22 @@ impl Origin {
         self
     }
 
+    /// The scene as a reader knows it; nothing of one without a name.
+    pub fn scene_words(&self) -> &str {
+        match self.scene.as_str() {
+            UNNAMED => "",
+            "default" => "built-in scene",
+            named => named,
+        }
+    }
+
     /// Title of a page: what it is of what; a scene without a name adds none.
     pub fn title(&self, page: &str, of: &str) -> String {
-        let scene = if self.scene == UNNAMED { "" } else { &self.scene };
-        [page, scene, of].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(": ")
+        [page, self.scene_words(), of]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join(": ")
     }
 }
 

@@ -95,12 +95,9 @@ fn frontiers(costs: &Costs) -> Result<Section, ReportError> {
         }
         of.push((unit.name.clone(), blocks));
     }
-    of.extend(
-        costs
-            .times
-            .iter()
-            .map(|times| (format!("{}: {}", times.device.adapter, scene(times)), vec![measured(times)])),
-    );
+    of.extend(costs.times.iter().map(|times| {
+        (format!("{}: {}", times.device.adapter, times.origin.scene_words()), vec![measured(times)])
+    }));
     if !costs.tables.is_empty() {
         of.push(("bytes of tables".into(), vec![tables(costs)]));
     }
@@ -133,14 +130,6 @@ fn chart(job: &CostJob, of: usize, unit: &CostUnit) -> Option<Scatter> {
     })
 }
 
-/// The scene whose functions were measured.
-fn scene(record: &GpuRecord) -> &str {
-    match record.origin.scene.as_str() {
-        "default" => "built-in scene",
-        other => other,
-    }
-}
-
 /// Times of the functions of another scene.
 fn measured(record: &GpuRecord) -> Block {
     let timed = record.rows.iter().filter(|row| row.resolved());
@@ -156,7 +145,7 @@ fn measured(record: &GpuRecord) -> Block {
         "Measured on {}, throughput of the full device; functions of another scene ({}). The errors are those at the \
          points of the run; the certificates are searched for the worst and so larger.",
         record.device.adapter,
-        scene(record)
+        record.origin.scene_words()
     );
     Block::Table(words::table(columns, timed.filter_map(row).collect(), &caption))
 }

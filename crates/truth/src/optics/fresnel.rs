@@ -76,8 +76,8 @@ pub fn dielectric_average(ior: f64) -> f64 {
 }
 
 /// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to
-/// outside) at the cosine c in [0, 1]; 1 at c = 0, and without absorption from the critical angle on. Born and Wolf, sec.
-/// 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2 +
+/// outside) at the cosine c in [0, 1]; 1 at c = 0, and without absorption from the critical angle on. Born
+/// and Wolf, sec. 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2 +
 /// b^2), and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
 ///
 /// Of a and b the larger is a root and the other follows from a b = eta k. The difference of a and c
