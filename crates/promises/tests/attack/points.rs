@@ -24,8 +24,8 @@ pub fn draw(random: &mut Pcg64, inputs: &[Range]) -> Vec<f64> {
     x.iter().zip(inputs).map(|(x, Range(_, low, high))| x.clamp(*low, *high)).collect()
 }
 
-/// Moves a cosine next to that of the critical angle of a dielectric, within some ulp or some decades. That of a
-/// conductor without absorption is no place to promise digits at: F falls from it with the root of the cosine.
+/// Moves a cosine next to that of the critical angle of a dielectric, within some ulp or some decades. Next
+/// to that of a conductor without absorption nothing is promised: F falls from it with the root of the cosine.
 fn critical(random: &mut Pcg64, inputs: &[Range], x: &mut [f64]) {
     let named = |names: &[&str]| inputs.iter().position(|Range(name, ..)| names.contains(&name.as_str()));
     let (Some(index), Some(cosine)) = (named(&["ior"]), named(&["mu", "cosine"])) else { return };
