@@ -64,7 +64,7 @@ pub enum FitStageError {
         hypothesis: String,
         /// Norm that was minimised.
         norm: String,
-        /// What is not finite, and where.
+        /// What is not finite, or how much of its error is rounding, and where.
         reason: String,
     },
     /// A formula of the catalogue without a fit to rely on, as it was found before.

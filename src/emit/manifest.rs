@@ -201,9 +201,11 @@ pub struct TableError {
 pub struct LookupEntry {
     /// Largest absolute error.
     pub max: f64,
+    /// Largest error as a part of the truth there.
+    pub max_rel: f64,
     /// Root mean square.
     pub rms: f64,
-    /// Where the largest is.
+    /// Where the largest absolute one is.
     pub at: Place,
 }
 

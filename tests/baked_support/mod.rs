@@ -11,7 +11,7 @@ use lobefit::effects::BakeError;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Cache;
-use lobefit_promises::Fitted;
+use lobefit_promises::{Fitted, Range};
 
 /// What bakes of a test share: a result is named by the code that computes it and by all its inputs, so
 /// that what another test computed, in this run or before, is what this one would compute.
@@ -32,7 +32,16 @@ pub fn assert_promised<'a>(test: &str, fits: impl IntoIterator<Item = &'a Fit>) 
         let (a, formula) = (&fit.approximation, fit.hypothesis.name());
         let name = formula.rsplit('/').next().unwrap_or(formula);
         let ours = a.source == Source::Fitted && !a.name.contains("_rms");
-        ours.then_some(Fitted { name, ops: a.cost.ops, error: a.certificate.max_abs })
+        let certificate = &a.certificate;
+        // Roughness says what alpha would.
+        let domain = certificate.domain.iter().filter(|(input, _)| input.as_str() != "alpha");
+        ours.then(|| Fitted {
+            name,
+            ops: a.cost.ops,
+            error: certificate.max_abs,
+            relative: certificate.max_rel,
+            domain: domain.map(|(input, [low, high])| Range(input.clone(), *low, *high)).collect(),
+        })
     };
     let found: Vec<Fitted> = fits.into_iter().filter_map(of).collect();
     let broken = lobefit_promises::broken(test, &found);

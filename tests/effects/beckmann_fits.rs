@@ -2,7 +2,7 @@
 //! the default domain, on a grid of it with its edges.
 
 use lobefit::effects::reflection::BECKMANN;
-use lobefit_promises::{Fitted, broken};
+use lobefit_promises::{Fitted, Range, broken};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
@@ -37,16 +37,21 @@ fn the_constants_in_the_files_keep_what_is_promised() {
         .entries()
         .map(|entry| Hypothesis::parse(entry.file, entry.source).expect("a formula"))
         .collect();
-    let found = parsed.iter().map(|formula| Fitted {
-        name: formula.name(),
-        ops: formula.tape().cost_ops(),
-        error: match formula.name().starts_with("beckmann_norm_") {
-            true => error(formula, 1.0, &|i, n| n * e[i] - 1.0),
-            false => {
-                let of_b = error(formula, 0.0, &|i, value| value - b[i]);
-                error(formula, 1.0, &|i, value| value - e[i]).max(of_b)
-            }
-        },
+    let found = parsed.iter().map(|formula| {
+        let at_ends = |of: &dyn Fn(f64, f64) -> f64| {
+            let of_b = error(formula, 0.0, &|i, value| of(value, b[i]));
+            error(formula, 1.0, &|i, value| of(value, e[i])).max(of_b)
+        };
+        let is_norm = formula.name().starts_with("beckmann_norm_");
+        let of_norm = || error(formula, 1.0, &|i, n| n * e[i] - 1.0);
+        let [error, relative] = match is_norm {
+            true => [of_norm(); 2],
+            false => [at_ends(&|value, truth| value - truth), at_ends(&|value, truth| value / truth - 1.0)],
+        };
+        let f0 = (!is_norm).then(|| Range("f0".into(), 0.0, 1.0));
+        let others = [Range("mu".into(), 0.01, 1.0), Range("roughness".into(), 0.02, 1.0)];
+        let domain = f0.into_iter().chain(others).collect();
+        Fitted { name: formula.name(), ops: formula.tape().cost_ops(), error, relative, domain }
     });
     let found: Vec<Fitted> = found.collect();
     // The rows of the page are those of a bake, which searches the largest errors.

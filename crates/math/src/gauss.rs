@@ -1,5 +1,7 @@
 //! Gauss-Legendre rules on [-1, 1].
 
+use std::sync::OnceLock;
+
 use super::ops;
 
 /// Most nodes that [`Gauss::new`] accepts: Newton on the three-term recurrence is exact to a few
@@ -16,13 +18,18 @@ pub struct Gauss {
 }
 
 impl Gauss {
-    /// The rule of `n` nodes.
+    /// The rule of `n` nodes, solved for once in a run.
     ///
     /// # Panics
     /// If `n` is 0 or above [`MOST_NODES`], or Newton has not converged in 100 steps (neither
     /// depends on data).
     pub fn new(n: usize) -> Gauss {
+        static RULES: [OnceLock<Gauss>; MOST_NODES + 1] = [const { OnceLock::new() }; MOST_NODES + 1];
         assert!((1..=MOST_NODES).contains(&n), "a Gauss rule has 1 to {MOST_NODES} nodes, not {n}");
+        RULES[n].get_or_init(|| Gauss::solve(n)).clone()
+    }
+
+    fn solve(n: usize) -> Gauss {
         let (mut nodes, mut weights) = (vec![0.0; n], vec![0.0; n]);
         for i in 0..n.div_ceil(2) {
             let (x, w) = root(n, i);

@@ -84,6 +84,12 @@ pub struct Formula {
     pub ops: u32,
     /// Largest error of its use when fitted for the maximum.
     pub max_error: f64,
+    /// Largest error as a part of the truth; none where the truth comes next to 0 and the error is all of it
+    /// or more.
+    #[serde(default)]
+    pub relative: Option<f64>,
+    /// The domain of the promise.
+    pub inputs: Vec<Range>,
     /// The test that fits it.
     pub test: String,
 }
@@ -94,8 +100,14 @@ pub struct Formula {
 pub struct Table {
     /// Its name, as `ggx-dfg-correlated-32x32`.
     pub name: String,
+    /// The ranges of its axes; a lookup clamps outside.
+    pub inputs: Vec<Range>,
+    /// Format of its texels.
+    pub format: String,
     /// Largest error of a lookup by f32 weights.
     pub max_error: f64,
+    /// The same as a part of the truth.
+    pub relative: f64,
     /// That by the weights of eight bits that hardware filters with.
     pub max_error_8_bit_weights: f64,
 }
@@ -165,7 +177,7 @@ pub fn formulas_of(test: &str) -> impl Iterator<Item = &'static Formula> {
 }
 
 /// A formula as a test has fitted it for the largest error.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Fitted<'a> {
     /// Its name.
     pub name: &'a str,
@@ -173,35 +185,42 @@ pub struct Fitted<'a> {
     pub ops: u32,
     /// Its certified error.
     pub error: f64,
+    /// Its largest error as a part of the truth.
+    pub relative: f64,
+    /// Where it is certified.
+    pub domain: Vec<Range>,
 }
 
 /// What the formulas that a test has fitted break of their promises: each that the list names with the
-/// test is there, takes what it says, and errs by no more, nor by so much less that the list is stale.
-/// A formula that the list lacks is its line.
+/// test is there, takes what it says, and errs there by no more, nor by so much less that the list is stale.
+/// Of a promise that is broken, and of a formula that the list lacks, the line that holds.
 pub fn broken(test: &str, found: &[Fitted]) -> Vec<String> {
+    let line = |fit: &Fitted| {
+        let Fitted { name, ops, error, relative, domain } = fit;
+        let input = |Range(name, low, high): &Range| format!(r#"["{name}", {low}, {high}]"#);
+        let inputs = domain.iter().map(input).collect::<Vec<_>>().join(", ");
+        let relative = if *relative < ALL { format!(r#""relative": {relative}, "#) } else { String::new() };
+        format!(
+            r#"{{"name": "{name}", "ops": {ops}, "max_error": {error}, {relative}"inputs": [{inputs}], "test": "{test}"}}"#
+        )
+    };
     let of = |promise: &Formula| {
         let named = found.iter().filter(|fit| fit.name == promise.name);
         let worst = named.max_by(|a, b| a.error.total_cmp(&b.error));
-        let Formula { name, ops, max_error, .. } = promise;
-        match worst {
-            None => Some(format!("{name} is not fitted")),
-            Some(fit) if fit.ops != *ops => Some(format!("{name}: {} operations, not {ops}", fit.ops)),
-            Some(fit) if fit.error.is_nan() || fit.error > *max_error => {
-                Some(format!("{name}: {:e} of {max_error:e}", fit.error))
-            }
-            Some(fit) if fit.error < STALE * max_error => {
-                Some(format!("{name}: {:e} is promised, {:e} kept", max_error, fit.error))
-            }
-            Some(_) => None,
-        }
+        let Some(fit) = worst else { return Some(format!("{} is not fitted", promise.name)) };
+        let holds = |error: f64, promised: f64| error <= promised && error >= STALE * promised;
+        let is_kept = fit.ops == promise.ops
+            && holds(fit.error, promise.max_error)
+            && promise.relative.map_or(fit.relative >= ALL, |promised| holds(fit.relative, promised))
+            && fit.domain == promise.inputs;
+        (!is_kept).then(|| line(fit))
     };
     let unknown = found.iter().filter(|fit| promises().formulas.iter().all(|f| f.name != fit.name));
-    let line = |fit: &Fitted| {
-        let Fitted { name, ops, error } = fit;
-        format!(r#"{{"name": "{name}", "ops": {ops}, "max_error": {error}, "test": "{test}"}}"#)
-    };
     formulas_of(test).filter_map(of).chain(unknown.map(line)).collect()
 }
+
+/// The error that is all of the truth.
+const ALL: f64 = 1.0;
 
 /// Part of a promised error below which what is kept is another figure.
 const STALE: f64 = 0.95;
@@ -218,12 +237,18 @@ pub fn page() -> String {
             writeln!(page, "| `{name}` | {} | {absolute:e}{loss} | {} |", ranges(inputs), with.join("; "));
     }
     page += FORMULAS;
-    for Formula { name, ops, max_error, test } in &list.formulas {
-        let _ = writeln!(page, "| `{name}` | {ops} | {max_error} | `{test}` |");
+    for Formula { name, ops, max_error, relative, inputs, test } in &list.formulas {
+        let relative = relative.map_or("–".into(), |relative| relative.to_string());
+        let over = ranges(inputs);
+        let _ = writeln!(page, "| `{name}` | {ops} | {max_error} | {relative} | {over} | `{test}` |");
     }
     page += TABLES;
-    for Table { name, max_error, max_error_8_bit_weights } in &list.tables {
-        let _ = writeln!(page, "| `{name}` | {max_error} | {max_error_8_bit_weights} |");
+    for Table { name, inputs, format, max_error, relative, max_error_8_bit_weights } in &list.tables {
+        let over = ranges(inputs);
+        let _ = writeln!(
+            page,
+            "| `{name}` | {format} | {over} | {max_error} | {relative} | {max_error_8_bit_weights} |"
+        );
     }
     page += BEYOND;
     for Exception { name, reason } in &list.beyond {
@@ -277,22 +302,22 @@ and has a value too where the domain begins at 0.
 const FORMULAS: &str = "
 ## Formulas
 
-Largest error of the use that each is fitted for (`eval --help` and the manifest name it), over the domain of the test, in f32, with
-coefficients rounded. The certificate of a scene's own domain stands in its manifest.
+Largest error of the use that each is fitted for (`eval --help` and the manifest name it), and the largest as a part of the truth (– where that comes
+next to 0 and the error is all of it or more), in f32, with coefficients rounded. The certificate of a scene's own domain, and that in half precision, stand in its manifest.
 
-| formula | operations | largest error | fitted by |
-|---|---|---|---|
+| formula | operations | largest error | of the truth | over | fitted by |
+|---|---|---|---|---|---|
 ";
 
 const TABLES: &str = "
 ## Tables
 
-Largest error of a lookup in what the built-in scene bakes, over the domain that its manifest states. `crates/promises/tests/complete.rs` holds
+Largest error of a lookup in what the built-in scene bakes, n_dot_v from 0.001 on. `crates/promises/tests/complete.rs` holds
 the manifest to these and to the errors of formulas, `tests/effects/lookup.rs`, `tests/emitted/sliced.rs` and `lobefit check` the files to it.
 With weights of 8 bits no E lies above 1, and no B above E, by more than this error (`tests/emitted/hardware.rs`).
 
-| table | f32 weights | weights of 8 bits |
-|---|---|---|
+| table | texels | axes | f32 weights | of the truth | weights of 8 bits |
+|---|---|---|---|---|---|
 ";
 
 const BEYOND: &str = "

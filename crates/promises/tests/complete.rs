@@ -150,13 +150,20 @@ fn the_committed_manifest_keeps_what_is_promised() {
     let manifest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
     let list = |name: &str| manifest[name].as_array().expect("a list").clone();
+    let word = |value: &serde_json::Value| value.as_str().expect("a word").to_owned();
+    let axis =
+        |axis: &serde_json::Value| Range(word(&axis["name"]), number(&axis["min"]), number(&axis["max"]));
     let table = |table: &serde_json::Value| {
-        let [lookup, filtered] =
-            ["lookup", "lookup_8_bit_weights"].map(|of| number(&table["error"][of]["max"]));
-        (table["name"].as_str().expect("a name").to_owned(), lookup, filtered)
+        let of = |pass: &str, figure: &str| number(&table["error"][pass][figure]);
+        let errors = [of("lookup", "max"), of("lookup", "max_rel"), of("lookup_8_bit_weights", "max")];
+        let axes: Vec<Range> = table["axes"].as_array().expect("a list").iter().map(axis).collect();
+        (word(&table["name"]), axes, word(&table["format"]), errors)
     };
     let stated: Vec<_> = list("tables").iter().map(table).collect();
-    let of = |t: &lobefit_promises::Table| (t.name.clone(), t.max_error, t.max_error_8_bit_weights);
+    let of = |t: &lobefit_promises::Table| {
+        let errors = [t.max_error, t.relative, t.max_error_8_bit_weights];
+        (t.name.clone(), t.inputs.clone(), t.format.clone(), errors)
+    };
     assert_eq!(stated, promises().tables.iter().map(of).collect::<Vec<_>>());
     for fit in list("fits") {
         let name = fit["hypothesis"].as_str().expect("a name");

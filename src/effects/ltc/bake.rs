@@ -119,7 +119,8 @@ fn place([roughness, mu]: [f64; 2]) -> crate::data::Place {
 }
 
 fn entry(error: &Deviation) -> LookupEntry {
-    LookupEntry { max: round_up(error.max, 4), rms: error.rms, at: place(error.at) }
+    let [max, max_rel] = [error.max, error.relative].map(|error| round_up(error, 4));
+    LookupEntry { max, max_rel, rms: error.rms, at: place(error.at) }
 }
 
 fn certificate(error: &Deviation, setting: &Setting, format: &str) -> Certificate {

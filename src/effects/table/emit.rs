@@ -15,6 +15,7 @@ use crate::emit::lookup::Readable;
 use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
 use crate::scene::Material;
 use lobefit_shade::code::Language;
+use lobefit_shade::round_up;
 use lobefit_truth::quantity::Specular;
 
 impl Made {
@@ -81,7 +82,10 @@ fn readable<'a>(
 }
 
 fn errors(baked: &BakedTable) -> TableError {
-    let entry = |e: &Deviation| LookupEntry { max: e.max, rms: e.rms, at: e.at.clone() };
+    let entry = |e: &Deviation| {
+        let max_rel = round_up(e.max_rel, 4);
+        LookupEntry { max: e.max, max_rel, rms: e.rms, at: e.at.clone() }
+    };
     TableError {
         integration: baked.errors.integration,
         quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),

@@ -8,6 +8,7 @@ use super::encoded::Encoding;
 use super::lobe::{Form, Lobe};
 use super::table::{AuditedTable, Source};
 use super::truth::Truth;
+use lobefit_math::lanes::{self, LANES};
 use lobefit_truth::integrate::glass::Side;
 
 /// The word of `--meaning` for a channel that is left out.
@@ -246,15 +247,23 @@ impl Misfit {
         }
     }
 
-    /// A bound of the rank of errors, from below: no square that the trimmed figure leaves out is above
-    /// the largest.
-    pub(super) fn least_rank(errors: impl ExactSizeIterator<Item = f64>) -> f64 {
-        let (n, mut sum, mut most) = (errors.len(), 0.0, 0.0_f64);
-        for error in errors {
-            let square = error * error;
-            sum += square;
-            most = most.max(square);
+    /// A bound of the rank of the errors of values, from below: no square that the trimmed figure leaves out
+    /// is above the largest.
+    pub(super) fn least_rank(values: &[f64], truths: &[f64]) -> f64 {
+        let n = values.len();
+        let (values, last) = values.as_chunks::<LANES>();
+        let (truths, last_truths) = truths.as_chunks::<LANES>();
+        let (mut sums, mut largest) = ([0.0; LANES], [0.0_f64; LANES]);
+        for (values, truths) in values.iter().zip(truths) {
+            for i in 0..LANES {
+                let error = values[i] - truths[i];
+                sums[i] += error * error;
+                largest[i] = if error * error > largest[i] { error * error } else { largest[i] };
+            }
         }
+        let squares = last.iter().zip(last_truths).map(|(value, truth)| (value - truth) * (value - truth));
+        let sum = lanes::sum(&sums) + squares.clone().sum::<f64>();
+        let most = largest.into_iter().chain(squares).fold(0.0, f64::max);
         let kept = n * KEPT_FIFTHS / 5;
         // A part in 1e9 of the sum covers its rounding, which takes another order here than in the
         // figure.

@@ -431,9 +431,11 @@ fn margin(ranks: &[f64]) -> f64 {
     times.skip(1).find(|t| (t - 1.0).abs() >= 1e-6).unwrap_or(f64::INFINITY)
 }
 
-/// Rank of the best with one lobe over that of both together.
+/// Root mean square of the best with one lobe over that of both together. In the rank the texels of one lobe
+/// alone may be left out.
 fn apart(found: &[Candidate], two_lobes: &TwoLobes) -> f64 {
-    ranks(found).into_iter().fold(f64::INFINITY, f64::min) / two_lobes.rank
+    let of = |c: &Candidate| c.fitted.misfits.iter().flatten().map(|misfit| misfit.rms).fold(0.0, f64::max);
+    found.iter().map(of).fold(f64::INFINITY, f64::min) / two_lobes.rms
 }
 
 fn ranks(found: &[Candidate]) -> Vec<f64> {

@@ -334,8 +334,9 @@ pub(super) fn fit_columns(
     }
     // One truth per column, whatever number of channels is held against it.
     let truths: Vec<OnceCell<Vec<f64>>> = columns.iter().map(|_| OnceCell::new()).collect();
+    let here: Values = texels.iter().map(|i| base[*i]).collect();
     let truth = |column: Column| {
-        let made = || texels.iter().map(|i| column.value(base[*i])).collect::<Vec<f64>>();
+        let made = || here.iter().map(|base| column.value(*base)).collect::<Vec<f64>>();
         let place = columns.iter().position(|c| *c == column)?;
         Some(truths[place].get_or_init(made))
     };
@@ -348,11 +349,12 @@ pub(super) fn fit_columns(
             work::compared(tried.len() * own.len());
             let mut best: Option<(Column, Misfit)> = None;
             for column in tried {
-                let errors = own.iter().zip(truth(*column)?).map(|(value, truth)| value - truth);
+                let truth = truth(*column)?;
                 let known = best.map_or(f64::INFINITY, |b| b.1.rank());
-                if Misfit::least_rank(errors.clone()) > known {
+                if Misfit::least_rank(&own, truth) > known {
                     continue;
                 }
+                let errors = own.iter().zip(truth).map(|(value, truth)| value - truth);
                 let found = Misfit::of(&errors.collect::<Vec<f64>>());
                 if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
                     best = Some((*column, found));

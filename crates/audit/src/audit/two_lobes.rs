@@ -39,8 +39,8 @@ pub struct TwoLobes {
     pub extent: Extent,
     /// Largest error at the smaller part's texels under its own lobe.
     pub max: f64,
-    /// Rank of both together.
-    pub rank: f64,
+    /// Root mean square of the largest error of all channels, under the lobe that suits each texel.
+    pub rms: f64,
 }
 
 /// The reading under which a table that fits nothing is of two lobes, read as the larger part's,
@@ -88,7 +88,7 @@ pub(super) fn found<'a>(
         texels: counts,
         extent: Extent::of(all, &sides[smaller]),
         max,
-        rank: misfit.rank(),
+        rms: misfit.rms,
     };
     Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, two_lobes)))
 }

@@ -98,6 +98,13 @@ fn a_part_of_the_other_shadowing_form_is_told() {
         }
         assert!(!found.passes(Some(1.0)) && found.passes(None));
     }
+    // Of a quarter the texels of one lobe alone fit one convention, all of them none.
+    let quarter = |x: usize, y: usize| {
+        let form = if x < 16 && y < 16 { Smith::Separable } else { Smith::Correlated };
+        both(form, at(y) * at(y), at(x)).0
+    };
+    let found = reflection_of(&plane([32, 32], &[("R", &quarter)]));
+    assert!(found.two_lobes.is_some() && found.margin > 100.0, "{}", found.margin);
     // A part that is of neither form is no such part.
     let damaged = |x: usize, y: usize| {
         both(Smith::Correlated, at(y) * at(y), at(x)).0 - if y < 16 { 0.05 * at(x) } else { 0.0 }

@@ -24,11 +24,10 @@ pub fn draw(random: &mut Pcg64, inputs: &[Range]) -> Vec<f64> {
     x.iter().zip(inputs).map(|(x, Range(_, low, high))| x.clamp(*low, *high)).collect()
 }
 
-/// Moves a cosine next to that of the critical angle of a dielectric, within some ulp or some decades. Next
-/// to that of a conductor without absorption nothing is promised: F falls from it with the root of the cosine.
+/// Moves a cosine next to that of the critical angle, within some ulp or some decades.
 fn critical(random: &mut Pcg64, inputs: &[Range], x: &mut [f64]) {
     let named = |names: &[&str]| inputs.iter().position(|Range(name, ..)| names.contains(&name.as_str()));
-    let (Some(index), Some(cosine)) = (named(&["ior"]), named(&["mu", "cosine"])) else { return };
+    let (Some(index), Some(cosine)) = (named(&["ior", "eta"]), named(&["mu", "cosine"])) else { return };
     let [inside, outside] = [x[index].max(1.0 / x[index]), x[index].min(1.0 / x[index])];
     let at = (outside * (inside - outside)).sqrt();
     x[cosine] = match random.random_range(0..3) {

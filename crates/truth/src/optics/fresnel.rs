@@ -77,17 +77,16 @@ pub fn dielectric_average(ior: f64) -> f64 {
 
 /// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to
 /// outside) at the cosine c in [0, 1]; 1 at c = 0, and without absorption from the critical angle on. Born
-/// and Wolf, sec. 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2 +
-/// b^2), and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
+/// and Wolf, sec. 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = ((a - c)^2 + b^2)/((a + c)^2
+/// + b^2), and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
 ///
 /// Of a and b the larger is a root and the other follows from a b = eta k. The difference of a and c
 /// cancels near an index of 1; where a is the larger of both roots, it is taken from a^2 - c^2 =
-/// (eta - 1)(eta + 1) - k^2 + b^2, of small numbers, over a + c. The real part itself is taken from the
-/// smaller of s^2 and c^2: near the critical angle of an index below 1, and at grazing view.
+/// (eta - 1)(eta + 1) - k^2 + b^2, of small numbers, over a + c.
 pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {
     let (s2, product) = ((1.0 - c) * (1.0 + c), eta * k);
     let contrast = (eta - 1.0) * (eta + 1.0) - k * k;
-    let real = if s2 < 0.5 { eta * eta - k * k - s2 } else { contrast + c * c };
+    let real = real_part(eta, k, c);
     let larger = (0.5 * ((real * real + 4.0 * product * product).sqrt() + real.abs())).sqrt();
     // Both are 0 at the critical angle itself.
     let smaller = if larger == 0.0 { 0.0 } else { product / larger };
@@ -100,6 +99,21 @@ pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {
     let (minus, plus) = (s2 - c * a, s2 + c * a);
     let absorbed = c * c * b * b;
     0.5 * (less / more) * (1.0 + (minus * minus + absorbed) / (plus * plus + absorbed))
+}
+
+/// eta^2 + c^2 - 1 - k^2, summed with twice the digits. Without absorption it goes through 0 at the critical
+/// angle of an index below 1, and the reflectance falls from 1 with its root: of a plain sum half of the
+/// digits would be left. A fused product has what squaring rounds off, Knuth's sum of two what adding does.
+fn real_part(eta: f64, k: f64, c: f64) -> f64 {
+    let (mut sum, mut rest) = (-1.0, 0.0);
+    for (sign, x) in [(1.0, eta), (1.0, c), (-1.0, k)] {
+        let square = sign * x * x;
+        let next = sum + square;
+        let added = next - sum;
+        rest += (sum - (next - added)) + (square - added) + (sign * x).mul_add(x, -square);
+        sum = next;
+    }
+    sum + rest
 }
 
 /// Reflectance of [`conductor`] at normal incidence, ((eta - 1)^2 + k^2)/((eta + 1)^2 + k^2).

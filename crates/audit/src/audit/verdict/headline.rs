@@ -28,14 +28,22 @@ pub(super) fn headline_of(called: &str, audit: &Audit, limit: Option<f64>) -> St
     first_line([&what, called, &found], &more, &said_limit(limit))
 }
 
-/// Where alpha runs along an axis of a table, or an argument that is called a roughness is alpha: most
-/// shaders pass a roughness. And where Smith's shadowing is the separable one.
+/// Where alpha runs along an axis of a table, or an argument is called what the other is: alpha a roughness,
+/// as most shaders pass, or a roughness alpha. And where Smith's shadowing is the separable one.
 fn aside(audit: &Audit) -> String {
-    let is_alpha = |axis: &AxisReading| axis.scale == Scale::Alpha && !axis.reversed;
-    let axes = audit.axes.iter().zip(&audit.best().axes).filter(|(_, axis)| is_alpha(axis));
-    let said = axes.filter_map(|(name, _)| match audit.source {
-        Source::Table => Some(format!("alpha along {name}")),
-        Source::Function => name.to_lowercase().contains("rough").then(|| format!("{name} is alpha")),
+    let is = |axis: &AxisReading, scale| axis.scale == scale && !axis.reversed;
+    let said = audit.axes.iter().zip(&audit.best().axes).filter_map(|(name, axis)| {
+        let called = name.to_lowercase();
+        match audit.source {
+            Source::Table => is(axis, Scale::Alpha).then(|| format!("alpha along {name}")),
+            Source::Function if is(axis, Scale::Alpha) && called.contains("rough") => {
+                Some(format!("{name} is alpha"))
+            }
+            Source::Function if is(axis, Scale::Roughness) && called.contains("alpha") => {
+                Some(format!("{name} is a roughness, whose square alpha is"))
+            }
+            Source::Function => None,
+        }
     });
     let form = audit.best().lobe.form;
     let is_other = is_separable(form) && audit.form.is_none() && audit.two_lobes.is_none();

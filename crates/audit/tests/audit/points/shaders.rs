@@ -318,3 +318,16 @@ fn nightly_a_loop_over_samples_is_taken_at_fewer_places() {
     let line = said.lines().next().unwrap();
     assert!(line.starts_with("PASS ggx-reflection E: own") && !line.contains("16384"), "{said}");
 }
+
+/// What its name says it is not: whoever calls it with alpha gets another error.
+#[test]
+fn a_roughness_called_alpha_stands_in_the_first_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let code = "fn average(alpha: f32) -> f32 { return 1.0 - alpha * alpha * (0.41 + 0.18 * alpha); }\n";
+    std::fs::write(folder.path().join("average.wgsl"), code).unwrap();
+    let audited = ["audit", "average.wgsl", "--as", "ggx-average", "--function", "average"];
+    let output = lobefit(folder.path(), &audited, b"");
+    let out = String::from_utf8_lossy(&output.stdout).into_owned();
+    let first = out.lines().next().unwrap_or_default();
+    assert!(first.contains("(alpha is a roughness, whose square alpha is)"), "{out}{}", stderr(&output));
+}
