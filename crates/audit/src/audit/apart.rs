@@ -4,11 +4,13 @@
 use super::axis::AxisReading;
 use super::best::{Best, Case, best, promising};
 use super::column::Column;
+use super::defects::Defect;
 use super::encoded::follows;
 use super::found::{Audit, ChannelAudit, Fit, Other};
 use super::screen::Sieved;
 use super::table::{AuditedTable, Source, flat, place};
 use super::truth::{Spec, averaged, spec};
+use super::verdict::is_loose;
 use super::{AuditError, FITS, Fixed};
 use crate::foreign::Channel;
 use lobefit_truth::quantity::{QUANTITIES, Quantity};
@@ -63,6 +65,40 @@ pub(super) fn with_others(
         *channel = ChannelAudit { other: Some(other), ..channel.clone() };
     }
     Ok(found)
+}
+
+/// Columns that stand side by side.
+const HALVES: [[Column; 2]; 4] =
+    [[Column::A, Column::B], [Column::B, Column::A], [Column::R, Column::T], [Column::T, Column::R]];
+
+/// The audit, or that of both halves of an energy where a channel holds one half, and another the other half
+/// times a factor: by itself that follows nothing, or another column loosely.
+pub(super) fn with_half(done: Audit, case: &Case, quantity: &dyn Quantity) -> Result<Audit, AuditError> {
+    let Case { table, live, fixed, .. } = *case;
+    let open = fixed.meanings.is_none() && fixed.column.is_none() && table.source == Source::Table;
+    let is_unknown = |c: &ChannelAudit| c.other == Some(Other::Unknown);
+    if !open || !(done.channels.iter().any(is_unknown) || is_loose(&done)) {
+        return Ok(done);
+    }
+    let columns: Vec<Option<Column>> = live.iter().map(|k| done.channels[*k].column).collect();
+    for [own, other] in HALVES {
+        let Some(held) = columns.iter().position(|column| *column == Some(own)) else { continue };
+        for place in (0..live.len()).filter(|place| *place != held) {
+            let mut meanings = columns.clone();
+            meanings[place] = Some(other);
+            let meant = Fixed { meanings: Some(meanings), ..fixed.clone() };
+            let case = Case { fixed: &meant, ..*case };
+            let Some(both) = best(&case, quantity)? else { continue };
+            let mut both = both.audit(&case)?;
+            let of = &both.channels[live[place]].defects;
+            let is_scaled = of.iter().any(|defect| matches!(defect, Defect::Factor { .. }));
+            both.excuse_factors();
+            if is_scaled && both.fit == Fit::Whole {
+                return Ok(Audit { excused: false, ..both });
+            }
+        }
+    }
+    Ok(done)
 }
 
 /// The channels that follow a convention of a quantity each on its own.

@@ -156,6 +156,16 @@ pub struct Audit {
 }
 
 impl Audit {
+    /// Of no factor of all channels a channel may have one of its own: it fits but for that.
+    pub(super) fn excuse_factors(&mut self) {
+        for channel in self.channels.iter_mut().filter(|c| c.fit == Fit::None) {
+            let is_scaled = channel.defects.iter().any(|d| matches!(d, Defect::Factor { .. }));
+            channel.fit = if is_scaled { Fit::Whole } else { Fit::None };
+        }
+        let judged = self.channels.iter().filter(|c| c.column.is_some());
+        self.fit = judged.map(|c| c.fit).fold(Fit::Whole, Fit::max);
+    }
+
     /// Of two audits of the same function, whose arguments were given other things, the one that
     /// fits better, with the conventions of both.
     pub fn beside(self, other: Audit) -> Audit {

@@ -178,13 +178,7 @@ pub fn audit(
             return encoding.beside(read, &case, quantity);
         }
     }
-    // Of no factor of all channels a channel may have one of its own.
-    for channel in done.channels.iter_mut().filter(|c| c.fit == Fit::None) {
-        let is_scaled = channel.defects.iter().any(|d| matches!(d, Defect::Factor { .. }));
-        channel.fit = if is_scaled { Fit::Whole } else { Fit::None };
-    }
-    let judged = done.channels.iter().filter(|c| c.column.is_some());
-    done.fit = judged.map(|c| c.fit).fold(Fit::Whole, Fit::max);
+    done.excuse_factors();
     let uneven = |m: &Misfit| m.rms > UNEVEN * m.trimmed;
     let uneven = off > CLOSE && found[0].fitted.misfits.iter().flatten().any(uneven);
     let odd = uneven || done.fit != Fit::Whole || done.channels.iter().any(part);
@@ -203,7 +197,8 @@ pub fn audit(
         };
         done.remarks.extend(published::held(known, quantity, of)?);
     }
-    apart::with_others(done, &case, quantity, &sieved)
+    let done = apart::with_others(done, &case, quantity, &sieved)?;
+    apart::with_half(done, &case, quantity)
 }
 
 fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {

@@ -79,11 +79,20 @@ pub(super) fn plain_first(
         let registration = plain.axes[0].registration;
         Ok(gain < OVERWHELMING && !remedy_lessens(truth, case, (best, registration))?)
     };
-    if gain < BEYOND_DOUBT || worthless(gain)? || quantised(&plain)? {
+    if gain < BEYOND_DOUBT || !is_layered(best) && worthless(gain)? || quantised(&plain)? {
         found.retain(|c| !c.like(&plain));
         found.insert(0, plain);
     }
     Ok(found)
+}
+
+/// Whether the slices of a table are at centres and its columns and rows at end points, or the other way round:
+/// nothing is between slices of an array, and lookups next to an index of 1, where energy falls as a step,
+/// tell nothing of where they lie.
+fn is_layered(candidate: &Candidate) -> bool {
+    let lies: Vec<Registration> = candidate.axes.iter().map(|axis| axis.registration).collect();
+    let plain = [Registration::Centre, Registration::Endpoint];
+    lies.len() == 3 && lies[0] == lies[1] && lies[1] != lies[2] && lies.iter().all(|own| plain.contains(own))
 }
 
 /// Whether lookups at the coordinates that the texels have are clearly better than those at the plain

@@ -13,7 +13,7 @@ pub(super) use defect::sentence;
 pub(super) use figure::worst;
 pub use figure::{Figure, Kind};
 pub(super) use headline::said_limit;
-pub(super) use points::of;
+pub(super) use points::{is_loose, of};
 pub(crate) use words::place;
 pub(super) use words::{along, listed, long, number};
 

@@ -93,7 +93,7 @@ const FOLLOWS: f64 = 0.01;
 
 /// Whether a function that is no published formula is farther off than approximations of its quantity are; or
 /// a table than what follows its convention is.
-pub(super) fn is_loose(audit: &Audit) -> bool {
+pub(in crate::audit) fn is_loose(audit: &Audit) -> bool {
     let far = |c: &ChannelAudit| {
         c.errors.as_ref().is_some_and(|errors| errors.max > LOOSE * spread(c.truth.iter().copied()))
     };

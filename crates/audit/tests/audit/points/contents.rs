@@ -292,7 +292,10 @@ fn a_channel_of_nothing_is_no_pass() {
 /// One channel of two with a factor of its own: it is named, and none that divides both.
 #[test]
 fn a_factor_of_one_channel_is_none_of_the_table() {
-    for (factor, of_b) in [(0.95, false), (0.995, false), (0.995, true), (1.02, true)] {
+    // With a factor far from 1 a channel is nearer to other columns, as B/E, or to none.
+    for (factor, of_b) in
+        [(0.95, false), (0.995, false), (0.995, true), (1.02, true), (1.1, true), (2.0, true)]
+    {
         let [own, other] = if of_b { [1.0, factor] } else { [factor, 1.0] };
         let found = reflection_of(&table(&[("R", &|x, y| own * a(x, y)), ("G", &|x, y| other * b(x, y))]));
         let name = if of_b { "B" } else { "A" };
