@@ -86,9 +86,8 @@ pub(super) fn plain_first(
     Ok(found)
 }
 
-/// Whether the slices of a table are at centres and its columns and rows at end points, or the other way round:
-/// nothing is between slices of an array, and lookups next to an index of 1, where energy falls as a step,
-/// tell nothing of where they lie.
+/// Whether columns and rows are both at centres and slices at end points, or the other way round: both are
+/// usual, and lookups next to an index of 1, where energy falls as a step, tell nothing of where slices lie.
 fn is_layered(candidate: &Candidate) -> bool {
     let lies: Vec<Registration> = candidate.axes.iter().map(|axis| axis.registration).collect();
     let plain = [Registration::Centre, Registration::Endpoint];
