@@ -87,14 +87,26 @@ pub(super) fn with_half(done: Audit, case: &Case, quantity: &dyn Quantity) -> Re
             let mut meanings = columns.clone();
             meanings[place] = Some(other);
             let meant = Fixed { meanings: Some(meanings), ..fixed.clone() };
-            let case = Case { fixed: &meant, ..*case };
-            let Some(both) = best(&case, quantity)? else { continue };
-            let mut both = both.audit(&case)?;
-            let of = &both.channels[live[place]].defects;
-            let is_scaled = of.iter().any(|defect| matches!(defect, Defect::Factor { .. }));
-            both.excuse_factors();
-            if is_scaled && both.fit == Fit::Whole {
-                return Ok(Audit { excused: false, ..both });
+            let scaled = |fixed: &Fixed| -> Result<Option<Audit>, AuditError> {
+                let case = Case { fixed, ..*case };
+                let Some(both) = best(&case, quantity)? else { return Ok(None) };
+                let mut both = both.audit(&case)?;
+                let of = &both.channels[live[place]].defects;
+                let is_scaled = of.iter().any(|defect| matches!(defect, Defect::Factor { .. }));
+                both.excuse_factors();
+                Ok((is_scaled && both.fit == Fit::Whole).then_some(Audit { excused: false, ..both }))
+            };
+            // All conventions are tried where that which was found tells a factor.
+            let axes = &done.best().axes;
+            let narrow = Fixed {
+                axes: Some(axes.iter().map(|a| (a.scale, a.reversed)).collect()),
+                registrations: Some(axes.iter().map(|a| a.registration).collect()),
+                ..meant.clone()
+            };
+            if scaled(&narrow)?.is_some()
+                && let Some(both) = scaled(&meant)?
+            {
+                return Ok(both);
             }
         }
     }

@@ -145,10 +145,10 @@ impl Scale {
         Span { input, ends: [low, high], name, is_stated, is_root: false }.scale()
     }
 
-    /// Evenly between two roughnesses that the user states.
-    pub fn between_roughnesses([low, high]: [f64; 2]) -> Scale {
+    /// Evenly between two roughnesses.
+    pub fn between_roughnesses([low, high]: [f64; 2], is_stated: bool) -> Scale {
         let name = format!("{}={low}..{high}", Scale::Roughness.name());
-        Span { input: Input::Alpha, ends: [low, high], name, is_stated: true, is_root: true }.scale()
+        Span { input: Input::Alpha, ends: [low, high], name, is_stated, is_root: true }.scale()
     }
 
     /// The input that it is a coordinate of.

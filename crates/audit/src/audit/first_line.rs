@@ -14,6 +14,9 @@ const POWERS: i32 = 13;
 /// Share of a clamp to which it is looked for.
 const NARROW: f64 = 1e-6;
 
+/// Share of the width that is left beside the vertex of a parabola.
+const STEEP: f64 = 0.03;
+
 /// How much larger the sum of squares may be of a line but for its corners, under a clamp that they tell.
 const CORNER: f64 = 2.0;
 
@@ -50,14 +53,25 @@ impl FirstLine<'_> {
         Ok(self.errors(floor)?.iter().flatten().map(|e| e * e).sum())
     }
 
-    /// The clamp that leaves least, and what it leaves, about one with what that leaves, within a width.
+    /// The clamp that leaves least, and what it leaves, about one with what that leaves, within a width: by
+    /// parabolas, which squares of errors are near the least of them.
     fn narrowed(&self, [mut floor, mut least, mut width]: [f64; 3]) -> Result<[f64; 2], AuditError> {
         while width > NARROW * floor {
             width *= 0.5;
-            for tried in [floor - width, floor + width] {
-                let square = self.square(tried)?;
+            let sides = [floor - width, floor + width];
+            let [below, above] = [self.square(sides[0])?, self.square(sides[1])?];
+            let bend = below - 2.0 * least + above;
+            let vertex = floor + 0.5 * width * (below - above) / bend;
+            for (tried, square) in sides.into_iter().zip([below, above]) {
                 if square < least {
                     (floor, least) = (tried, square);
+                }
+            }
+            if bend > 0.0 && sides[0] < vertex && vertex < sides[1] {
+                let square = self.square(vertex)?;
+                if square < least {
+                    (floor, least) = (vertex, square);
+                    width *= STEEP;
                 }
             }
         }

@@ -114,7 +114,7 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
         }
         let scale = match ranged {
             Ranged::Input(input) => Scale::between(input, ends, true),
-            Ranged::Roughness => Scale::between_roughnesses(ends),
+            Ranged::Roughness => Scale::between_roughnesses(ends, true),
         };
         return Ok((scale, reversed));
     }

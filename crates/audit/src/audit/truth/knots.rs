@@ -1,5 +1,6 @@
 //! Interpolation between knots along one input.
 
+use multiversion::multiversion;
 use rayon::prelude::*;
 
 use super::Values;
@@ -67,6 +68,14 @@ pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[Base]) -> 
     let places: Vec<(usize, Vec<f64>)> = at.iter().map(|x| knots.place(&coordinates, *x)).collect();
     let block = knots.count * step;
     let mut out = vec![[0.0; 3]; values.len() / block * at.len() * step];
+    if step == 1 && !knots.cubic {
+        let of_knot = |k: usize| places.iter().map(move |(_, weights)| weights[k]);
+        let weights: Vec<f64> = (0..knots.count).flat_map(of_knot).collect();
+        let fill = |(from, out): (&[Base], &mut [Base])| all_weighted(out, from, &weights);
+        let blocks = values.par_chunks(block).zip(out.par_chunks_mut(at.len().max(1)));
+        blocks.with_min_len(TASK / at.len().max(1) + 1).for_each(fill);
+        return out;
+    }
     let fill = |(i, out): (usize, &mut [Base])| {
         let (first, weights) = &places[i % places.len()];
         let from = &values[i / places.len() * block + first * step..];
@@ -90,8 +99,25 @@ fn weighted(values: &[Base], weights: &[f64]) -> Base {
     sum
 }
 
+/// Sums of the same values times the weights of every input, knot by knot: a row of numbers for each of
+/// the three.
+#[multiversion(targets("x86_64+avx+avx2"))]
+fn all_weighted(out: &mut [Base], values: &[Base], weights: &[f64]) {
+    let inputs = out.len();
+    let mut rows = vec![0.0; 3 * inputs];
+    for (value, weights) in values.iter().zip(weights.chunks_exact(inputs)) {
+        for (row, value) in rows.chunks_exact_mut(inputs).zip(value) {
+            row.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
+        }
+    }
+    for (i, out) in out.iter_mut().enumerate() {
+        *out = std::array::from_fn(|c| rows[c * inputs + i]);
+    }
+}
+
 /// Adds a line times a weight, as one row of numbers: of a loop over three at a time a compiler makes
 /// no vectors.
+#[multiversion(targets("x86_64+avx+avx2"))]
 fn add(out: &mut [Base], line: &[Base], weight: f64) {
     let (out, line) = (out.as_flattened_mut(), line.as_flattened());
     let line = &line[..out.len()];

@@ -64,6 +64,31 @@ fn point_01_lookups_are_those_of_every_channel_and_of_the_blend_at_their_worst()
     says(&found.verdict(None), "PASS", &[&line, &beyond, &each]);
 }
 
+/// A table from roughness 0.04 on was read as one of right edges, "in no doubt".
+#[test]
+fn a_range_of_roughness_that_is_not_stated_is_inferred() {
+    let share = |k: usize| k as f64 / (N - 1) as f64;
+    for [from, to] in [[0.04, 1.0], [0.9, 0.1], [0.137, 0.83]] {
+        let roughness = |y: usize| from + (to - from) * share(y);
+        let of =
+            |x: usize, y: usize| both(Smith::Correlated, ops::pow(roughness(y), 2.0), share(x).max(1e-7));
+        let made = table(&[("R", &|x, y| of(x, y).0 - of(x, y).1), ("G", &|x, y| of(x, y).1)]);
+        let found = reflection_of(&made);
+        let alphas = (0..N).map(|k| found.best().axes[1].node(k, N));
+        let off = alphas.enumerate().map(|(k, alpha)| (alpha.sqrt() - roughness(k)).abs());
+        assert!(off.fold(0.0, f64::max) < 2e-3, "{:?}", found.best().axes);
+        let stated = format!("it has roughness={from}..{to} along y");
+        let why = [&stated, "by its slices, as no range is stated", "--axes mu,roughness="];
+        says(&found.verdict(None), "FAIL", &why);
+        let scales = [Scale::Mu, Scale::between_roughnesses([from, to], true)];
+        let axes = Some(scales.map(|scale| (scale, false)).to_vec());
+        let meant = run(&made, "ggx-reflection", &Fixed { axes, ..Fixed::default() });
+        says(&meant.verdict(None), "PASS", &[]);
+    }
+    let whole = reflection_of(&table(&[("R", &a), ("G", &b)]));
+    assert_eq!(axes(&whole), plain(Registration::Centre));
+}
+
 /// Clamps of 0.02 and 0.035 were guessed as 0.01, and an error of 0.05 called other code; of a table without
 /// a clamp one was invented. One that nobody states is looked for between two rows.
 #[test]
