@@ -261,16 +261,20 @@ pub(super) fn found(
     Ok(nearest.map(|(_, encoding)| encoding))
 }
 
-/// Constant factors that a table may have: of a lobe whose albedo is 1 where it is smooth the largest value.
+/// Constant factors that a table may have: of a lobe whose albedo is 1 where it is smooth the largest value,
+/// and those that have a name of one channel, which may be the loss.
 fn factors(case: &Case, quantity: &dyn Quantity) -> Vec<&'static Encoding> {
+    let named = || FACTORS[..4].iter().map(|(factor, _)| Encoding::times(*factor));
     if !quantity.outputs().contains(&"B") {
-        return FACTORS[..4].iter().map(|(factor, _)| Encoding::times(*factor)).collect();
+        return named().collect();
     }
     let values = case.live.iter().flat_map(|k| case.table.channels[*k].values.iter());
     let most = values.fold(0.0_f64, |most, v| most.max(*v));
     // Three digits: a texel is not quite smooth.
     let most = format!("{most:.2e}").parse().unwrap_or(most);
-    if most > 0.0 && (most - 1.0_f64).abs() > NEAR { vec![Encoding::times(most)] } else { Vec::new() }
+    let of_most = (most > 0.0 && (most - 1.0_f64).abs() > NEAR).then(|| Encoding::times(most));
+    let rest = named().filter(|own| case.live.len() == 1 && Some(*own) != of_most);
+    of_most.into_iter().chain(rest).collect()
 }
 
 /// Whether a table follows a convention, as far as some of its texels tell.

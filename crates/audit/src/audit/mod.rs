@@ -250,6 +250,12 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let Case { table, live, fixed, progress } = *case;
     let class = usize::from(table.size.len() == 3);
     progress("the best conventions on more texels");
+    // The outermost texels of a table that was made larger are the same, which is no clamp.
+    let mut fixed = fixed.clone();
+    if Enlarged::of(table, live).is_some() {
+        fixed.floors.extend([Input::Alpha, Input::Mu].map(|input| (input, 0.0)));
+    }
+    let (fixed, case) = (&fixed, &Case { fixed: &fixed, ..*case });
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
     let found = range::shown(truth, case, &more, judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?)?;
     let hopeless = found.first().map(|first| is_hopeless(truth, &more, first)).transpose()?;

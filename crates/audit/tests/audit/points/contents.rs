@@ -214,6 +214,9 @@ fn a_constant_factor_is_found() {
         assert!((plain.max - (factor - 1.0).abs() * largest).abs() < 2e-3 * factor, "{plain:?}");
         says(&run(&scaled, "ggx-reflection", &encoding(word)).verdict(None), "PASS", &[]);
     }
+    // Half a loss has no texel that is 1 without the factor.
+    let found = reflection_of(&table(&[("R", &|x, y| 0.5 * (1.0 - e(x, y)))]));
+    says(&found.verdict(None), "FAIL", &["ggx-reflection 1-E", "`--encoding times=1/2`"]);
     // Steps are of what is stored.
     let stored = table(&[("R", &|x, y| eight(a(x, y) / PI)), ("G", &|x, y| eight(b(x, y) / PI))]);
     let stored = AuditedTable { step: Step::Unorm(8), ..stored };
