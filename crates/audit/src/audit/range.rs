@@ -26,8 +26,8 @@ const LEAST: f64 = 0.05;
 /// How near to those of a whole range its ends are no range of their own.
 const WHOLE: f64 = 0.01;
 
-/// What a range that is right leaves at most: quick truths of glass are off by less.
-const NEAR: f64 = 0.1 * FITS;
+/// Misfit of a table that needs no other range.
+const NEAR: f64 = 0.02 * FITS;
 
 /// What ends are rounded to: whoever makes a table takes them round.
 const ROUND: [f64; 5] = [0.1, 0.05, 0.01, 1e-3, 1e-4];

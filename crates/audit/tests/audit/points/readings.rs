@@ -68,10 +68,10 @@ fn point_01_lookups_are_those_of_every_channel_and_of_the_blend_at_their_worst()
 #[test]
 fn a_range_of_roughness_that_is_not_stated_is_inferred() {
     let share = |k: usize| k as f64 / (N - 1) as f64;
-    for [from, to] in [[0.04, 1.0], [0.9, 0.1], [0.137, 0.83]] {
+    let end: fn(usize) -> f64 = |x| (x as f64 / (N - 1) as f64).max(1e-7);
+    for ([from, to], mu) in [([0.04, 1.0], at as fn(usize) -> f64), ([0.9, 0.1], end), ([0.137, 0.83], end)] {
         let roughness = |y: usize| from + (to - from) * share(y);
-        let of =
-            |x: usize, y: usize| both(Smith::Correlated, ops::pow(roughness(y), 2.0), share(x).max(1e-7));
+        let of = |x: usize, y: usize| both(Smith::Correlated, ops::pow(roughness(y), 2.0), mu(x));
         let made = table(&[("R", &|x, y| of(x, y).0 - of(x, y).1), ("G", &|x, y| of(x, y).1)]);
         let found = reflection_of(&made);
         let alphas = (0..N).map(|k| found.best().axes[1].node(k, N));
