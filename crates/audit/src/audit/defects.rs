@@ -70,6 +70,17 @@ pub enum Defect {
         /// At this texel.
         texel: Vec<usize>,
     },
+    /// All values stand the other way round.
+    Flipped {
+        /// Along these axes.
+        axes: Vec<usize>,
+        /// What they are of.
+        column: Column,
+        /// By this they are off at most.
+        most: f64,
+        /// At this texel.
+        texel: Vec<usize>,
+    },
     /// All values are too high or too low.
     Bias {
         /// Mean error.
@@ -177,18 +188,18 @@ const ROUNDED: f64 = 1.5;
 /// Second differences of errors that are rounded show up to this many times the root mean square of rounding.
 const NOISE_OF_ROUNDING: f64 = 1.2;
 
-/// Defects of a channel, which may have a constant factor; `alpha` of a texel where the table has such an
-/// axis.
+/// Defects of a channel, which may have one that others have not; `alpha` of a texel where the table has such
+/// an axis.
 pub(super) fn defects(
     r: &Residuals,
     grain: Grain,
-    factor: Option<Defect>,
+    alone: Option<Defect>,
     alpha: impl Fn(&[usize]) -> Option<f64>,
 ) -> Vec<Defect> {
     let step = grain.step;
-    let is_scaled = factor.is_some();
+    let is_alone = alone.is_some();
     let other = || clamped(r).into_iter().chain(missing_loss(r, grain, alpha));
-    let mut found: Vec<Defect> = factor.map_or_else(|| other().collect(), |factor| vec![factor]);
+    let mut found: Vec<Defect> = alone.map_or_else(|| other().collect(), |alone| vec![alone]);
     if found.is_empty() {
         let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
         found.extend(
@@ -217,7 +228,7 @@ pub(super) fn defects(
         let left = r.judged.iter().map(|i| grain.leaves(r, *i)).fold(0.0, f64::max);
         found.push(Defect::Sampled { samples, left, texels: [over, r.judged.len()] });
     }
-    found.extend(bias(r, rms).filter(|_| !apart && !is_scaled));
+    found.extend(bias(r, rms).filter(|_| !apart && !is_alone));
     found
 }
 

@@ -26,6 +26,7 @@ mod errors;
 mod extent;
 mod factor;
 mod first_line;
+mod flipped;
 mod found;
 mod function;
 mod judge;
@@ -260,7 +261,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
     let found = range::shown(truth, case, &more, judge::rejudge(truth, &more, fixed, sieved, Truth::quick)?)?;
     let hopeless = found.first().map(|first| is_hopeless(truth, &more, first)).transpose()?;
     if hopeless.unwrap_or(true) && table.source == Source::Table {
-        return Ok(distinct(found));
+        return flipped::rising_first(truth, case, &more, distinct(found));
     }
     let found = screen::best(found, QUICK_KEPT[class]);
     let more = Sample::new(table, live, ROUND[class], false);
@@ -276,6 +277,7 @@ fn candidates(truth: &Truth, case: &Case, sieved: Vec<Candidate>) -> Result<Vec<
         clamped.into_iter().partition(|c| c.fitted.rank <= far);
     let near = judge::rejudge(truth, &last, fixed, near, Truth::ranked)?;
     let found = distinct(screen::best([near, far].concat(), TOLD));
+    let found = flipped::rising_first(truth, case, &last, found)?;
     if found.is_empty() { Ok(found) } else { preferred::plain_first(truth, case, found) }
 }
 
@@ -333,7 +335,10 @@ fn finish(
     };
     let sum = energy::Sum::of(&sample, &convention, live);
     let enlarged = Enlarged::of(table, live);
-    let mut factors = factor::of_some(case, (&sample, &judgement), &convention);
+    let factors = factor::of_some(case, (&sample, &judgement), &convention);
+    let flips = flipped::of_some(case, (&sample, &judgement), &convention);
+    let mut alone: Vec<Option<Defect>> =
+        factors.into_iter().zip(flips).map(|(factor, flip)| factor.or(flip)).collect();
     let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -356,7 +361,7 @@ fn finish(
             (Source::Table, None) if enlarged.is_some() => {
                 enlarged.iter().cloned().map(Defect::Enlarged).collect()
             }
-            (Source::Table, None) => defects::defects(&residuals, grain, factors[k].take(), alpha),
+            (Source::Table, None) => defects::defects(&residuals, grain, alone[k].take(), alpha),
             (Source::Function, None) => defects::of_function(&residuals),
         };
         let mut defects = defects::dead(table, &channel.values).chain(defects).collect::<Vec<_>>();
@@ -461,6 +466,9 @@ fn fit(source: Source, left: f64, residuals: &Residuals, errors: &TexelErrors, d
         Source::Table => (FITS, misfit <= most && left <= FITS),
         Source::Function => (FUNCTION_FITS, false),
     };
+    if defects.iter().any(|d| matches!(d, Defect::Flipped { .. })) {
+        return Fit::Part;
+    }
     if misfit <= allowed || explained {
         let dead = defects.iter().any(|d| matches!(d, Defect::Dead { .. }));
         return if dead { Fit::Part } else { Fit::Whole };

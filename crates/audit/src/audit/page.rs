@@ -113,6 +113,7 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::Gain { .. } => "gain",
         Defect::Dead { .. } => "dead",
         Defect::Factor { .. } => "factor",
+        Defect::Flipped { .. } => "flipped",
         Defect::Bias { .. } => "bias",
         Defect::Clamped { .. } => "clamped",
         Defect::Noise { .. } => "noise",

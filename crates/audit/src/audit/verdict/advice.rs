@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::defect::{LINES, extent};
 use super::drop_in::drop_in;
 use super::points::{LIKELY, SAME, is_loose};
-use super::words::{excluded, listed, long, readings_differ};
+use super::words::{excluded, listed, long, names, readings_differ};
 use crate::audit::axis::{AxisReading, Input, Registration};
 use crate::audit::convention::NAMES;
 use crate::audit::enlarged::Enlarged;
@@ -133,6 +133,9 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
         }
         Defect::Factor { factor, column, .. } => {
             return Some(format!("divide {} by {}", column.name(), long(*factor)));
+        }
+        Defect::Flipped { axes: flipped, column, .. } => {
+            return Some(format!("turn {} round along {}", column.name(), names(axes, flipped)));
         }
         Defect::Clamped { .. } if source == Source::Function => {
             "the function saturates there: let it go on beyond that value, or clamp what becomes of it"

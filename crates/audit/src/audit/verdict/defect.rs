@@ -1,6 +1,6 @@
 //! A defect in a sentence.
 
-use super::words::{listed, long, number};
+use super::words::{listed, long, names, number};
 use crate::audit::{Defect, Extent};
 
 /// The sentence; `axes` names the table's axes.
@@ -47,6 +47,9 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
         }
         Defect::Factor { factor, column, .. } => {
             format!("All of its values are {} times those of {}.", long(*factor), column.name())
+        }
+        Defect::Flipped { axes: flipped, .. } => {
+            format!("All of its values stand the other way round along {}.", names(axes, flipped))
         }
         Defect::Bias { mean } => {
             format!(

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::defect::{LINES, extent};
 use super::headline::{briefly, of_another};
-use super::words::{excluded, long, number, place};
+use super::words::{excluded, long, names, number, place};
 use crate::audit::errors::TexelErrors;
 use crate::audit::table::Source;
 use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, inputs_at};
@@ -250,6 +250,11 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
                 texel,
                 format!(" has {times} times {}: off by at most {max}{of}", own.name()),
             )
+        }
+        Defect::Flipped { axes, column: own, most, texel } => {
+            let (along, max) = (names(&audit.axes, axes), number(*most));
+            let found = format!(" has {} flipped along {along}: off by at most {max}{of}", own.name());
+            (Kind::Damage, *most, texel, found)
         }
         Defect::MissingLoss { worst: [held, truth], texel, .. } => {
             let (stored, loss) = (number(*held), number(*truth));

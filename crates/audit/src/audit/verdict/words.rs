@@ -59,6 +59,11 @@ pub(in crate::audit) fn along(said: &[(String, String)]) -> Vec<String> {
     groups.iter().map(|(words, axes)| format!("{words} along {}", listed(axes))).collect()
 }
 
+/// The names of some axes.
+pub(super) fn names(axes: &[String], some: &[usize]) -> String {
+    listed(&some.iter().map(|axis| axes[*axis].as_str()).collect::<Vec<_>>())
+}
+
 /// `x`, `x and y`, `x, y and z`.
 pub(in crate::audit) fn listed(names: &[&str]) -> String {
     match names {

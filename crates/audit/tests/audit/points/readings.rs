@@ -8,7 +8,7 @@ use lobefit_math::ops;
 
 use super::{N, a, at, b, e, table};
 use crate::support::{
-    axes, both, columns, half, jitter, plane, reflection_of, refused, rising, run, said, says,
+    Filled, axes, both, columns, half, jitter, plane, reflection_of, refused, rising, run, said, says,
 };
 
 /// Mu along x and roughness along y, of a registration.
@@ -87,6 +87,24 @@ fn a_range_of_roughness_that_is_not_stated_is_inferred() {
     }
     let whole = reflection_of(&table(&[("R", &a), ("G", &b)]));
     assert_eq!(axes(&whole), plain(Registration::Centre));
+}
+
+/// Of one flipped channel the other was blamed, under rows that all fall; of both it is how the rows are read.
+#[test]
+fn one_flipped_channel_is_named() {
+    let last = N - 1;
+    let flips: [Filled; 2] = [
+        ("has B flipped along y", &|x, y| b(x, last - y)),
+        ("has B flipped along x", &|x, y| b(last - x, y)),
+    ];
+    for (line, falls) in flips {
+        let found = reflection_of(&table(&[("R", &a), ("G", falls)]));
+        assert_eq!(columns(&found), [Some(Column::A), Some(Column::B)]);
+        says(&found.verdict(None), "FAIL", &[line, "turn B round along"]);
+    }
+    let both = reflection_of(&table(&[("R", &|x, y| a(x, last - y)), ("G", &|x, y| b(x, last - y))]));
+    says(&both.verdict(None), "FAIL", &["gloss"]);
+    assert!(!said(&both).contains("flipped along"), "{}", said(&both));
 }
 
 /// Clamps of 0.02 and 0.035 were guessed as 0.01, and an error of 0.05 called other code; of a table without
