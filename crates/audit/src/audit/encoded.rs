@@ -101,6 +101,9 @@ const NEARER: f64 = 0.9;
 /// What a factor may leave of what it explains, the share by which it changes values.
 const EXPLAINED: f64 = 0.1;
 
+/// Share of the largest loss that the smallest is below.
+const SMALL: f64 = 0.01;
+
 /// How the word of a constant factor begins.
 const TIMES: &str = "times=";
 
@@ -262,18 +265,19 @@ pub(super) fn found(
 }
 
 /// Constant factors that a table may have: of a lobe whose albedo is 1 where it is smooth the largest value,
-/// and those that have a name of one channel, which may be the loss.
+/// and those that have a name of one channel that may be the loss, which is 0 there.
 fn factors(case: &Case, quantity: &dyn Quantity) -> Vec<&'static Encoding> {
     let named = || FACTORS[..4].iter().map(|(factor, _)| Encoding::times(*factor));
     if !quantity.outputs().contains(&"B") {
         return named().collect();
     }
-    let values = case.live.iter().flat_map(|k| case.table.channels[*k].values.iter());
-    let most = values.fold(0.0_f64, |most, v| most.max(*v));
+    let values = || case.live.iter().flat_map(|k| case.table.channels[*k].values.iter());
+    let [least, most] = values().fold([f64::INFINITY, 0.0], |[least, most], v| [least.min(*v), most.max(*v)]);
+    let may_be_loss = case.live.len() == 1 && least < SMALL * most;
     // Three digits: a texel is not quite smooth.
     let most = format!("{most:.2e}").parse().unwrap_or(most);
     let of_most = (most > 0.0 && (most - 1.0_f64).abs() > NEAR).then(|| Encoding::times(most));
-    let rest = named().filter(|own| case.live.len() == 1 && Some(*own) != of_most);
+    let rest = named().filter(|own| may_be_loss && Some(*own) != of_most);
     of_most.into_iter().chain(rest).collect()
 }
 
