@@ -11,8 +11,8 @@ use super::table::{Source, flat, place};
 use super::truth::Truth;
 use super::{AuditError, FITS};
 
-/// The conventions with that first whose axes all rise, where the best has some that fall by which one channel
-/// fits and another does not: it is the other that fits without.
+/// The conventions with that first whose axes all rise, where the best has some that fall, and channels that
+/// fit by it are those that do not fit by the other.
 pub(super) fn rising_first(
     truth: &Truth,
     case: &Case,

@@ -89,7 +89,7 @@ fn a_range_of_roughness_that_is_not_stated_is_inferred() {
     assert_eq!(axes(&whole), plain(Registration::Centre));
 }
 
-/// Of one flipped channel the other was blamed, under rows that all fall; of both it is how the rows are read.
+/// Of one flipped channel the other was blamed, under rows that all fall; of both it is how rows are read.
 #[test]
 fn one_flipped_channel_is_named() {
     let last = N - 1;
