@@ -169,11 +169,16 @@ impl<'a> Residuals<'a> {
         places.into_iter().map(|k| one(self.judged[k])).collect()
     }
 
+    /// The first of the judged texels, of which there are some, with the largest error.
+    pub(super) fn worst(&self) -> usize {
+        self.judged.iter().fold(self.judged[0], |worst, i| {
+            if self.errors[*i].abs() > self.errors[worst].abs() { *i } else { worst }
+        })
+    }
+
     /// The figures, with the inputs of a texel as `at` gives them.
     pub(super) fn figures(&self, at: impl Fn(&[usize]) -> Place) -> TexelErrors {
-        let worst = self.judged.iter().fold(self.judged[0], |worst, i| {
-            if self.errors[*i].abs() > self.errors[worst].abs() { *i } else { worst }
-        });
+        let worst = self.worst();
         let n = self.judged.len() as f64;
         let texel = self.texel(worst);
         TexelErrors {

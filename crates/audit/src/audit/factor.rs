@@ -50,12 +50,11 @@ fn factor(r: &Residuals, grain: Grain) -> Option<Defect> {
     // Three digits where that is a number which somebody has written.
     let short: f64 = format!("{factor:.3}").parse().unwrap_or(factor);
     let factor = if (short / factor - 1.0).abs() < LEFT * (factor - 1.0).abs() { short } else { factor };
-    let worst = r.judged.iter().max_by(|a, b| r.errors[**a].abs().total_cmp(&r.errors[**b].abs()))?;
-    let (most, texel) = (r.errors[*worst].abs(), r.texel(*worst));
-    (explains && (factor - 1.0).abs() >= LEAST).then_some(Defect::Factor {
+    let worst = r.worst();
+    (explains && (factor - 1.0).abs() >= LEAST).then(|| Defect::Factor {
         factor,
         column: r.column,
-        most,
-        texel,
+        most: r.errors[worst].abs(),
+        texel: r.texel(worst),
     })
 }

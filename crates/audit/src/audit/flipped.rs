@@ -83,12 +83,10 @@ pub(super) fn of_some(
             let other = Residuals::new(sample, judgement, column, &turned);
             other.misfit(&other.judged) <= FITS
         };
-        found[*k] = axes.into_iter().find(is_flipped).and_then(|axes| {
-            let worst =
-                own.judged.iter().max_by(|a, b| own.errors[**a].abs().total_cmp(&own.errors[**b].abs()))?;
-            let (most, texel) = (own.errors[*worst].abs(), own.texel(*worst));
-            Some(Defect::Flipped { axes, column, most, texel })
-        });
+        let worst = own.worst();
+        let (most, texel) = (own.errors[worst].abs(), own.texel(worst));
+        found[*k] =
+            axes.into_iter().find(is_flipped).map(|axes| Defect::Flipped { axes, column, most, texel });
     }
     if is_alone { vec![None; found.len()] } else { found }
 }
