@@ -242,11 +242,12 @@ impl<'a> Stage<'a> {
         let prices = dear.iter().map(|h| emission.price(h)).collect::<Result<Vec<f64>, _>>()?;
         let mut dear: Vec<(f64, Hypothesis)> = prices.into_iter().zip(dear).collect();
         dear.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let said = |fit: &Fit, h: &Hypothesis| {
-            let ops = emission.call.ops(h.tape().cost_ops());
+        // The function that is emitted of a fit may have operations more, which a budget does not count.
+        let said = |fit: &Fit| {
+            let ops = emission.call.ops(fit.approximation.cost.ops);
             (fit.approximation.certificate.max_abs, fit.approximation.name.clone(), ops)
         };
-        let tried = fits.iter().map(|fit| said(fit, &fit.hypothesis));
+        let tried = fits.iter().map(said);
         let mut closest = tried.min_by(|a, b| a.0.total_cmp(&b.0));
         for (_, h) in &dear {
             let own = match self.of(h) {
@@ -261,7 +262,7 @@ impl<'a> Stage<'a> {
                 Err(error) if error.is_unreliable() => continue,
                 Err(error) => return Err(error),
             };
-            let (error, name, ops) = said(&fit, h);
+            let (error, name, ops) = said(&fit);
             if closest.as_ref().is_none_or(|(least, ..)| error < *least) {
                 closest = Some((error, name, ops));
             }

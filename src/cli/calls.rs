@@ -60,7 +60,13 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     let mut lines = columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>());
     let own =
         rows.iter().map(|(call, _)| [format!("  {}", call.signature()), of_layers(&call.function, calls)]);
-    let all: Vec<[String; 2]> = own.chain(around(calls)).collect();
+    let mut all: Vec<[String; 2]> = Vec::new();
+    // Of another cost it is the same function.
+    for line in own.chain(around(calls)) {
+        if !all.contains(&line) {
+            all.push(line);
+        }
+    }
     lines.extend(columns::lines([("arguments", Left), ("", Left)], &all));
     if rows.iter().any(|(_, names)| names.len() > NAMED) || calls.iter().any(|call| call.without.is_some()) {
         let taken = callers(calls).into_iter();

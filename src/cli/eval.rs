@@ -60,7 +60,9 @@ fn domain(input: &Input, smallest_alpha: f64) -> String {
     let (name, [low, high]) = (input.name, input.domain);
     match (low, high) {
         (low, high) if !(low > f64::MIN && high < f64::MAX) => format!("{name} (any)"),
-        (0.0, high) if name == "alpha" => format!("{name} (0, {} to {})", short(smallest_alpha), short(high)),
+        (0.0, high) if name.starts_with("alpha") => {
+            format!("{name} (0, {} to {})", short(smallest_alpha), short(high))
+        }
         (low, high) => format!("{name} ({} to {})", short(low), short(high)),
     }
 }
@@ -123,6 +125,8 @@ pub(super) struct Options {
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     check_sampling(options)?;
+    // Before the work.
+    options.out.iter().try_for_each(|path| store::free(path))?;
     let name = points_name(&options.points);
     let mut points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
     if let Some(word) = &options.kernel {

@@ -42,6 +42,10 @@ pub(super) struct Options {
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?.with(&options.pages);
     let plan = plan::plan(&input.scene);
+    if !store::is_folder(&options.shards)? {
+        let shown = options.shards.display();
+        return Err(CliError::Usage(format!("--shards {shown}: there is no such folder")));
+    }
     let mut files = Vec::new();
     for entry in store::list(&options.shards, ".")? {
         // Of the folder itself: its names are `./NAME`.

@@ -5,7 +5,7 @@ pub(super) use lobefit_strict::number::{DielectricIor, In, NotNegative, Numbers,
 
 intervals! {
     /// Index of refraction in air of any material; at 1 there is no interface.
-    Ior = 1.0, 4.0, false, "[1, 4]";
+    Ior = 1.0, 4.0, false, "[1, 4], of glass [1, 3]";
     /// Index of refraction of glass: at 1 its albedo is a limit.
     GlassIor = 1.0, super::limits::GLASS_IOR, false, "[1, 3]";
     /// A limit on an error: albedos lie in [0, 1], so an error of 1 is none.

@@ -27,4 +27,4 @@ pub use error::{Operation, StoreError};
 pub use key::Key;
 pub use local::{LocalDisk, LocalTemp};
 pub use read::{Entry, is_folder, list, read, read_beginning, read_set, read_stream};
-pub use write::{temporary, write};
+pub use write::{free, temporary, write};

@@ -12,7 +12,22 @@ const PREFIX: &str = ".lobefit-file-";
 /// Writes a file in one step: the path holds its old bytes or the new ones, whatever happens. Says
 /// whether anything had to be written.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
+    free(path)?;
     replace(&LocalDisk, path, bytes, PREFIX)
+}
+
+/// Whether [`write`] would take the place of a file or of nothing: a link or device stays what it is.
+///
+/// # Errors
+/// Something else is there.
+pub fn free(path: &Path) -> Result<(), StoreError> {
+    let in_the_way = |what| Err(StoreError::InTheWay { path: path.to_owned(), what });
+    match LocalDisk.look(path) {
+        Ok(None | Some(Kind::File)) => Ok(()),
+        Ok(Some(Kind::Folder)) => in_the_way("a folder"),
+        Ok(Some(Kind::Other)) => in_the_way("a link or device"),
+        Err(error) => Err(StoreError::writing(path, Operation::Look)(error)),
+    }
 }
 
 /// The same without waiting for the disk: a failure of the power may leave a file of fewer bytes.

@@ -216,6 +216,18 @@ fn a_promise_that_nothing_keeps_names_what_does() {
     }
 }
 
+/// What is said to keep an error has the operations of the call that keeps it.
+#[test]
+fn the_nearest_costs_what_is_said() {
+    let unkept = baked("", &metal("steel", r#"{"max_error": 1e-9}"#));
+    let (_, said) = unkept.broken[0].split_once("raise max_error to ").expect("the nearest");
+    let (error, rest) = said.split_once(", which ").expect("its error");
+    let kept = baked("", &metal("steel", &format!(r#"{{"max_error": {error}}}"#)));
+    let call = kept.calls.iter().find(|call| call.function.ends_with("_rgb")).expect("a function");
+    let words = format!("{} has with {} operations", call.name, call.cost.ops);
+    assert!(kept.broken.is_empty() && rest.starts_with(&words), "`{words}` in {rest}");
+}
+
 /// What a plan says of goals that differ.
 fn merging(materials: &str) -> Option<String> {
     let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
@@ -273,10 +285,12 @@ fn a_budget_of_a_base_covers_three_channels() {
         );
         let baked = baked(r#""languages": ["wgsl"],"#, &text);
         let call = baked.calls.iter().find(|call| call.function == "diffuse_coupling").expect("a factor");
-        call.cost.ops
+        (call.cost.ops, call.around.iter().map(|around| around.function.clone()).collect::<Vec<_>>())
     };
-    let [grey, coloured] = [base("0.04"), base("[0.02, 0.04, 0.08]")];
+    let [(grey, both), (coloured, tinted)] = [base("0.04"), base("[0.02, 0.04, 0.08]")];
     assert!(coloured.is_multiple_of(3) && coloured <= 30 && grey > coloured / 3, "{grey} {coloured}");
+    let names = ["diffuse_coupled_normalised", "diffuse_coupled_normalised_rgb"];
+    assert!(both == names && tinted == names[1..], "{both:?} {tinted:?}");
 }
 
 /// Without pages no formula is fitted beyond the cheapest that keeps the limit: what is emitted is

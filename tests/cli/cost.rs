@@ -98,6 +98,22 @@ fn shipped<'a>(found: &'a Value, function: &str) -> Option<&'a Value> {
     found["ship"].as_array().expect("a list").iter().find(|of| of["function"] == function)
 }
 
+/// A coat and the lobe below it call the same function, each with a roughness of its own.
+#[test]
+fn each_layer_has_its_functions() {
+    const COATED: &[u8] =
+        br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "dielectric", "ior": 1.5,
+      "roughness": [0.3, 0.8], "base": {"albedo": 0.5}, "coat": {"roughness": 0.2, "ior": 1.6},
+      "wants": {"exact_fresnel": {}}}]}"#;
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = lobefit(folder.path(), &["cost", "-", "--json", "--max-error", "0.05"], COATED);
+    let found: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let ship = found["ship"].as_array().expect("a list");
+    let layers = ship.iter().filter(|of| of["function"] == "ggx_dielectric_albedo").map(|of| &of["layer"]);
+    let layers: Vec<&Value> = layers.collect();
+    assert!(layers.len() == 2 && layers.contains(&&Value::from("coat")), "{layers:?}");
+}
+
 const FORMULA: &str = "ggx_energy_compensation_rgb";
 
 #[test]

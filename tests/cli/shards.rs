@@ -61,6 +61,8 @@ fn refused(at: &Path) {
     let whole = fs::read(&second).unwrap();
     fs::remove_file(&second).unwrap();
     merge(&["shards-2: missing: shard-2-of-2.lobefit"]);
+    let nowhere = run(at, &["merge", "scene.json", "--shards", "nowhere", "--out", "none"], 2);
+    assert!(nowhere.contains("--shards nowhere: there is no such folder"), "{nowhere}");
     fs::copy(&first, of_2("again.lobefit")).unwrap();
     merge(&["shard-1-of-2.lobefit: shard 1 of 2, as ", "again.lobefit is"]);
     fs::remove_file(of_2("again.lobefit")).unwrap();

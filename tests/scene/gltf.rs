@@ -96,7 +96,8 @@ fn extensions_become_lobes() {
     });
     let (scene, _) = with(solid.clone());
     assert_eq!((scene.materials.len(), scene.materials[0].ior), (1, Some([1.38, 1.42])));
-    for (ior, f0, said) in [(0.0, 1.0, "beyond 3"), (0.5, 1.0 / 9.0, "below 1, that of a vacuum")] {
+    for (ior, f0, said) in [(0.0, 1.0, "infinite (0 in glTF)"), (0.5, 1.0 / 9.0, "below 1, that of a vacuum")]
+    {
         let mut refused = solid.clone();
         refused["KHR_materials_ior"]["ior"] = json!(ior);
         let (scene, notes) = with(refused);

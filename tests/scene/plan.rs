@@ -57,6 +57,18 @@ fn reading_a_scene_integrates_nothing() {
     assert_eq!(plan(&scene).effects.len(), 1);
 }
 
+/// Another quantity of the same lobe is no wish for Fresnel's term.
+#[test]
+fn who_wants_other_things_is_not_said_to_want_fresnels_term() {
+    let scene = metals(&[("lit", "[0.2, 0.9]", r#"{"widened": {"mean_length": [0.8, 1]}}"#)]);
+    let plan = plan(&scene);
+    assert!(
+        reason(&plan, "reflection").ends_with(": `lit` wants other things alone"),
+        "{}",
+        reason(&plan, "reflection")
+    );
+}
+
 fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
     &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
 }

@@ -138,8 +138,9 @@ impl Surface {
         let spread = |ior: f64| (ior - 1.0) * DISPERSION * self.dispersion;
         let [low, high] = self.ior;
         let whole = [low - spread(low), high + spread(high)];
-        // glTF's 0 is an infinite index.
-        let refused = if low == 0.0 || whole[0] > GLASS_IOR {
+        let refused = if low == 0.0 {
+            Some("infinite (0 in glTF), and glass ends at 3")
+        } else if whole[0] > GLASS_IOR {
             Some("beyond 3, where glass ends")
         } else {
             (high < 1.0).then_some("below 1, that of a vacuum")

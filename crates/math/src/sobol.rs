@@ -11,7 +11,6 @@ pub const DIMENSIONS: usize = 3;
 /// A scrambled sequence; every seed gives an independent randomisation.
 #[derive(Clone, Debug)]
 pub struct Sobol {
-    directions: [[u32; 32]; DIMENSIONS],
     seeds: [u32; DIMENSIONS],
     shuffle: Option<u32>,
 }
@@ -19,8 +18,7 @@ pub struct Sobol {
 impl Sobol {
     /// The sequence scrambled by one seed per dimension.
     pub fn new(seeds: [u32; DIMENSIONS]) -> Sobol {
-        let directions = [directions(&[], 0), directions(&[1], 0), directions(&[1, 3], 1)];
-        Sobol { directions, seeds, shuffle: None }
+        Sobol { seeds, shuffle: None }
     }
 
     /// The same points in another order: for coordinates beyond the dimensions of one sequence. Two
@@ -34,42 +32,57 @@ impl Sobol {
 
     /// Coordinate of point `index` along `dimension`, in (0, 1): the centre of its 2^-32 cell.
     pub fn coordinate(&self, index: u32, dimension: usize) -> f64 {
-        let mut bits = 0;
         let shuffled = |seed| scramble(index.reverse_bits(), seed).reverse_bits();
-        let mut rest = self.shuffle.map_or(index, shuffled);
-        for direction in self.directions[dimension] {
-            if rest == 0 {
-                break;
-            }
-            if rest & 1 == 1 {
-                bits ^= direction;
-            }
-            rest >>= 1;
-        }
+        let [a, b, c, d] = self.shuffle.map_or(index, shuffled).to_le_bytes().map(usize::from);
+        let [of_a, of_b, of_c, of_d] = &BY_BYTE[dimension];
+        let bits = of_a[a] ^ of_b[b] ^ of_c[c] ^ of_d[d];
         let scrambled = scramble(bits.reverse_bits(), self.seeds[dimension]).reverse_bits();
         (f64::from(scrambled) + 0.5) / 4_294_967_296.0
     }
 }
 
+/// By dimension and byte of the index, what the bits of that byte add.
+static BY_BYTE: [[[u32; 256]; 4]; DIMENSIONS] =
+    [by_byte(directions(&[], 0)), by_byte(directions(&[1], 0)), by_byte(directions(&[1, 3], 1))];
+
+const fn by_byte(directions: [u32; 32]) -> [[u32; 256]; 4] {
+    let mut sums = [[0; 256]; 4];
+    let mut i = 0_usize;
+    while i < 4 * 256 {
+        let (byte, value) = (i / 256, i % 256);
+        if value > 0 {
+            // The highest bit, and what is known of the others.
+            let bit = value.ilog2() as usize;
+            sums[byte][value] = sums[byte][value - (1 << bit)] ^ directions[8 * byte + bit];
+        }
+        i += 1;
+    }
+    sums
+}
+
 /// Direction numbers from the initial odd numbers `m` and the inner coefficients of the primitive
 /// polynomial.
-fn directions(m: &[u32], inner: u32) -> [u32; 32] {
+const fn directions(m: &[u32], inner: u32) -> [u32; 32] {
     let mut v = [0_u32; 32];
     let degree = m.len();
-    for i in 0..32 {
+    let mut i = 0;
+    while i < 32 {
         v[i] = if degree == 0 {
             1 << (31 - i)
         } else if i < degree {
             m[i] << (31 - i)
         } else {
             let mut value = v[i - degree] ^ (v[i - degree] >> degree);
-            for k in 1..degree {
+            let mut k = 1;
+            while k < degree {
                 if (inner >> (degree - 1 - k)) & 1 == 1 {
                     value ^= v[i - k];
                 }
+                k += 1;
             }
             value
         };
+        i += 1;
     }
     v
 }

@@ -1,6 +1,9 @@
 //! Tables: texel against texel.
 
-use super::{Difference, Kind};
+use std::iter::successors;
+use std::ops::Range;
+
+use super::{Difference, Kind, text};
 use crate::bake::BakedTable;
 use crate::data::{Channel, Table, TexelFormat};
 use crate::emit::container::SIDECAR;
@@ -11,6 +14,7 @@ use crate::store::Files;
 /// How two EXR files differ; `table` is that of the recipe.
 pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let part = part(expected, expected.iter().zip(found).take_while(|(want, have)| want == have).count());
+    let misstated = misstated(expected, found);
     let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
         (Ok(expected), Ok(found)) => (expected, found),
         (_, Err(error)) | (Err(error), _) => {
@@ -26,28 +30,51 @@ pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) 
     if difference.max_abs == Some(0.0) {
         difference.detail = format!("{part}; texels are equal");
     }
+    if let Some(words) = misstated {
+        difference.detail = format!("{words}; {}", difference.detail);
+        difference.max_abs = None;
+    }
     difference
 }
 
 /// What of an EXR file holds a byte: an attribute of its header, by name, or the byte itself.
 fn part(file: &[u8], at: usize) -> String {
-    // Magic number and version, then attributes: name, type, both ended by 0, length, value.
-    let text = |from: usize| file.get(from..)?.split(|byte| *byte == 0).next();
-    let attribute = |from: usize| {
+    let mut behind_magic = attributes(file).filter(|_| at >= MAGIC);
+    let holds = behind_magic.find(|(_, value)| at < value.end);
+    holds.map_or_else(|| format!("byte {at}"), |(name, _)| format!("header: attribute `{name}`"))
+}
+
+/// What the attributes of a file say wrongly: the first number that no tolerance forgives.
+fn misstated(expected: &[u8], found: &[u8]) -> Option<String> {
+    let text = |file: &[u8], value: &Range<usize>| {
+        let value = file.get(value.clone()).unwrap_or_default();
+        String::from_utf8_lossy(value).into_owned()
+    };
+    let found: Vec<(String, String)> =
+        attributes(found).map(|(name, value)| (name, text(found, &value))).collect();
+    attributes(expected).find_map(|(name, value)| {
+        let (_, has) = found.iter().find(|(other, _)| *other == name)?;
+        let words = text::misstated(&text(expected, &value), has)?;
+        Some(format!("header: attribute `{name}`: {words}"))
+    })
+}
+
+/// Bytes before the first attribute: magic number and version.
+const MAGIC: usize = 8;
+
+/// The attributes of an EXR file: their names and where their values stand.
+fn attributes(file: &[u8]) -> impl Iterator<Item = (String, Range<usize>)> + '_ {
+    // Each: name, type, both ended by 0, length, value.
+    let text = move |from: usize| file.get(from..)?.split(|byte| *byte == 0).next();
+    let attribute = move |from: usize| {
         let name = text(from).filter(|name| !name.is_empty())?;
         let length = from + name.len() + 1;
         let length = length + text(length)?.len() + 1;
         let value: &[u8; 4] = file.get(length..)?.first_chunk()?;
-        Some((name, length + 4 + u32::from_le_bytes(*value) as usize))
+        let start = length + 4;
+        Some((String::from_utf8_lossy(name).into_owned(), start..start + u32::from_le_bytes(*value) as usize))
     };
-    let mut from = 8;
-    while let Some((name, end)) = attribute(from).filter(|_| at >= from) {
-        if at < end {
-            return format!("header: attribute `{}`", String::from_utf8_lossy(name));
-        }
-        from = end;
-    }
-    format!("byte {at}")
+    successors(attribute(MAGIC), move |(_, value)| attribute(value.end))
 }
 
 /// Whether a table holds the same texels in two sets of files: an EXR by its channels, another format by

@@ -1,6 +1,7 @@
 //! Text files: lines, and within them numbers against numbers.
 
 use super::{Difference, Kind};
+use crate::emit::container::SIDECAR;
 use crate::store::MANIFEST;
 
 /// The lines of an include file that are no comments.
@@ -14,16 +15,43 @@ struct Pair {
     line: usize,
     want: f64,
     have: f64,
+    role: Role,
+}
+
+/// What a number is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// A constant of a function, or what says how texels are read.
+    Constant,
+    /// An error that is stated of a function or a table.
+    Error,
+    /// An end of a range that errors hold over, or of an axis.
+    Range,
+    /// What else is measured or counted.
+    Value,
 }
 
 impl Pair {
     fn gap(&self) -> f64 {
         (self.want - self.have).abs()
     }
+
+    /// Why no tolerance forgives it.
+    fn unforgiven(&self) -> Option<String> {
+        let gap = self.gap();
+        match self.role {
+            Role::Constant => Some(format!("a constant, {gap:e} off: no tolerance holds for constants")),
+            Role::Range => Some(format!("an end of a range, {gap:e} off: no tolerance holds for ranges")),
+            Role::Error if self.have < self.want => {
+                Some(format!("a smaller error than is true, by {gap:e}: no tolerance holds for promises"))
+            }
+            Role::Error | Role::Value => None,
+        }
+    }
 }
 
-/// How two texts differ: by a constant of a function or an error that is stated smaller than it is, which
-/// no tolerance forgives; else by the largest difference of their numbers if all else is equal, else by
+/// How two texts differ: by a constant of a function, an end of a range or an error that is stated smaller
+/// than it is, which no tolerance forgives; else by the largest difference of their numbers if all else is equal, else by
 /// their first differing line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
@@ -31,27 +59,15 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
         return Difference::plain(file, Kind::Different, &format!("byte {at}: different bytes; not text"));
     };
     let mut difference = Difference::plain(file, Kind::Different, "");
-    let pairs = pairs(expected, found).unwrap_or_default();
-    let constants = constants(file, expected);
-    let constant = pairs.iter().find(|pair| pair.gap() != 0.0 && constants[pair.line - 1]);
-    let promises = promises(file, expected);
-    let broken = pairs.iter().find(|pair| pair.have < pair.want && promises[pair.line - 1]);
+    let pairs = pairs(Kept::of(file), expected, found).unwrap_or_default();
     // NaN is the largest difference there is.
     let worst = pairs.iter().min_by(|a, b| b.gap().total_cmp(&a.gap()));
-    match constant.or(broken).or(worst) {
-        Some(pair @ Pair { line, want, have }) => {
-            let (gap, place) = (pair.gap(), format!("line {line}"));
-            let size = match (constant, broken) {
-                (Some(_), _) => {
-                    format!("a constant of a function, {gap:e} off: no tolerance holds for constants")
-                }
-                (None, Some(_)) => {
-                    format!("a smaller error than is true, by {gap:e}: no tolerance holds for promises")
-                }
-                (None, None) => format!("max abs difference {gap:e}"),
-            };
+    match unforgiven(&pairs).or(worst) {
+        Some(pair @ Pair { line, want, have, .. }) => {
+            let (gap, place, why) = (pair.gap(), format!("line {line}"), pair.unforgiven());
+            difference.max_abs = why.is_none().then_some(gap);
+            let size = why.unwrap_or_else(|| format!("max abs difference {gap:e}"));
             difference.detail = format!("{place}: {have} where the recipe gives {want}; {size}");
-            difference.max_abs = constant.or(broken).is_none().then_some(gap);
             difference.at = Some(place);
         }
         None => {
@@ -63,53 +79,148 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     difference
 }
 
-/// Whether each line holds constants of functions: the code of an include file, and coefficients in the
-/// manifest.
-fn constants(file: &str, text: &str) -> Vec<bool> {
-    let is_code = file.starts_with("fits/");
-    let mut inside = false;
-    let mut holds = |line: &str| {
-        inside = match line {
-            "\"coefficients\": {" => true,
-            "}" | "}," => false,
-            _ => inside,
+/// What the header of a table says wrongly: the first number that no tolerance forgives. Lines that differ
+/// in more than numbers are of who made it.
+pub fn misstated(expected: &str, found: &str) -> Option<String> {
+    let mut roles = Roles::new(Kept::Header);
+    let lines = expected.lines().zip(found.lines()).enumerate();
+    let pairs = lines.filter_map(|(i, (want, have))| of_line(i + 1, &roles.next(want), want, have));
+    let pairs: Vec<Pair> = pairs.flatten().collect();
+    let pair @ Pair { want, have, .. } = unforgiven(&pairs)?;
+    Some(format!("{have} where the recipe gives {want}; {}", pair.unforgiven()?))
+}
+
+/// The first number that no tolerance forgives, constants before others.
+fn unforgiven(pairs: &[Pair]) -> Option<&Pair> {
+    let mut all = pairs.iter().filter(|pair| pair.gap() != 0.0 && pair.unforgiven().is_some());
+    all.clone().find(|pair| pair.role == Role::Constant).or_else(|| all.next())
+}
+
+/// Texts in which numbers have roles.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kept {
+    Manifest,
+    Sidecar,
+    Include,
+    Header,
+    Other,
+}
+
+impl Kept {
+    fn of(file: &str) -> Kept {
+        match file.split_once('/') {
+            None if file == MANIFEST => Kept::Manifest,
+            Some(("tables", name)) if name.ends_with(SIDECAR) => Kept::Sidecar,
+            Some(("fits", _)) => Kept::Include,
+            _ => Kept::Other,
+        }
+    }
+}
+
+/// Keys of the manifest and of sidecars whose numbers are errors.
+const ERRORS: [&str; 5] = ["max", "max_abs", "max_rel", "max_error", "rms"];
+
+/// The numbers of a text by their roles, line after line.
+struct Roles {
+    kept: Kept,
+    /// Of JSON, the keys of what the line stands in.
+    keys: Vec<String>,
+}
+
+/// The numbers of a line.
+enum Line {
+    /// All of one role.
+    All(Role),
+    /// Of prose: each has that which the words before it give.
+    Prose,
+}
+
+impl Line {
+    /// The role of the number behind this part of the line.
+    fn role(&self, before: &str) -> Role {
+        match self {
+            Line::All(role) => *role,
+            Line::Prose if ["max ", "rms "].iter().any(|word| before.ends_with(word)) => Role::Error,
+            Line::Prose if before.rfind('[') > before.rfind(']') => Role::Range,
+            Line::Prose => Role::Value,
+        }
+    }
+}
+
+impl Roles {
+    fn new(kept: Kept) -> Roles {
+        Roles { kept, keys: Vec::new() }
+    }
+
+    /// Of the next line.
+    fn next(&mut self, line: &str) -> Line {
+        let line = line.trim();
+        match self.kept {
+            Kept::Include if !line.starts_with("//") => Line::All(Role::Constant),
+            Kept::Include => Line::Prose,
+            Kept::Header => of_header(line),
+            Kept::Manifest | Kept::Sidecar => self.of_json(line),
+            Kept::Other => Line::All(Role::Value),
+        }
+    }
+
+    fn of_json(&mut self, line: &str) -> Line {
+        if line.starts_with(['}', ']']) {
+            self.keys.pop();
+        }
+        let key = line.strip_prefix('"').and_then(|rest| rest.split_once("\": ")).map_or("", |(key, _)| key);
+        let within = |name: &str| self.keys.iter().any(|key| key == name);
+        let measured = within("certificate") || within("half");
+        let of_header = within("header").then(|| of_header(line.trim_matches(['"', ',', ' '])));
+        let role = if within("domain") || within("axes") {
+            Role::Range
+        } else if within("coefficients") || (self.kept == Kept::Sidecar && !measured) {
+            Role::Constant
+        } else if ERRORS.contains(&key) {
+            Role::Error
+        } else {
+            Role::Value
         };
-        inside || is_code && !line.starts_with("//")
-    };
-    text.lines().map(|line| holds(line.trim())).collect()
+        if line.ends_with(['{', '[']) {
+            self.keys.push(key.into());
+        }
+        of_header.unwrap_or(Line::All(role))
+    }
 }
 
-/// Keys of the manifest whose numbers are errors.
-const ERRORS: [&str; 5] = ["\"max\":", "\"max_abs\":", "\"max_rel\":", "\"max_error\":", "\"rms\":"];
-
-/// Whether each line states an error: of the manifest by its key, which the end of an axis has too, before
-/// its beginning; of an include file in a comment.
-fn promises(file: &str, text: &str) -> Vec<bool> {
-    let lines: Vec<&str> = text.lines().map(str::trim).collect();
-    let ends_axis = |i: usize| lines.get(i + 1).is_some_and(|next| next.starts_with("\"min\":"));
-    let states = |(i, line): (usize, &&str)| match file {
-        MANIFEST => ERRORS.iter().any(|key| line.starts_with(key)) && !ends_axis(i),
-        _ => file.starts_with("fits/") && line.starts_with("//") && line.contains("max "),
-    };
-    lines.iter().enumerate().map(states).collect()
+/// Of the header of a table: how its texels are read, but for what is measured of it.
+fn of_header(line: &str) -> Line {
+    let measured = ["error ", "worst ", "domain"].iter().any(|word| line.starts_with(word));
+    if measured { Line::Prose } else { Line::All(Role::Constant) }
 }
 
-/// The numbers that differ, with their lines, if nothing else does.
-fn pairs(expected: &str, found: &str) -> Option<Vec<Pair>> {
+/// The numbers that differ, if nothing else does.
+fn pairs(kept: Kept, expected: &str, found: &str) -> Option<Vec<Pair>> {
     if expected.lines().count() != found.lines().count() {
         return None;
     }
-    let mut all = Vec::new();
-    for (i, (want, have)) in expected.lines().zip(found.lines()).enumerate() {
-        let (want, have) = (tokens(want), tokens(have));
-        if want.len() != have.len() {
-            return None;
-        }
-        for (a, b) in want.iter().zip(&have).filter(|(a, b)| a != b) {
-            all.push(Pair { line: i + 1, want: a.parse().ok()?, have: b.parse().ok()? });
-        }
+    let mut roles = Roles::new(kept);
+    let lines = expected.lines().zip(found.lines()).enumerate();
+    let pairs = lines.map(|(i, (want, have))| of_line(i + 1, &roles.next(want), want, have));
+    Some(pairs.collect::<Option<Vec<_>>>()?.into_iter().flatten().collect())
+}
+
+/// Those of a line.
+fn of_line(line: usize, roles: &Line, want: &str, have: &str) -> Option<Vec<Pair>> {
+    let (wanted, had) = (tokens(want), tokens(have));
+    if wanted.len() != had.len() {
+        return None;
     }
-    Some(all)
+    let mut before = 0;
+    let mut pairs = Vec::new();
+    for (a, b) in wanted.iter().zip(&had) {
+        if a != b {
+            let role = roles.role(&want[..before]);
+            pairs.push(Pair { line, want: a.parse().ok()?, have: b.parse().ok()?, role });
+        }
+        before += a.len();
+    }
+    Some(pairs)
 }
 
 /// A line cut into numbers and what stands between them. A digit behind a letter belongs to a name.

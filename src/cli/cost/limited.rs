@@ -190,8 +190,8 @@ impl Shipped {
         let entries = manifest.map(|manifest| manifest.entries).unwrap_or_default();
         let mut purposes: Vec<Vec<&Call>> = Vec::new();
         for call in &baked.calls {
-            let same = |other: &&Call| !call.purpose.is_empty() && other.purpose == call.purpose;
-            match purposes.iter_mut().find(|calls| calls[0].of == call.of && same(&calls[0])) {
+            let same = |calls: &&mut Vec<&Call>| !call.purpose.is_empty() && calls[0].stands_for(call);
+            match purposes.iter_mut().find(same) {
                 Some(calls) => calls.push(call),
                 None => purposes.push(vec![call]),
             }

@@ -1,6 +1,6 @@
 //! Jobs to fits of the factor, one set for each kind of lobe that lies above a base.
 
-use super::emitted::around as coupled;
+use super::emitted::{around as coupled, coloured};
 use super::{AnyF0, CouplingSpec, anywhere, code, evaluations, findings, fit_emitted, page, role, specular};
 use crate::approximate::{Dropped, Fit, FitSet};
 use crate::effects::context::Context;
@@ -60,6 +60,14 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         let times = material.map_or(1, evaluations);
         call.cost.ops *= times;
         call.price = call.price.map(|price| price * f64::from(times));
+        if times > 1 {
+            // A tinted base takes those for three channels, where they are.
+            let all: Vec<String> = call.around.iter().map(|around| coloured(&around.function)).collect();
+            let twins: Vec<bool> =
+                all.iter().map(|twin| call.around.iter().any(|around| around.function == *twin)).collect();
+            let mut twins = twins.into_iter();
+            call.around.retain(|_| !twins.next().unwrap_or(false));
+        }
     }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());

@@ -59,7 +59,7 @@ What the base below has for a factor whose directions can be exchanged: the fact
 view mu, over their average.";
 
 /// The name of a function's variant for a reflectance per channel.
-fn coloured(name: &str) -> String {
+pub(super) fn coloured(name: &str) -> String {
     format!("{name}_rgb")
 }
 

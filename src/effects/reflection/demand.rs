@@ -174,17 +174,20 @@ impl Reflection {
         if rough.is_empty() {
             return format!("no material has a rough specular lobe: {}", stay_smooth(&smooth));
         }
-        // What is rough and is not of this effect is anisotropic, glass, or has the exact term.
+        // What is rough and is not of this effect is anisotropic or glass, or wants other things alone.
         let (glass, others): (Vec<&Material>, Vec<&Material>) =
             rough.into_iter().partition(|m| m.lobe().is_glass());
-        let (exact, anisotropic): (Vec<&Material>, Vec<&Material>) =
+        let (isotropic, anisotropic): (Vec<&Material>, Vec<&Material>) =
             others.into_iter().partition(|m| m.lobe() == Lobe::Isotropic);
         let unwanted = |m: &[&Material]| {
             format!("{} {} anisotropic and {} tables of that", named(m), verb(m, "are"), verb(m, "want"))
         };
+        let (exact, other): (Vec<&Material>, Vec<&Material>) =
+            isotropic.into_iter().partition(|m| m.wants.exact_fresnel.is_some());
         let why = reasons([
             about(&anisotropic, unwanted),
             about(&exact, |m| format!("{} {} the exact Fresnel term alone", named(m), verb(m, "want"))),
+            about(&other, |m| format!("{} {} other things alone", named(m), verb(m, "want"))),
             about(&glass, |m| format!("{} {} light", named(m), verb(m, "transmit"))),
             about(&smooth, stay_smooth),
         ]);

@@ -72,19 +72,22 @@ pub fn measure(
     let quantised = table.quantised();
     let exact = Lookup::new(&quantised, decode)?;
     let coarse = exact.clone().with_weight_bits(8);
-    let over = |lookup: &Lookup, judged| deviation(lookup, judged, points, truth);
-    let lookup_e = over(&exact, Judged::E)?;
+    let looked_up = values(&exact, points);
+    let over = |judged| -> Result<Deviation, LookupError> {
+        Ok(deviation(&errors(&exact, &looked_up, judged, truth)?, points, truth))
+    };
+    let lookup_e = over(Judged::E)?;
     let has_b = decode.has_bias();
     let in_use = if has_b { Judged::Either } else { Judged::E };
-    let lookup = if has_b { over(&exact, in_use)? } else { lookup_e.clone() };
+    let lookup = if has_b { over(in_use)? } else { lookup_e.clone() };
     Ok(Errors {
         integration,
         quantisation: Rounding::of(table, &quantised),
         lookup,
-        lookup_8_bit: over(&coarse, in_use)?,
+        lookup_8_bit: deviation(&error_map(&coarse, in_use, points, truth)?, points, truth),
         half: half(&exact, in_use, points, truth)?,
         lookup_e,
-        lookup_b: if has_b { Some(over(&exact, Judged::B)?) } else { None },
+        lookup_b: if has_b { Some(over(Judged::B)?) } else { None },
         points: points.len(),
     })
 }
@@ -99,10 +102,19 @@ pub fn error_map(
     points: &LookupPoints,
     truth: Truth,
 ) -> Result<Vec<f64>, LookupError> {
+    errors(lookup, &values(lookup, points), judged, truth)
+}
+
+/// What a lookup gives at every point.
+fn values(lookup: &Lookup, points: &LookupPoints) -> Vec<Values> {
+    points.all.par_iter().map(|point| lookup.at(point)).collect()
+}
+
+/// Signed error of each value.
+fn errors(lookup: &Lookup, values: &[Values], judged: Judged, truth: Truth) -> Result<Vec<f64>, LookupError> {
     let no_bias = || LookupError::NoBias { table: lookup.table().into() };
-    let at = |(i, point): (usize, &_)| {
-        let Values { e, b } = lookup.at(point);
-        let of_e = f64::from(e) - truth.e[i];
+    let at = |(i, Values { e, b }): (usize, &Values)| {
+        let of_e = f64::from(*e) - truth.e[i];
         if judged == Judged::E {
             return Ok(of_e);
         }
@@ -110,7 +122,7 @@ pub fn error_map(
         let of_b = f64::from(b) - truth[i];
         Ok(if judged == Judged::B || of_b.abs() > of_e.abs() { of_b } else { of_e })
     };
-    points.all.par_iter().enumerate().map(at).collect()
+    values.iter().enumerate().map(at).collect()
 }
 
 /// The error of a lookup in half precision, by the worse of the two ways of rounding products, or the first
@@ -123,19 +135,12 @@ fn half(lookup: &Lookup, judged: Judged, points: &LookupPoints, truth: Truth) ->
             let refused = format!("the lookup has no finite value in {precision}");
             return Ok(Half::Refused(HalfRefusal { refused, at: points.place(i) }));
         }
-        let Deviation { max, rms, at, .. } =
-            Deviation::of(&errors, truth.e, |i| points.uniform[i], |worst| points.place(worst));
+        let Deviation { max, rms, at, .. } = deviation(&errors, points, truth);
         Ok(Half::Measured(HalfError { max_abs: round_up(max, 4), rms, at, precision }))
     };
     Ok(of(Precision::F16)?.or_worse(of(Precision::F16Fused)?))
 }
 
-fn deviation(
-    lookup: &Lookup,
-    judged: Judged,
-    points: &LookupPoints,
-    truth: Truth,
-) -> Result<Deviation, LookupError> {
-    let errors = error_map(lookup, judged, points, truth)?;
-    Ok(Deviation::of(&errors, truth.e, |i| points.uniform[i], |worst| points.place(worst)))
+fn deviation(errors: &[f64], points: &LookupPoints, truth: Truth) -> Deviation {
+    Deviation::of(errors, truth.e, |i| points.uniform[i], |worst| points.place(worst))
 }

@@ -28,7 +28,7 @@ fn not_a_material() -> Vec<Case> {
         ),
         case(
             material(r#""kind":"dielectric","ior":4.0000001,"roughness":1"#),
-            "materials[0].ior: 4.0000001 is outside [1, 4]",
+            "materials[0].ior: 4.0000001 is outside [1, 4], of glass [1, 3]",
         ),
         case(
             material(r#""kind":"metal","f0":[1,1],"roughness":1"#),
@@ -100,8 +100,8 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         ),
         case(glass("3.0000001"), "materials[0].ior: 3.0000001 is outside [1, 3], where that of glass lies"),
         case(glass("[1, 3.5]"), "materials[0].ior: 3.5 is outside [1, 3]"),
-        case(glass("[1, 4.5]"), "materials[0].ior[1]: 4.5 is outside [1, 4]"),
-        case(glass("0.99"), "materials[0].ior: 0.99 is outside [1, 4]"),
+        case(glass("[1, 4.5]"), "materials[0].ior[1]: 4.5 is outside [1, 4], of glass [1, 3]"),
+        case(glass("0.99"), "materials[0].ior: 0.99 is outside [1, 4], of glass [1, 3]"),
         case(glass("[2, 1]"), "materials[0].ior: the range [2, 1] is upside down"),
         case(dielectric("[1.4, 1.5]"), "materials[0].ior: a dielectric has one index of refraction"),
         case(

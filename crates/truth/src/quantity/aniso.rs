@@ -100,7 +100,7 @@ impl Quantity for GgxReflectionAniso {
                 tolerance: aniso::TOLERANCE,
                 smallest_alpha: aniso::ALPHA[0],
                 fresnel: Some(Fresnel::One),
-                remark: "without phi: the mean over it",
+                remark: "without phi: the mean over it; the alphas are 0 together",
                 draws: &Draw::ALL,
                 ..Facts::NONE
             }

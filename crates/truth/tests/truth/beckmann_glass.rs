@@ -86,6 +86,28 @@ fn it_is_the_integral_over_slopes() {
     }
 }
 
+/// Next to ior = 1 facets at grazing pass from the one side of the critical angle to the other within a narrow
+/// band of azimuths.
+#[test]
+fn the_promise_is_kept_in_the_corners_of_the_domain() {
+    for ((alpha, mu), ior) in [1.0, 0.03, 1e-4]
+        .into_iter()
+        .flat_map(|alpha| [1e-6, 3e-6, 1e-5, 1e-3].map(|mu| (alpha, mu)))
+        .flat_map(|place| [1.0 + 1e-7, 1.00001, 1.0001, 1.001, 4.0].map(|ior| (place, ior)))
+    {
+        for (side, smith) in Side::ALL.into_iter().zip(Smith::ALL) {
+            let [r, t, e, loss, error] = truth(smith, &[alpha, mu, ior], side)[..] else { panic!("outputs") };
+            let place = format!("{smith:?} {alpha} {mu} {ior} {side:?}: {r} {t} {loss} {error}");
+            assert!(error <= 1e-8 && r >= 0.0 && t >= 0.0 && (e + loss - 1.0).abs() < 1e-12, "{place}");
+            if alpha == 1.0 {
+                let [r_by_slopes, t_by_slopes] = by_slopes(smith, [alpha, mu, ior], side);
+                let off = (r - r_by_slopes).abs().max((t - t_by_slopes).abs());
+                assert!(off < 1e-4, "{place}; by slopes {r_by_slopes} {t_by_slopes}");
+            }
+        }
+    }
+}
+
 #[test]
 fn monte_carlo_agrees_within_its_error() {
     let run = Run { samples: 1 << 14, seed: 3, points: Points::Sobol, draw: Draw::VisibleNormal };

@@ -53,7 +53,7 @@ pub fn aniso(
     }
     let goal = Goal { quantity: QUANTITY, place: &|| place(alpha, mu), tolerance };
     goal.climb(
-        [8, 16, 32],
+        [8, 16, 32, 64],
         |n| Ok(values(smith, alpha, mu, phi, n)),
         |coarse, fine| bounded(*coarse, *fine).map(|value| (value, value.error)),
     )

@@ -106,7 +106,7 @@ pub(super) fn refined(
     tolerance: f64,
 ) -> Result<Glass, IntegrateError> {
     Goal { quantity, place, tolerance }.climb(
-        [8, 16, 32],
+        [8, 16, 32, 64],
         |n| Ok(values(n)),
         |coarse, fine| bounded(*coarse, *fine, rounding).map(|value| (value, value.error)),
     )
