@@ -16,7 +16,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
     replace(&LocalDisk, path, bytes, PREFIX)
 }
 
-/// Whether [`write`] would take the place of a file or of nothing: a link or device stays what it is.
+/// Whether [`write()`] would take the place of a file or of nothing: a link or device stays what it is.
 ///
 /// # Errors
 /// Something else is there.
