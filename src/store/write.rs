@@ -16,18 +16,14 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
     replace(&LocalDisk, path, bytes, PREFIX)
 }
 
-/// Whether [`write()`] would take the place of a file or of nothing: a link or device stays what it is.
+/// Whether [`write()`] may take the place of what is there. A file would be in the place of a device, or of a
+/// link to one, for every other program; of another link it is.
 ///
 /// # Errors
-/// Something else is there.
+/// A device is in the way.
 pub fn free(path: &Path) -> Result<(), StoreError> {
-    let in_the_way = |what| Err(StoreError::InTheWay { path: path.to_owned(), what });
-    match LocalDisk.look(path) {
-        Ok(None | Some(Kind::File)) => Ok(()),
-        Ok(Some(Kind::Folder)) => in_the_way("a folder"),
-        Ok(Some(Kind::Other)) => in_the_way("a link or device"),
-        Err(error) => Err(StoreError::writing(path, Operation::Look)(error)),
-    }
+    let is_device = std::fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
+    if is_device { Err(StoreError::InTheWay { path: path.to_owned(), what: "a device" }) } else { Ok(()) }
 }
 
 /// The same without waiting for the disk: a failure of the power may leave a file of fewer bytes.

@@ -51,15 +51,15 @@ impl Pair {
 }
 
 /// How two texts differ: by a constant of a function, an end of a range or an error that is stated smaller
-/// than it is, which no tolerance forgives; else by the largest difference of their numbers if all else is equal, else by
-/// their first differing line, else by the first line whose end differs.
+/// than it is, which no tolerance forgives; else by the largest difference of their numbers if all else is
+/// equal, else by their first differing line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
         let at = expected.iter().zip(found).take_while(|(want, have)| want == have).count();
         return Difference::plain(file, Kind::Different, &format!("byte {at}: different bytes; not text"));
     };
     let mut difference = Difference::plain(file, Kind::Different, "");
-    let pairs = pairs(Kept::of(file), expected, found).unwrap_or_default();
+    let pairs = pairs(Document::of(file), expected, found).unwrap_or_default();
     // NaN is the largest difference there is.
     let worst = pairs.iter().min_by(|a, b| b.gap().total_cmp(&a.gap()));
     match unforgiven(&pairs).or(worst) {
@@ -82,7 +82,7 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
 /// What the header of a table says wrongly: the first number that no tolerance forgives. Lines that differ
 /// in more than numbers are of who made it.
 pub fn misstated(expected: &str, found: &str) -> Option<String> {
-    let mut roles = Roles::new(Kept::Header);
+    let mut roles = Roles::new(Document::Header);
     let lines = expected.lines().zip(found.lines()).enumerate();
     let pairs = lines.filter_map(|(i, (want, have))| of_line(i + 1, &roles.next(want), want, have));
     let pairs: Vec<Pair> = pairs.flatten().collect();
@@ -98,7 +98,7 @@ fn unforgiven(pairs: &[Pair]) -> Option<&Pair> {
 
 /// Texts in which numbers have roles.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kept {
+enum Document {
     Manifest,
     Sidecar,
     Include,
@@ -106,13 +106,13 @@ enum Kept {
     Other,
 }
 
-impl Kept {
-    fn of(file: &str) -> Kept {
+impl Document {
+    fn of(file: &str) -> Document {
         match file.split_once('/') {
-            None if file == MANIFEST => Kept::Manifest,
-            Some(("tables", name)) if name.ends_with(SIDECAR) => Kept::Sidecar,
-            Some(("fits", _)) => Kept::Include,
-            _ => Kept::Other,
+            None if file == MANIFEST => Document::Manifest,
+            Some(("tables", name)) if name.ends_with(SIDECAR) => Document::Sidecar,
+            Some(("fits", _)) => Document::Include,
+            _ => Document::Other,
         }
     }
 }
@@ -122,7 +122,7 @@ const ERRORS: [&str; 5] = ["max", "max_abs", "max_rel", "max_error", "rms"];
 
 /// The numbers of a text by their roles, line after line.
 struct Roles {
-    kept: Kept,
+    document: Document,
     /// Of JSON, the keys of what the line stands in.
     keys: Vec<String>,
 }
@@ -148,19 +148,19 @@ impl Line {
 }
 
 impl Roles {
-    fn new(kept: Kept) -> Roles {
-        Roles { kept, keys: Vec::new() }
+    fn new(document: Document) -> Roles {
+        Roles { document, keys: Vec::new() }
     }
 
     /// Of the next line.
     fn next(&mut self, line: &str) -> Line {
         let line = line.trim();
-        match self.kept {
-            Kept::Include if !line.starts_with("//") => Line::All(Role::Constant),
-            Kept::Include => Line::Prose,
-            Kept::Header => of_header(line),
-            Kept::Manifest | Kept::Sidecar => self.of_json(line),
-            Kept::Other => Line::All(Role::Value),
+        match self.document {
+            Document::Include if !line.starts_with("//") => Line::All(Role::Constant),
+            Document::Include => Line::Prose,
+            Document::Header => of_header(line),
+            Document::Manifest | Document::Sidecar => self.of_json(line),
+            Document::Other => Line::All(Role::Value),
         }
     }
 
@@ -174,7 +174,7 @@ impl Roles {
         let of_header = within("header").then(|| of_header(line.trim_matches(['"', ',', ' '])));
         let role = if within("domain") || within("axes") {
             Role::Range
-        } else if within("coefficients") || (self.kept == Kept::Sidecar && !measured) {
+        } else if within("coefficients") || (self.document == Document::Sidecar && !measured) {
             Role::Constant
         } else if ERRORS.contains(&key) {
             Role::Error
@@ -195,11 +195,11 @@ fn of_header(line: &str) -> Line {
 }
 
 /// The numbers that differ, if nothing else does.
-fn pairs(kept: Kept, expected: &str, found: &str) -> Option<Vec<Pair>> {
+fn pairs(document: Document, expected: &str, found: &str) -> Option<Vec<Pair>> {
     if expected.lines().count() != found.lines().count() {
         return None;
     }
-    let mut roles = Roles::new(kept);
+    let mut roles = Roles::new(document);
     let lines = expected.lines().zip(found.lines()).enumerate();
     let pairs = lines.map(|(i, (want, have))| of_line(i + 1, &roles.next(want), want, have));
     Some(pairs.collect::<Option<Vec<_>>>()?.into_iter().flatten().collect())

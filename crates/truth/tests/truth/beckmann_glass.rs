@@ -86,8 +86,8 @@ fn it_is_the_integral_over_slopes() {
     }
 }
 
-/// Next to ior = 1 facets at grazing pass from the one side of the critical angle to the other within a narrow
-/// band of azimuths.
+/// Next to ior = 1 facets at grazing pass from the one side of the critical angle to the other within a
+/// narrow band of azimuths.
 #[test]
 fn the_promise_is_kept_in_the_corners_of_the_domain() {
     for ((alpha, mu), ior) in [1.0, 0.03, 1e-4]
