@@ -58,6 +58,7 @@ const PLANTED: [(&str, Edit, &[&str], Values); 58] = [
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Bit(-1), &["channel loss, column 15, row 7: ", "; promise broken: lookup error "], Refuse),
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Word("software", "0.1.0", "0.1.1"), &["header: attribute `software`; texels are equal"], Accept),
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Word("error (", "max 0.", "max 1."), &["header: attribute `lobefit`; texels are equal"], Accept),
+    // A length stands before the text: 0e00... is 0 in as many bytes.
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Word("error (", "rms 0.", "rms 0e"), &["header: attribute `lobefit`: ", "; a smaller error than is true, by "], Refuse),
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Word("domain: ", "mu [0.001", "mu [0.000"), &["header: attribute `lobefit`: 0 where the recipe gives 0.001; an end of a range, 1e-3 off"], Refuse),
     ("tables/ggx-dfg-correlated-16x8-split-sum.exr", Word("", "bias\0", "bios\0"), &["16 x 8 texels of bios, loss where the recipe gives 16 x 8 texels of bias, loss"], Refuse),

@@ -62,11 +62,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         call.price = call.price.map(|price| price * f64::from(times));
         if times > 1 {
             // A tinted base takes those for three channels, where they are.
-            let all: Vec<String> = call.around.iter().map(|around| coloured(&around.function)).collect();
-            let twins: Vec<bool> =
-                all.iter().map(|twin| call.around.iter().any(|around| around.function == *twin)).collect();
-            let mut twins = twins.into_iter();
-            call.around.retain(|_| !twins.next().unwrap_or(false));
+            let all: Vec<String> = call.around.iter().map(|around| around.function.clone()).collect();
+            call.around.retain(|around| !all.contains(&coloured(&around.function)));
         }
     }
     for lobe in lobes {
