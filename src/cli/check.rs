@@ -34,8 +34,8 @@ Examples:
 
 With --values TOL texels, and figures of the reports, the manifest and comments, may be TOL off. Another version of lobefit, another
 recipe or another name of a material is no difference then; pages are not compared. Constants of functions, in fits/ and in the
-manifest's coefficients, must be equal, no error may be stated smaller than it is, and a table whose texels break its stated error
-is never accepted, whatever --values says. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where.
+manifest's coefficients, and ends of ranges must be equal, no error may be stated smaller than it is, and a table whose texels break
+its stated error is never accepted, whatever --values says. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
 other code than the bake's, and functions that they lack, are noted, and do not fail. Records of machine code (reports/isa/, by lobefit
@@ -60,7 +60,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub against: PathBuf,
     /// Accept texels and figures that differ by no more than this, unless a table breaks its stated
-    /// error; constants of functions must be equal
+    /// error; constants of functions and ends of ranges must be equal
     #[arg(long, value_name = "TOL", value_parser = not_negative)]
     pub values: Option<f64>,
     /// Compare these parts of the bake only: `tables`, `fits`, `reports` or `manifest`

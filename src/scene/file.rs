@@ -13,7 +13,7 @@ use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::output::{self, OneOf, Output};
 use super::probe::Probe;
-use super::table::TableWant;
+use super::table::{TableWant, enough_slices};
 use super::value::{List, Maybe, Text, Word, about, distinct, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_import::Note;
@@ -271,11 +271,10 @@ impl Scene {
             let spans = |material: &Material| {
                 if lobe == Lobe::Glass { material.ior } else { Some(material.anisotropy) }
             };
-            let spanned: BTreeSet<_> = own().flat_map(spans).flatten().map(f64::to_bits).collect();
-            if spanned.len() == 1 {
-                let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
-                own.flat_map(|material| &mut material.wants.tables).for_each(TableWant::settle_on_one_value);
-            }
+            let range = own().flat_map(spans).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+            let enough = range.map_or(usize::MAX, |range| enough_slices(lobe, range));
+            let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
+            own.flat_map(|material| &mut material.wants.tables).for_each(|want| want.settle_slices(enough));
         }
     }
 

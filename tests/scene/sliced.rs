@@ -62,22 +62,22 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
     assert!(plan.jobs("reflection").is_empty() && !plan.is_empty());
     let jobs = sliced(&scene);
     let [brushed, glass] = &jobs[..] else { panic!("{jobs:?}") };
-    assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
-    assert_eq!((brushed.want.size.clone(), brushed.want.layout), (Some(vec![64, 64, 32]), Layout::Optimised));
+    assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x8"]);
+    assert_eq!((brushed.want.size.clone(), brushed.want.layout), (Some(vec![64, 64, 8]), Layout::Optimised));
     assert_eq!((brushed.want.format, brushed.want.max_error), (TexelFormat::F16, None));
     assert_eq!(
         (brushed.region.roughness, brushed.region.slices),
         ([0.2, 0.6], Some(Slices { axis: SliceAxis::Anisotropy, range: [0.3, 0.5] }))
     );
-    let sides = ["outside", "inside"].map(|side| format!("ggx-glass-{side}-correlated-128x128x32"));
+    let sides = ["outside", "inside"].map(|side| format!("ggx-glass-{side}-correlated-128x128x16"));
     assert_eq!(table_names(glass), sides);
     assert_eq!(
         (glass.want.size.clone(), glass.region.slices),
-        (Some(vec![128, 128, 32]), Some(Slices { axis: SliceAxis::Ior, range: [1.2, 1.6] }))
+        (Some(vec![128, 128, 16]), Some(Slices { axis: SliceAxis::Ior, range: [1.2, 1.6] }))
     );
     assert_eq!((glass.smith, glass.region.alpha_map), (Smith::Correlated, AlphaMap::RoughnessSquared));
     let bytes: Vec<u64> = plan.effects.iter().map(|e| e.bytes).collect();
-    assert_eq!(bytes, [64 * 64 * 32 * 2, 2 * 128 * 128 * 32 * 2]);
+    assert_eq!(bytes, [64 * 64 * 8 * 2, 2 * 128 * 128 * 16 * 2]);
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn names_say_what_tells_tables_apart() {
     assert_eq!(
         found,
         [
-            "ggx-aniso-azimuth-correlated-64x16x16",
+            "ggx-aniso-azimuth-correlated-64x16x8",
             "path-tracer-reflection-separable-64x64x32",
             "ggx-aniso-correlated-8x16x4-f32",
             "path-tracer-glass-outside-separable-128x128x32",
@@ -106,15 +106,15 @@ fn names_say_what_tells_tables_apart() {
 fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
     let job = |table: &str| sliced(&of(&[&brushed("b", &tables(table))]))[0].clone();
     let limit = job(r#"{"max_error":0.1}"#);
-    assert_eq!((limit.want.size.clone(), limit.want.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
+    assert_eq!((limit.want.size.clone(), limit.want.max_error), (Some(vec![64, 64, 8]), Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
     assert_eq!((size.want.size.clone(), size.want.max_error), (Some(vec![16, 8, 4]), None));
 }
 
 /// Materials of one index of refraction take as few slices as there may be, if the scene leaves
-/// them open; another one that may share their table does not.
+/// them open, and indices that lie close together few; another material may share the table.
 #[test]
-fn one_value_takes_few_slices() {
+fn close_values_take_few_slices() {
     let glass = |name: &str, ior: &str, more: &str| glass(name, more).replace("[1.2,1.6]", ior);
     let sizes = |materials: &[&str]| -> Vec<_> {
         sliced(&of(materials)).iter().map(|job| job.want.size.clone().expect("a size")).collect()
@@ -122,7 +122,17 @@ fn one_value_takes_few_slices() {
     let both = tables(r#"{},{"size":[8,8,8]}"#);
     assert_eq!(sizes(&[&glass("a", "1.505", &both)]), [vec![128, 128, 4], vec![8, 8, 8]]);
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.5", "")]), [vec![128, 128, 4]]);
-    assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", "")]), [vec![128, 128, 32]]);
+    assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", "")]), [vec![128, 128, 8]]);
+    assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "[1.1,1.2]", "")]), [vec![128, 128, 32]]);
+    for (ior, slices) in [("[2.37,2.43]", 4), ("[1.45,1.55]", 4), ("[1.3,1.7]", 16), ("[1.05,1.06]", 32)] {
+        assert_eq!(sizes(&[&glass("a", ior, "")]), [vec![128, 128, slices]], "{ior}");
+    }
+    for (anisotropy, slices) in
+        [("0.5", 4), ("[0.1,0.3]", 4), ("[0.4,0.6]", 8), ("[0,0.5]", 16), ("[0,1]", 32)]
+    {
+        let brushed = brushed("b", "").replace("[0.3,0.5]", anisotropy);
+        assert_eq!(sizes(&[&brushed]), [vec![64, 64, slices]], "{anisotropy}");
+    }
     let slices = sliced(&of(&[&glass("a", "1.505", "")]))[0].region.slices.expect("slices");
     assert_eq!(slices.range, [1.5, 1.51], "in the digits that a person would write");
 }

@@ -106,6 +106,13 @@ impl<'de, I: Interval> Deserialize<'de> for Whole<I> {
             fn visit_i64<E: Error>(self, x: i64) -> Result<Whole<I>, E> {
                 Err(E::custom(format!("{x} is outside {}", I::TEXT)))
             }
+            // An integer of JSON Schema may have a decimal point.
+            fn visit_f64<E: Error>(self, x: f64) -> Result<Whole<I>, E> {
+                match x as u64 {
+                    whole if whole as f64 == x => self.visit_u64(whole),
+                    _ => Err(E::invalid_type(Unexpected::Float(x), &self)),
+                }
+            }
         }
         deserializer.deserialize_any(WholeVisitor(PhantomData))
     }
