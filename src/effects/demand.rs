@@ -32,7 +32,7 @@ pub struct Span {
 enum One {
     /// It becomes a range.
     Never,
-    /// Where every other input but mu has one value too: there are formulas of mu alone.
+    /// Where every other input but mu and ior has one value too: there are formulas of these alone.
     Alone,
     /// There are formulas without the input.
     Always,
@@ -148,8 +148,8 @@ impl Span {
         Span::at_least(range, ROUGHNESS_WIDTH_MIN, [smallest_rough(map), 1.0])
     }
 
-    /// Of fits: one value stays one where every other input but mu has one too, or wherever formulas
-    /// without the input are `given`.
+    /// Of fits: one value stays one where every other input but mu and ior has one too, or wherever
+    /// formulas without the input are `given`.
     pub fn or_one(self, given: bool) -> Span {
         Span { one: if given { One::Always } else { One::Alone }, ..self }
     }
@@ -303,9 +303,13 @@ impl Job {
         let hulls = self.ranges.clone();
         let is_one = |input: &str| hulls.get(input).is_some_and(|[low, high]| low == high);
         let spans = || self.demands.iter().flat_map(|demand| demand.spans.iter().copied());
-        let stays = |(input, span): (&str, Span)| input == "mu" || (is_one(input) && span.one != One::Never);
-        let alone = spans().all(stays);
-        for (input, span) in spans().filter(|(i, s)| !(is_one(i) && (alone || s.one == One::Always))) {
+        let stays = |(input, span): (&str, Span)| {
+            ["mu", "ior"].contains(&input) || (is_one(input) && span.one != One::Never)
+        };
+        if spans().all(stays) {
+            return;
+        }
+        for (input, span) in spans().filter(|(i, s)| !(is_one(i) && s.one == One::Always)) {
             if let Some(range) = self.ranges.get_mut(input) {
                 *range = Span { range: *range, ..span }.widened();
             }

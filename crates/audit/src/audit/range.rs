@@ -4,6 +4,7 @@ use super::axis::{AxisReading, Input, Registration, Scale};
 use super::best::Case;
 use super::convention::Misfit;
 use super::judge::rejudge;
+use super::preferred::BEYOND_DOUBT;
 use super::sample::{Candidate, Sample, Tensor, assigned, nodes};
 use super::screen::best;
 use super::table::Source;
@@ -57,6 +58,9 @@ struct Sought {
     grid: ([f64; 2], usize),
     /// The range that tables have of themselves.
     whole: Option<[f64; 2]>,
+    /// How much better another range must rank to be taken: where tables have one of themselves, an error
+    /// that grows along the axis is like another end of it.
+    gain: f64,
 }
 
 const SOUGHT: [Sought; 2] = [
@@ -67,6 +71,7 @@ const SOUGHT: [Sought; 2] = [
         between: |ends| Scale::between(Input::Ior, ends, false),
         grid: ([1.0, 3.0], 81),
         whole: None,
+        gain: CLEAR,
     },
     Sought {
         name: "roughness",
@@ -75,6 +80,7 @@ const SOUGHT: [Sought; 2] = [
         between: |ends| Scale::between_roughnesses(ends, false),
         grid: ([0.0, 1.0], 41),
         whole: Some([0.0, 1.0]),
+        gain: BEYOND_DOUBT,
     },
 ];
 
@@ -102,7 +108,8 @@ impl Sought {
     fn is_range(&self, ends: [f64; 2]) -> bool {
         let Some(whole) = self.whole else { return (ends[1] - ends[0]).abs() >= LEAST };
         let beyond = |end: &f64| !(whole[0]..=whole[1]).contains(end);
-        let near = |(end, whole): (f64, f64)| (end - whole).abs() < WHOLE;
+        // Ends are sums of digits: 0.99 is above its decimal.
+        let near = |(end, whole): (f64, f64)| (end - whole).abs() < WHOLE + NARROW;
         (ends[1] - ends[0]).abs() >= LEAST
             && !ends.iter().any(beyond)
             && !ends.into_iter().zip(whole).all(near)
@@ -154,7 +161,7 @@ impl Sought {
             }
         }
         let tried = best(rejudge(truth, sample, fixed, tried, Truth::quick)?, CLOSELY * ROUND.len());
-        let clear = tried.first().is_some_and(|t| CLEAR * t.fitted.rank < found[0].fitted.rank);
+        let clear = tried.first().is_some_and(|t| self.gain * t.fitted.rank < found[0].fitted.rank);
         Ok(if clear { best([tried, found].concat(), usize::MAX) } else { found })
     }
 }
@@ -242,7 +249,7 @@ impl<'a> Slices<'a> {
         let with = |unit: &f64| {
             let mut candidate = self.candidate.clone();
             // The unit's inverse is whole, so that a round number is the nearest to itself.
-            let ends = ends.map(|end| (end / unit).round() / (1.0 / unit).round());
+            let ends = ends.map(|end| (end / unit).round() / (1.0 / unit).round() + 0.0);
             candidate.axes[axis] = AxisReading::new((self.sought.between)(ends), registration, false);
             self.sought.is_range(ends).then_some(candidate)
         };

@@ -356,7 +356,8 @@ pub(super) fn fit_columns(
                 }
                 let errors = own.iter().zip(truth).map(|(value, truth)| value - truth);
                 let found = Misfit::of(&errors.collect::<Vec<f64>>());
-                if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
+                // A ratio is 0/0 where a lobe sends nothing, and fits nothing there.
+                if best.is_none_or(|b| found.rank() < b.1.rank() || b.1.rank().is_nan()) {
                     best = Some((*column, found));
                 }
             }

@@ -10,6 +10,7 @@ use foreign_support::{dds, dds_extended, exr_of_parts, hdr, ktx2, png, value};
 use lobefit::data::{Channel, Container, Table, TexelFormat};
 use lobefit::emit;
 use lobefit_audit::foreign::{ForeignTable, Hints, RawFormat, Step, read_table};
+use lobefit_math::srgb;
 use solid::of_all_shapes;
 
 fn one(bytes: &[u8], file: &str, hints: &Hints) -> ForeignTable {
@@ -120,13 +121,12 @@ fn dds_formats_old_and_new() {
         (56, Unorm16, "R"),
         (61, Unorm8, "R"),
         (87, Unorm8, "BGRA"),
-        (91, Unorm8, "BGRA"),
     ];
     for (format, kind, order) in extended {
         let bytes = dds_extended(format, [8, 4, 1], 1, &texels(kind, 32, order.len()));
         let table = one(&bytes, "t.dds", &Hints::default());
         assert_texels(&table, &[8, 4], order);
-        assert_eq!(table.what.contains("sRGB"), format == 91, "{}", table.what);
+        assert!(!table.what.contains("sRGB"), "{}", table.what);
         let solid = dds_extended(format, [4, 4, 4], 1, &texels(kind, 64, order.len()));
         assert_texels(&one(&solid, "t.dds", &Hints::default()), &[4, 4, 4], order);
         let array = dds_extended(format, [4, 4, 1], 3, &texels(kind, 48, order.len()));
@@ -252,6 +252,22 @@ fn ktx2_textures_plain_and_compressed_with_zstandard() {
         refused(&wide, "t.ktx2").contains("have 64000") || refused(&wide, "t.ktx2").contains("cannot hold")
     );
     assert!(refused(&good[..good.len() - 9], "t.ktx2").contains("cut short"));
+}
+
+/// A texture unit decodes what the format calls sRGB.
+#[test]
+fn colours_of_formats_of_srgb_are_decoded() {
+    for (linear, marked, order) in [(28, 29, "RGBA"), (87, 91, "BGRA")] {
+        let data = texels(RawFormat::Unorm8, 32, 4);
+        let read = |format| one(&dds_extended(format, [8, 4, 1], 1, &data), "t.dds", &Hints::default());
+        let (linear, marked) = (read(linear), read(marked));
+        assert!(marked.what.contains("decoded from sRGB"), "{order}: {}", marked.what);
+        assert_eq!((linear.step, marked.step), (Step::Unorm(8), Step::Srgb(255)));
+        for (stored, own) in linear.channels.iter().zip(&marked.channels) {
+            let of = |x: &f64| if stored.name == "A" { *x } else { srgb::decoded(*x) };
+            assert_eq!(own.values.to_vec(), stored.values.iter().map(of).collect::<Vec<f64>>());
+        }
+    }
 }
 
 #[test]

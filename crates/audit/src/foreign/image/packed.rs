@@ -1,6 +1,7 @@
 //! Headers of little-endian words, and texels that lie one after another.
 
 use crate::foreign::{Channel, ForeignError, RawFormat, Spot, Step};
+use lobefit_math::srgb;
 
 /// How the numbers of a texel are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +20,7 @@ pub(super) struct Pixels {
     pub stored: Stored,
     /// Its channels in the order of their bytes: `RGBA`, `BGRA`.
     pub order: &'static str,
-    /// The values are meant to be read through the sRGB curve; they are given as stored.
+    /// A texture unit decodes the colours, not alpha, from sRGB, and so does this reader.
     pub srgb: bool,
 }
 
@@ -45,14 +46,15 @@ impl Pixels {
     /// The step of its values: of several that of most channels, which is the finest.
     pub fn step(self) -> Step {
         match self.stored {
+            Stored::Apart(_) if self.srgb => Step::Srgb(255),
             Stored::Apart(format) => format.step(),
             Stored::Floats([red, ..]) => Step::Small(red),
         }
     }
 
-    /// In words: `f16`, `unorm8 marked sRGB (values as stored)`.
+    /// In words: `f16`, `unorm8 decoded from sRGB, which its format names`.
     pub fn words(self) -> String {
-        let srgb = if self.srgb { " marked sRGB (values as stored)" } else { "" };
+        let srgb = if self.srgb { " decoded from sRGB, which its format names" } else { "" };
         match self.stored {
             Stored::Apart(format) => format!("{}{srgb}", format.name()),
             Stored::Floats([6, 6, 5]) => "R11G11B10 float".into(),
@@ -69,6 +71,9 @@ impl Pixels {
             .map(|(name, c)| Channel {
                 name: name.to_string(),
                 values: match self.stored {
+                    Stored::Apart(format) if self.srgb && name != 'A' => {
+                        format.every(bytes, c, count).into_iter().map(srgb::decoded).collect()
+                    }
                     Stored::Apart(format) => format.every(bytes, c, count),
                     Stored::Floats(bits) => floats(bytes, bits, c),
                 }

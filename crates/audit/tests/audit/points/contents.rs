@@ -177,6 +177,14 @@ fn point_05_srgb_in_a_picture_of_several_channels_is_found() {
     let defects = &found.channels[0].defects;
     assert!(defects.iter().any(|d| matches!(d, Defect::Steps { step: Step::Srgb(255), .. })), "{defects:?}");
     says(&found.verdict(Some(0.005)), "PASS", &["ggx-reflection E"]);
+    // Channels called A and B are those, and A no plane of alpha.
+    let named = of(&[("A", &|x, y| stored(a(x, y))), ("B", &|x, y| stored(b(x, y)))]);
+    let found = run(&named, "ggx-reflection", &encoding("srgb"));
+    assert_eq!(columns(&found), [Some(Column::A), Some(Column::B)]);
+    says(&found.verdict(Some(0.005)), "PASS", &["ggx-reflection A and B"]);
+    let noise = |x: usize, y: usize| ((7 * x + 13 * y * y) as f64 * 0.618).fract();
+    let spoilt = of(&[("A", &noise), ("B", &|x, y| stored(b(x, y)))]);
+    says(&run(&spoilt, "ggx-reflection", &encoding("srgb")).verdict(Some(0.005)), "UNKNOWN", &["A"]);
     // The same values of a Radiance picture are not encoded.
     let picture = AuditedTable { step: Step::Rgbe, ..one };
     assert!(refused(&picture, "ggx-reflection", &encoding("srgb")).contains("--encoding"));

@@ -7,7 +7,7 @@ use lobefit_truth::quantity::sheen::EstevezKulla;
 use lobefit_truth::quantity::{Quantity, SCHLICK_SMITH, Variant};
 
 use super::{N, at};
-use crate::support::{axes, both, columns, half, refused, rising, says, shipped};
+use crate::support::{axes, both, columns, half, refused, rising, said, says, shipped};
 
 /// Of so many texels along each axis.
 fn square(size: usize, channels: Vec<(&str, Vec<f64>)>) -> AuditedTable {
@@ -94,6 +94,28 @@ fn point_04_the_other_ks_are_told_apart() {
     ] {
         let found = run(&lut(k), "ggx-reflection", None);
         assert_eq!((found.best().lobe.form.word, found.fit), (word, Fit::Whole));
+    }
+}
+
+/// Between end points, with mu clamped and alpha, "no texel lies in the domain": where this lobe sends nothing,
+/// at mu 0, a ratio of two columns is 0/0, which ranked before every number.
+#[test]
+fn a_lobe_that_is_dark_at_grazing_is_recognised_between_end_points() {
+    let at = |i: usize| i as f64 / 31.0;
+    let both = |i: usize| {
+        let (mu, alpha) = (at(i % 32).max(1e-3), (at(i / 32) * at(i / 32)).max(1e-4));
+        let of = SCHLICK_SMITH[1].at(&Smith::Separable.into(), &[alpha, mu], 1e-7).unwrap();
+        [of[1], of[2]]
+    };
+    let texels: Vec<[f64; 2]> = (0..1024).map(both).collect();
+    let channel = |k: usize| texels.iter().map(|t| f64::from(t[k] as f32)).collect();
+    let made = square(32, vec![("R", channel(0)), ("G", channel(1))]);
+    for fixed in
+        [Fixed::default(), Fixed { registrations: Some(vec![Registration::Endpoint]), ..Fixed::default() }]
+    {
+        let found = crate::support::run(&made, "ggx-reflection", &fixed);
+        assert_eq!(found.best().lobe.form.word, "schlick-lights", "{}", said(&found));
+        assert!(found.worst() < 1e-3, "{}", said(&found));
     }
 }
 

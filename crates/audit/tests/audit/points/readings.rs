@@ -89,6 +89,20 @@ fn a_range_of_roughness_that_is_not_stated_is_inferred() {
     assert_eq!(axes(&whole), plain(Registration::Centre));
 }
 
+/// An average of a table that is off by more in rougher rows was read over a roughness of 0 to 0.99, half as
+/// far off, with that as its remedy.
+#[test]
+fn an_error_that_grows_with_roughness_is_no_range_of_it() {
+    let of = |x: usize, y: usize| {
+        let (roughness, mu) = ((y as f64 + 0.5) / N as f64, at(x));
+        let [own, smoother] =
+            [1.0, 0.97].map(|part| both(Smith::Correlated, ops::pow(part * roughness, 2.0), mu).0);
+        own + (smoother - own) * (1.8 - 1.6 * mu)
+    };
+    let found = reflection_of(&table(&[("R", &of)]));
+    assert_eq!(axes(&found), plain(Registration::Centre), "{}", said(&found));
+}
+
 /// Of one flipped channel the other was blamed, under rows that all fall; of both it is how rows are read.
 #[test]
 fn one_flipped_channel_is_named() {
