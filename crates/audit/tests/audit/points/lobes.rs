@@ -97,8 +97,8 @@ fn point_04_the_other_ks_are_told_apart() {
     }
 }
 
-/// Between end points, with mu clamped and alpha, "no texel lies in the domain": where this lobe sends nothing,
-/// at mu 0, a ratio of two columns is 0/0, which ranked before every number.
+/// Between end points, with mu clamped and alpha, "no texel lies in the domain": where this lobe sends
+/// nothing, at mu 0, a ratio of two columns is 0/0, which ranked before every number.
 #[test]
 fn a_lobe_that_is_dark_at_grazing_is_recognised_between_end_points() {
     let at = |i: usize| i as f64 / 31.0;
