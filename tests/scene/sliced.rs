@@ -121,6 +121,8 @@ fn close_values_take_few_slices() {
     };
     let both = tables(r#"{},{"size":[8,8,8]}"#);
     assert_eq!(sizes(&[&glass("a", "1.505", &both)]), [vec![128, 128, 4], vec![8, 8, 8]]);
+    let decimal = tables(r#"{"size":[8.0,8e0,8]}"#);
+    assert_eq!(sizes(&[&glass("a", "1.505", &decimal)]), [vec![8, 8, 8]], "whole, with a decimal point");
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.5", "")]), [vec![128, 128, 4]]);
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", "")]), [vec![128, 128, 8]]);
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "[1.1,1.2]", "")]), [vec![128, 128, 32]]);

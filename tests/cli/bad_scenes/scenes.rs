@@ -13,7 +13,7 @@ fn not_a_scene() -> Vec<Case> {
         case("{\"schema_version\":1}", "missing field `materials`"),
         case("{\"schema_version\":2,\"materials\":[]}", "schema_version: 2 is outside"),
         case("{\"schema_version\":\"1\",\"materials\":[]}", "schema_version: invalid type: string"),
-        case("{\"schema_version\":1.0,\"materials\":[]}", "schema_version: invalid type: floating point"),
+        case("{\"schema_version\":1.5,\"materials\":[]}", "schema_version: invalid type: floating point"),
         case("{\"schema_version\":-1,\"materials\":[]}", "schema_version: -1 is outside"),
         case(top("\"materials\":[]"), "duplicate field `materials`"),
         case(top("\"n\\u0061me\":\"a\",\"name\":\"b\""), "duplicate field `name`"),

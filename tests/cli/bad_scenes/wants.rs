@@ -55,7 +55,7 @@ fn not_a_want() -> Vec<Case> {
             table("\"size\":[9223372036854775808,32]"),
             "wants.tables[0].size[0]: 9223372036854775808 is outside [2, 1024] ([4, 256] with a third axis)",
         ),
-        case(table("\"size\":[1e3,32]"), "wants.tables[0].size[0]: invalid type: floating point"),
+        case(table("\"size\":[32.5,32]"), "wants.tables[0].size[0]: invalid type: floating point"),
         case(
             table("\"size\":[99999999999999999999999,32]"),
             "wants.tables[0].size[0]: invalid type: floating point",
