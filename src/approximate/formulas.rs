@@ -1,5 +1,5 @@
 //! Formulas of ours by the inputs that vary: a scene of one roughness calls for a function of the cosine
-//! alone, one of one index of refraction for a function of an input less.
+//! alone, or of it and the index of refraction, one of one index for a function of an input less.
 
 use super::target::TargetSpec;
 use super::{Entry, own};

@@ -10,10 +10,14 @@ use crate::data::AlphaMap;
 use crate::report::words;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
 
-/// Narrowest roughness range of a table, and of a fit beside another input that varies: one value has no
+/// Narrowest roughness range of a table, and of a fit beside inputs that vary but mu and ior: one value has no
 /// axis to interpolate along, and formulas of all inputs are hardly determined by it, so it is widened
 /// about itself to this width; the figure is a choice, small beside the curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
+
+/// Largest ratio of ior - 1 at the ends of a range beside one roughness: formulas of mu and ior are chosen for
+/// 1.3 to 1.7, a ratio of 2.33; over 1.1 to 2.5 those of all inputs err less.
+const INDICES_RATIO: f64 = 2.5;
 
 /// Range by input.
 pub type Ranges = BTreeMap<&'static str, [f64; 2]>;
@@ -303,8 +307,11 @@ impl Job {
         let hulls = self.ranges.clone();
         let is_one = |input: &str| hulls.get(input).is_some_and(|[low, high]| low == high);
         let spans = || self.demands.iter().flat_map(|demand| demand.spans.iter().copied());
+        let is_near = |[low, high]: &[f64; 2]| low > &1.0 && high - 1.0 <= INDICES_RATIO * (low - 1.0);
         let stays = |(input, span): (&str, Span)| {
-            ["mu", "ior"].contains(&input) || (is_one(input) && span.one != One::Never)
+            input == "mu"
+                || (input == "ior" && hulls.get(input).is_some_and(is_near))
+                || (is_one(input) && span.one != One::Never)
         };
         if spans().all(stays) {
             return;

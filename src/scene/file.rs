@@ -272,9 +272,11 @@ impl Scene {
                 if lobe == Lobe::Glass { material.ior } else { Some(material.anisotropy) }
             };
             let range = own().flat_map(spans).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
-            let enough = range.map_or(usize::MAX, |range| enough_slices(lobe, range));
+            let Some(range) = range else { continue };
+            let (enough, is_one) = (enough_slices(lobe, range), range[0] == range[1]);
             let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
-            own.flat_map(|material| &mut material.wants.tables).for_each(|want| want.settle_slices(enough));
+            let tables = own.flat_map(|material| &mut material.wants.tables);
+            tables.for_each(|want| want.settle_slices(enough, is_one));
         }
     }
 

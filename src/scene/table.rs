@@ -88,9 +88,10 @@ impl TableWant {
         key(self) == key(other)
     }
 
-    /// Takes no more slices than these, where the scene leaves them open.
-    pub(super) fn settle_slices(&mut self, enough: usize) {
-        if let (true, Some([_, _, slices])) = (self.has_open_slices, self.size.as_deref_mut()) {
+    /// Takes no more slices than these, where the scene leaves them open, and of a range asks for no error.
+    pub(super) fn settle_slices(&mut self, enough: usize, is_one: bool) {
+        let is_open = self.has_open_slices && (is_one || self.max_error.is_none());
+        if let (true, Some([_, _, slices])) = (is_open, self.size.as_deref_mut()) {
             *slices = enough.min(*slices);
         }
     }
@@ -104,7 +105,7 @@ const SLICE_STEP: f64 = 0.08;
 const SPANNED_IOR: f64 = 1.1;
 
 /// How many slices a table needs between two values of what its slices span, ior or anisotropy. With these
-/// the root mean square of the lookup error is at most a quarter above that with 32 slices; measured over
+/// the root mean square of the lookup error is at most a half above that with 32 slices; measured over
 /// [1.1, 1.2], [1.2, 1.4], [1.3, 1.7], [1.45, 1.55] and [2.37, 2.43] of ior, and over [0.1, 0.3], [0.4, 0.6],
 /// [0, 0.5], [0.8, 0.9] and [0.95, 1] of anisotropy.
 pub(super) fn enough_slices(lobe: Lobe, range: [f64; 2]) -> usize {
@@ -117,7 +118,6 @@ pub(super) fn enough_slices(lobe: Lobe, range: [f64; 2]) -> usize {
 /// aspects.
 fn span(lobe: Lobe, [low, high]: [f64; 2]) -> f64 {
     match lobe {
-        _ if low == high => 0.0,
         Lobe::Glass | Lobe::AnisotropicGlass if low < SPANNED_IOR => f64::INFINITY,
         Lobe::Glass | Lobe::AnisotropicGlass => ops::log((high - 1.0) / (low - 1.0)),
         Lobe::Isotropic | Lobe::Anisotropic => ops::log((1.0 - 0.9 * low) / (1.0 - 0.9 * high)),
@@ -181,7 +181,8 @@ struct TableFile {
     /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
     /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
     /// 128x128x32, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the last three together),
-    /// and 4, 8 or 16 slices where the anisotropies or indices of refraction of the materials lie close together.
+    /// and 4, 8 or 16 slices where the anisotropies or indices of refraction of the materials lie close
+    /// together.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,

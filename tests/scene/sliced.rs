@@ -106,7 +106,7 @@ fn names_say_what_tells_tables_apart() {
 fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
     let job = |table: &str| sliced(&of(&[&brushed("b", &tables(table))]))[0].clone();
     let limit = job(r#"{"max_error":0.1}"#);
-    assert_eq!((limit.want.size.clone(), limit.want.max_error), (Some(vec![64, 64, 8]), Some(0.1)));
+    assert_eq!((limit.want.size.clone(), limit.want.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
     assert_eq!((size.want.size.clone(), size.want.max_error), (Some(vec![16, 8, 4]), None));
 }
@@ -121,6 +121,9 @@ fn close_values_take_few_slices() {
     };
     let both = tables(r#"{},{"size":[8,8,8]}"#);
     assert_eq!(sizes(&[&glass("a", "1.505", &both)]), [vec![128, 128, 4], vec![8, 8, 8]]);
+    assert_eq!(sizes(&[&glass("a", "1.03", "")]), [vec![128, 128, 32]], "near 1 the loss bends");
+    let limited = tables(r#"{"max_error":0.01}"#);
+    assert_eq!(sizes(&[&glass("a", "[1.45,1.55]", &limited)]), [vec![128, 128, 32]], "as accurate as can be");
     let decimal = tables(r#"{"size":[8.0,8e0,8]}"#);
     assert_eq!(sizes(&[&glass("a", "1.505", &decimal)]), [vec![8, 8, 8]], "whole, with a decimal point");
     assert_eq!(sizes(&[&glass("a", "1.5", ""), &glass("b", "1.5", "")]), [vec![128, 128, 4]]);

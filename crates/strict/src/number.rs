@@ -87,7 +87,7 @@ impl<'de, I: Interval> Deserialize<'de> for In<I> {
     }
 }
 
-/// A whole number in an interval, written without point or exponent.
+/// A whole number in an interval.
 pub struct Whole<I>(pub u32, PhantomData<I>);
 
 impl<'de, I: Interval> Deserialize<'de> for Whole<I> {

@@ -163,7 +163,7 @@ pub fn table_instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
-    // Of one roughness fits are of the cosine alone, and a table of a range about it.
+    // Of one roughness fits are without it, and a table of a range about it.
     let roughness = Span::roughness(job.region.roughness, job.region.alpha_map).widened();
     let job = &TableJob { region: Region { roughness, ..job.region }, ..job.clone() };
     let judge = Judge::new(family, job.smith, job.region, false, &context.memo)?;

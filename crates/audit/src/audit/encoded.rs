@@ -155,9 +155,13 @@ impl Encoding {
     /// A table without the encoding; none of one that cannot have it.
     fn undone(&self, table: &AuditedTable) -> Option<AuditedTable> {
         // Beside colours alpha is none of them; beside B or E it is the scale of f0.
-        let is_beside_colours = table.channels.iter().any(|c| c.name == "R");
+        let is_beside_colours = table.channels.iter().any(|c| ["R", "G", "Y"].contains(&c.name.as_str()));
         let is_plane = |c: &&Channel| c.name == "A" && is_beside_colours;
         let alpha = table.channels.iter().find(is_plane);
+        // What the format says is decoded already.
+        if self.is_of_colours() && matches!(table.step, Step::Srgb(_)) {
+            return None;
+        }
         let colours = table.channels.iter().filter(|c| !self.is_of_colours() || !is_plane(c));
         let alphas = match (alpha, self.takes_alpha) {
             (Some(alpha), true) if table.channels.len() == 4 && table.step == Step::Unorm(8) => &alpha.values,

@@ -108,8 +108,8 @@ impl Sought {
     fn is_range(&self, ends: [f64; 2]) -> bool {
         let Some(whole) = self.whole else { return (ends[1] - ends[0]).abs() >= LEAST };
         let beyond = |end: &f64| !(whole[0]..=whole[1]).contains(end);
-        // Ends are sums of digits: 0.99 is above its decimal.
-        let near = |(end, whole): (f64, f64)| (end - whole).abs() < WHOLE + NARROW;
+        // In binary 1 - 0.99 is above 0.01.
+        let near = |(end, whole): (f64, f64)| (end - whole).abs() < WHOLE + 0.5 * NARROW;
         (ends[1] - ends[0]).abs() >= LEAST
             && !ends.iter().any(beyond)
             && !ends.into_iter().zip(whole).all(near)
@@ -248,7 +248,7 @@ impl<'a> Slices<'a> {
         let ends = [first - slope * low, first + slope * (1.0 - low)];
         let with = |unit: &f64| {
             let mut candidate = self.candidate.clone();
-            // The unit's inverse is whole, so that a round number is the nearest to itself.
+            // The unit's inverse is whole, so that a round number is the nearest to itself; 0 makes 0 of -0.
             let ends = ends.map(|end| (end / unit).round() / (1.0 / unit).round() + 0.0);
             candidate.axes[axis] = AxisReading::new((self.sought.between)(ends), registration, false);
             self.sought.is_range(ends).then_some(candidate)
