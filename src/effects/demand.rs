@@ -10,13 +10,13 @@ use crate::data::AlphaMap;
 use crate::report::words;
 use crate::scene::{Goals, Output, Scene, smallest_rough};
 
-/// Narrowest roughness range of a table, and of a fit beside inputs that vary but mu and ior: one value has no
-/// axis to interpolate along, and formulas of all inputs are hardly determined by it, so it is widened
+/// Narrowest roughness range of a table, and of a fit beside inputs that vary but mu and ior: one value has
+/// no axis to interpolate along, and formulas of all inputs are hardly determined by it, so it is widened
 /// about itself to this width; the figure is a choice, small beside the curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
 
-/// Largest ratio of ior - 1 at the ends of a range beside one roughness: formulas of mu and ior are chosen for
-/// 1.3 to 1.7, a ratio of 2.33; over 1.1 to 2.5 those of all inputs err less.
+/// Largest ratio of ior - 1 at the ends of a range beside one roughness: formulas of mu and ior are chosen
+/// for 1.3 to 1.7, a ratio of 2.33; over 1.1 to 2.5 those of all inputs err less.
 const INDICES_RATIO: f64 = 2.5;
 
 /// Range by input.

@@ -97,10 +97,10 @@ impl TableWant {
     }
 }
 
-/// How far in [`span`] two slices may lie apart.
+/// How far in [`distance`] two slices may lie apart.
 const SLICE_STEP: f64 = 0.08;
 
-/// Least index of refraction from which [`span`] says how far the loss bends: below, the onset of total
+/// Least index of refraction from which [`distance`] says how far the loss bends: below, the onset of total
 /// internal reflection crosses the columns.
 const SPANNED_IOR: f64 = 1.1;
 
@@ -109,14 +109,14 @@ const SPANNED_IOR: f64 = 1.1;
 /// [1.1, 1.2], [1.2, 1.4], [1.3, 1.7], [1.45, 1.55] and [2.37, 2.43] of ior, and over [0.1, 0.3], [0.4, 0.6],
 /// [0, 0.5], [0.8, 0.9] and [0.95, 1] of anisotropy.
 pub(super) fn enough_slices(lobe: Lobe, range: [f64; 2]) -> usize {
-    let steps = span(lobe, range) / SLICE_STEP;
+    let steps = distance(lobe, range) / SLICE_STEP;
     let few = [SLICED_AXIS_MIN, 2 * SLICED_AXIS_MIN, 4 * SLICED_AXIS_MIN];
     few.into_iter().find(|n| (n - 1) as f64 >= steps).unwrap_or(SLICED_AXIS_MAX)
 }
 
 /// How far apart two values are: ln of the ratio of what bends light, ior - 1, or of that of the squared
 /// aspects.
-fn span(lobe: Lobe, [low, high]: [f64; 2]) -> f64 {
+fn distance(lobe: Lobe, [low, high]: [f64; 2]) -> f64 {
     match lobe {
         Lobe::Glass | Lobe::AnisotropicGlass if low < SPANNED_IOR => f64::INFINITY,
         Lobe::Glass | Lobe::AnisotropicGlass => ops::log((high - 1.0) / (low - 1.0)),

@@ -102,9 +102,9 @@ impl fmt::Display for Difference {
 /// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in the
 /// folder, links in the places of files among it. With `tolerance`, files whose decoded values are all
 /// within it pass, but never a table that breaks its stated error, an error that is stated smaller than
-/// it is, another end of a range, nor another constant of a function. Another version of the tool, another recipe, or another
-/// name in the scene is then no difference; pages of the report are not compared, since they are drawn
-/// from the figures.
+/// it is, another end of a range, nor another constant of a function. Another version of the tool, another
+/// recipe, or another name in the scene is then no difference; pages of the report are not compared, since
+/// they are drawn from the figures.
 pub fn compare(
     baked: &Baked,
     found: &Files,
