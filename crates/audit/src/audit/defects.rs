@@ -3,10 +3,12 @@
 use super::FITS;
 use super::block::{About, block};
 use super::column::Column;
+use super::convention::Fixed;
 use super::enlarged::Enlarged;
-use super::errors::{Residuals, spread};
+use super::errors::{Residuals, rms, spread};
 use super::extent::Extent;
 use super::line::{copies, line};
+use super::lobe::Lobe;
 use super::spikes::{are_apart, spikes};
 use super::table::{AuditedTable, flat, place};
 use super::two_lobes::TwoLobes;
@@ -77,6 +79,17 @@ pub enum Defect {
         /// What they are of.
         column: Column,
         /// By this they are off at most.
+        most: f64,
+        /// At this texel.
+        texel: Vec<usize>,
+    },
+    /// All values are of another shadowing form than those of the channels beside it.
+    ChannelLobe {
+        /// Of this one.
+        lobe: Lobe,
+        /// What they are of.
+        column: Column,
+        /// By this they are off at most from the form of the others.
         most: f64,
         /// At this texel.
         texel: Vec<usize>,
@@ -165,6 +178,17 @@ pub(super) struct Grain {
 }
 
 impl Grain {
+    /// Of a channel of a table, by its place among all.
+    pub(super) fn of(table: &AuditedTable, channel: usize, fixed: &Fixed) -> Grain {
+        let step = stored(table.step, &table.channels[channel].values);
+        Grain { step, scale: table.scale, samples: fixed.samples }
+    }
+
+    /// Root mean square of the error that rounding makes at some values: a third of the square of half a step.
+    pub(super) fn rms(self, values: impl Iterator<Item = f64>) -> f64 {
+        rms(values.map(|x| self.rounding(x))) / 3.0_f64.sqrt()
+    }
+
     /// What rounding to the format may have done to a value.
     pub(super) fn rounding(self, x: f64) -> f64 {
         self.scale * self.step.rounding(x / self.scale)
@@ -241,13 +265,13 @@ pub(super) fn left(r: &Residuals, found: &[Defect]) -> f64 {
         return 0.0;
     }
     let explained = |d: &Defect| match d {
-        Defect::Noise { rms, .. } => rms * rms,
+        Defect::Noise { rms, .. } => *rms,
         // What samples leave at most is four standard errors.
-        Defect::Sampled { left, .. } => left * left / 16.0,
+        Defect::Sampled { left, .. } => left / 4.0,
         _ => 0.0,
     };
     let explained = found.iter().map(explained).fold(0.0, f64::max);
-    (own * own - explained).max(0.0).sqrt() / own * misfit
+    without(own, explained) / own * misfit
 }
 
 /// The lines of a channel that were never filled.
@@ -271,11 +295,13 @@ pub(super) fn is_of_rounding(noise: f64, r: &Residuals, texels: &[usize], grain:
     noise <= NOISE_OF_ROUNDING * rounding(r, texels, grain)
 }
 
-/// Root mean square of the error that rounding to a format makes at some texels: a third of the square of
-/// half a step.
 fn rounding(r: &Residuals, texels: &[usize], grain: Grain) -> f64 {
-    let square = |i: &usize| grain.rounding(r.values[*i]) * grain.rounding(r.values[*i]) / 3.0;
-    (texels.iter().map(square).sum::<f64>() / texels.len() as f64).sqrt()
+    grain.rms(texels.iter().map(|i| r.values[*i]))
+}
+
+/// A root mean square without that of an error which is independent of the rest.
+pub(super) fn without(own: f64, part: f64) -> f64 {
+    (own * own - part * part).max(0.0).sqrt()
 }
 
 /// Whether rounding to nearest explains the error of a texel, but for a tenth of a step and for what

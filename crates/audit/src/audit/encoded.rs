@@ -37,7 +37,7 @@ pub struct Encoding {
 }
 
 /// Every encoding for display, or to hold more than the format can; a constant factor is one too.
-pub static ENCODINGS: [Encoding; 5] = [
+pub static ENCODINGS: [Encoding; 6] = [
     Encoding {
         word: "srgb",
         name: "sRGB",
@@ -55,7 +55,16 @@ pub static ENCODINGS: [Encoding; 5] = [
         name: "gamma 2.2",
         remedy: "its values were encoded for display: store them as they are",
         decode: |x, _| ops::pow(x, 2.2),
-        step: |stored| if let Step::Unorm(bits) = stored { Step::Gamma((1 << bits) - 1) } else { Step::None },
+        step: |stored| of_power(stored, 22),
+        factor: 1.0,
+        takes_alpha: false,
+    },
+    Encoding {
+        word: "gamma-2",
+        name: "gamma 2",
+        remedy: "its values are square roots: store them as they are, or square what is sampled",
+        decode: |x, _| x * x,
+        step: |stored| of_power(stored, 20),
         factor: 1.0,
         takes_alpha: false,
     },
@@ -87,6 +96,11 @@ pub static ENCODINGS: [Encoding; 5] = [
         takes_alpha: true,
     },
 ];
+
+/// The step of values that were encoded by a power, in tenths.
+fn of_power(stored: Step, tenths: u32) -> Step {
+    if let Step::Unorm(bits) = stored { Step::Gamma((1 << bits) - 1, tenths) } else { Step::None }
+}
 
 /// Factors that have a name, and it: of a normalisation that is left out or counted twice.
 const FACTORS: [(f64, &str); 6] =

@@ -2,7 +2,7 @@
 
 use super::best::Case;
 use super::convention::Convention;
-use super::defects::{Defect, Grain, stored};
+use super::defects::{Defect, Grain};
 use super::errors::{Residuals, rms};
 use super::judge::Judgement;
 use super::sample::Sample;
@@ -27,9 +27,7 @@ pub(super) fn of_some(
     let of = |(place, k): (usize, &usize)| {
         let column = convention.columns[*k]?;
         let residuals = Residuals::new(sample, judgement, column, &sample.values[place]);
-        let step = stored(table.step, &table.channels[*k].values);
-        let grain = Grain { step, scale: table.scale, samples: fixed.samples };
-        Some((*k, factor(&residuals, grain)))
+        Some((*k, factor(&residuals, Grain::of(table, *k, fixed))))
     };
     let judged: Vec<(usize, Option<Defect>)> = live.iter().enumerate().filter_map(of).collect();
     let mut found = vec![None; table.channels.len()];

@@ -1,7 +1,7 @@
 //! A row, column or slice that departs from all others of its axis, as it was not made again, or holds what
 //! its neighbour holds.
 
-use super::defects::{Defect, Grain, SEEN, of_extent, repeated_lines};
+use super::defects::{Defect, Grain, SEEN, of_extent, repeated_lines, without};
 use super::errors::Residuals;
 use super::extent::Extent;
 use super::table::place;
@@ -32,10 +32,12 @@ pub(super) fn copies(r: &Residuals, grain: Grain) -> Option<Defect> {
                 let some = (0..dims[axis]).filter(|k| is_off(k) == off);
                 some.flat_map(|k| lines[k].iter().copied()).collect()
             };
-            let (off, rest) = (of(true), r.rms(&of(false)));
+            let (off, others) = (of(true), of(false));
             let is_seen = off.iter().any(|i| r.errors[*i].abs() > least.max(grain.leaves(r, *i)));
             // Lines that a clamp makes one have the errors of the one.
-            let stands_out = r.rms(&off) > APART * rest.max(r.rms(&lines[own])) && is_seen;
+            let beyond = |list: &[usize]| without(r.rms(list), grain.rms(list.iter().map(|i| r.values[*i])));
+            let stands_out = beyond(&off) > APART * beyond(&others).max(beyond(&lines[own])) && is_seen;
+            let rest = r.rms(&others);
             stands_out.then(|| of_extent(r, Extent::of(r.sample, &off), &off, rest))
         })
     })

@@ -76,7 +76,7 @@ pub(crate) use verdict::{first_line, place};
 pub use work::work;
 
 use best::{Best, CLOSE, Case, best, truth_of};
-use defects::{Grain, stored};
+use defects::{Grain, without};
 use errors::Residuals;
 use judge::judge;
 use lobefit::data::Place;
@@ -180,8 +180,11 @@ pub fn audit(
         }
     }
     done.excuse_factors();
-    let uneven = |m: &Misfit| m.rms > UNEVEN * m.trimmed;
-    let uneven = off > CLOSE && found[0].fitted.misfits.iter().flatten().any(uneven);
+    let uneven = |(m, k): (&Option<Misfit>, &usize)| {
+        let rounding = Grain::of(&table, *k, fixed).rms(table.channels[*k].values.iter().copied());
+        m.is_some_and(|m| without(m.rms, rounding) > UNEVEN * without(m.trimmed, rounding))
+    };
+    let uneven = off > CLOSE && found[0].fitted.misfits.iter().zip(&live).any(uneven);
     let odd = uneven || done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
@@ -232,8 +235,10 @@ fn of_two_lobes(
     let some = Sample::new(table, live, QUICK_ROUND[class], false);
     let places = whole(truth, found[0].lobe, &table.size);
     let all = Sample::new(table, live, places, false);
-    let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
-    let Some((candidate, parts)) = two_lobes::found(truth, [&some, &all], fixed, &sieved, best)? else {
+    let grains: Vec<Grain> = live.iter().map(|k| Grain::of(table, *k, fixed)).collect();
+    let Some((candidate, parts)) =
+        two_lobes::found(truth, [&some, &all], (fixed, &grains), &sieved, &found[0])?
+    else {
         return Ok(None);
     };
     let fixed = Fixed { meanings: Some(candidate.fitted.columns.clone()), ..fixed.clone() };
@@ -337,8 +342,10 @@ fn finish(
     let enlarged = Enlarged::of(table, live);
     let factors = factor::of_some(case, (&sample, &judgement), &convention);
     let flips = flipped::of_some(case, (&sample, &judgement), &convention);
-    let mut alone: Vec<Option<Defect>> =
-        factors.into_iter().zip(flips).map(|(factor, flip)| factor.or(flip)).collect();
+    let lobes = two_lobes::of_some(truth, case, (&sample, &judgement), best)?;
+    let alone =
+        factors.into_iter().zip(flips).zip(lobes).map(|((factor, flip), lobe)| factor.or(flip).or(lobe));
+    let mut alone: Vec<Option<Defect>> = alone.collect();
     let (mut channels, mut mended) = (Vec::new(), table.clone());
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -353,8 +360,7 @@ fn finish(
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
-        let step = stored(table.step, &channel.values);
-        let grain = Grain { step, scale: table.scale, samples: fixed.samples };
+        let grain = Grain::of(table, k, fixed);
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
         let defects = match (table.source, &two_lobes) {
             (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
@@ -466,7 +472,7 @@ fn fit(source: Source, left: f64, residuals: &Residuals, errors: &TexelErrors, d
         Source::Table => (FITS, misfit <= most && left <= FITS),
         Source::Function => (FUNCTION_FITS, false),
     };
-    if defects.iter().any(|d| matches!(d, Defect::Flipped { .. })) {
+    if defects.iter().any(|d| matches!(d, Defect::Flipped { .. } | Defect::ChannelLobe { .. })) {
         return Fit::Part;
     }
     if misfit <= allowed || explained {

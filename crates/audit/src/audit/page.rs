@@ -114,6 +114,7 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::Dead { .. } => "dead",
         Defect::Factor { .. } => "factor",
         Defect::Flipped { .. } => "flipped",
+        Defect::ChannelLobe { .. } => "channel-lobe",
         Defect::Bias { .. } => "bias",
         Defect::Clamped { .. } => "clamped",
         Defect::Noise { .. } => "noise",

@@ -1,6 +1,6 @@
 //! The plain reading of a table, without a word about it: it takes texels for centres (or for end
 //! points, where they lie about those), axes for rising ones, a roughness for a roughness, an average
-//! for an average, the cosine for what runs along x, and the lobe for the one that the quantity's name
+//! for an average, the cosine for what runs along x and the index for what slices are of, and the lobe for the one that the quantity's name
 //! stands for. A table that is right only under another reading is wrong as it will be used, unless the
 //! user says that it is meant so.
 
@@ -83,12 +83,10 @@ pub(super) fn plain(truth: &Truth, case: &Case, best: &Candidate) -> Result<Opti
             said.push((own.registration.words().to_string(), name.clone()));
         }
     }
-    let transposed = fixed.axes.is_none() && is_transposed(table.source, &convention.axes);
-    if transposed {
-        said.insert(0, ("alpha".into(), table.axes[0].clone()));
-        said.insert(1, ("mu".into(), table.axes[1].clone()));
-        let [first, second] = [read.axes[1], read.axes[0]];
-        read.axes = vec![first, second];
+    if let Some(both) = transposed(table.source, &convention.axes).filter(|_| fixed.axes.is_none()) {
+        let named = both.map(|axis| (convention.axes[axis].scale.name().into(), table.axes[axis].clone()));
+        said.splice(..0, named);
+        read.axes.swap(both[0], both[1]);
     }
     let mut untold = along(&said);
     let lobe = usual_lobe(truth, best.lobe);
@@ -229,10 +227,17 @@ pub(super) fn departure(
     Ok(Some((truth.lobes[lobe], max)))
 }
 
-/// Whether a table of two axes has the cosine along y: a split sum is looked up at (mu, roughness).
-fn is_transposed(source: Source, axes: &[AxisReading]) -> bool {
+/// The axes that are exchanged: a table of two axes is looked up at (mu, roughness), and the slices of one of
+/// three are of one index each.
+fn transposed(source: Source, axes: &[AxisReading]) -> Option<[usize; 2]> {
     let inputs: Vec<Input> = axes.iter().map(|a| a.scale.input()).collect();
-    source == Source::Table && inputs == [Input::Alpha, Input::Mu]
+    match inputs[..] {
+        _ if source != Source::Table => None,
+        [Input::Alpha, Input::Mu] => Some([0, 1]),
+        [Input::Ior, _, _] => Some([0, 2]),
+        [_, Input::Ior, _] => Some([1, 2]),
+        _ => None,
+    }
 }
 
 /// Largest error of any judged channel under a reading, infinite where the truth cannot be had at any texel,

@@ -7,7 +7,7 @@ use super::AuditError;
 use super::axis::AxisReading;
 use super::best::Case;
 use super::clamp::with_floors;
-use super::defects::{Grain, stored};
+use super::defects::Grain;
 use super::errors::Residuals;
 use super::judge::{judge, rejudge};
 use super::lookup::{Look, Points};
@@ -123,12 +123,11 @@ fn is_quantised(
     sample: &Sample,
     candidate: &Candidate,
 ) -> Result<bool, AuditError> {
-    let Case { table, live, .. } = *case;
+    let Case { table, live, fixed, .. } = *case;
     let judgement = judge(truth, sample, &candidate.axes, candidate.lobe, Truth::exact)?;
     let explained = |(place, k): (usize, &usize)| {
         let Some(column) = candidate.fitted.columns[place] else { return true };
-        let step = stored(table.step, &table.channels[*k].values);
-        let grain = Grain { step, scale: table.scale, samples: None };
+        let grain = Grain { samples: None, ..Grain::of(table, *k, fixed) };
         let residuals = Residuals::new(sample, &judgement, column, &sample.values[place]);
         let within = |i: &usize| {
             let left = grain.leaves(&residuals, *i);

@@ -1,7 +1,7 @@
 //! All texels of a table that is too large for its errors to be held at once: looked through in bands.
 
 use super::best::Case;
-use super::defects::{Defect, Grain, stored};
+use super::defects::{Defect, Grain};
 use super::errors::{Residuals, TexelErrors};
 use super::extent::Extent;
 use super::judge::judge;
@@ -105,11 +105,7 @@ pub(super) fn through(truth: &Truth, case: &Case, done: &mut Audit) -> Result<()
     }
     let (height, step) = (table.size[1], (BAND / table.size[0]).max(1));
     let mut found = vec![Found::default(); live.len()];
-    let grain = |k: &usize| {
-        let step = stored(table.step, &table.channels[*k].values);
-        Grain { step, scale: table.scale, samples: fixed.samples }
-    };
-    let grains: Vec<Grain> = live.iter().map(grain).collect();
+    let grains: Vec<Grain> = live.iter().map(|k| Grain::of(table, *k, fixed)).collect();
     // Of what follows nothing the worst texel alone is judged exactly.
     let values = if done.fit == Fit::None { Truth::quick } else { Truth::exact };
     for first in (0..height).step_by(step) {

@@ -96,10 +96,31 @@ fn reader(bytes: &[u8], file: &str, hints: &Hints) -> Result<Reader, ForeignErro
     }
 }
 
-/// The table of little-endian numbers without a header; singles, if the caller does not say
-/// otherwise.
+/// Largest bits of a half up to 2, and numbers that tell singles from pairs of them.
+const TWO: u16 = 0x4000;
+const TELLING: usize = 16;
+
+/// Whether numbers may be pairs of halves of 0 to 2 as well as singles, whose low bits are any.
+fn may_be_halves(bytes: &[u8]) -> bool {
+    let low = || bytes.chunks_exact(4).map(|four| u16::from_le_bytes([four[0], four[1]]));
+    low().len() >= TELLING && low().all(|half| half <= TWO) && low().any(|half| half > 0)
+}
+
+/// The table of little-endian numbers without a header: of the format that the caller states, else of that
+/// in the file's name, else singles.
 fn raw(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
-    let format = hints.format.unwrap_or(RawFormat::F32);
+    let named = || match file.rsplit_once('.')?.1 {
+        "f16" => Some(RawFormat::F16),
+        "f32" => Some(RawFormat::F32),
+        "f64" => Some(RawFormat::F64),
+        _ => None,
+    };
+    let stated = hints.format.or_else(named);
+    if stated.is_none() && may_be_halves(bytes) {
+        let message = "its bytes are halves of 0 to 2 as well as singles: state their format, f16 or f32";
+        return Err(ForeignError::new(file, message));
+    }
+    let format = stated.unwrap_or(RawFormat::F32);
     let left = bytes.len() % format.bytes();
     if left != 0 {
         let at = Spot::Byte((bytes.len() - left) as u64);

@@ -20,8 +20,8 @@ pub enum Step {
     Rgbe,
     /// Integers over this many, decoded from sRGB.
     Srgb(u32),
-    /// Integers over this many, decoded by the power 2.2.
-    Gamma(u32),
+    /// Integers over this many, decoded by a power, in tenths.
+    Gamma(u32, u32),
     /// Integers / 255 that hold (value alpha)^(1/gamma), decoded; gamma in tenths.
     Rgbd(u32),
     /// Printed with this many digits after the decimal point.
@@ -52,7 +52,10 @@ impl Step {
             Step::Rgbe => 0.5 * ops::exp2(ops::log2(x.abs()).floor() - 7.0),
             // A step of what is stored is longest, after decoding, above the value.
             Step::Srgb(n) => srgb::decoded(srgb::encoded(x) + 0.5 / f64::from(n)) - x,
-            Step::Gamma(n) => ops::pow(ops::pow(x.abs(), 1.0 / 2.2) + 0.5 / f64::from(n), 2.2) - x.abs(),
+            Step::Gamma(n, tenths) => {
+                let gamma = f64::from(tenths) / 10.0;
+                ops::pow(ops::pow(x.abs(), gamma.recip()) + 0.5 / f64::from(n), gamma) - x.abs()
+            }
             // With the alpha that one channel alone calls for.
             Step::Rgbd(tenths) => {
                 let (gamma, alpha) = (f64::from(tenths) / 10.0, x.abs().max(1.0).recip());
@@ -72,7 +75,7 @@ impl Step {
             Step::Unorm(bits) => format!("{bits}-bit unorm"),
             Step::Rgbe => "RGBE".into(),
             Step::Srgb(n) => format!("{}-bit sRGB", (n + 1).ilog2()),
-            Step::Gamma(n) => format!("{}-bit gamma 2.2", (n + 1).ilog2()),
+            Step::Gamma(n, tenths) => format!("{}-bit gamma {}", (n + 1).ilog2(), f64::from(tenths) / 10.0),
             Step::Rgbd(_) => "8-bit RGBD".into(),
             Step::Decimals(n) => format!("{n} decimals"),
         }

@@ -33,6 +33,11 @@ pub fn plane([width, height]: [usize; 2], channels: &[Filled]) -> AuditedTable {
     shipped(&[width, height], channels.iter().map(|(name, f)| (*name, values(f))).collect())
 }
 
+/// A value in eight bits.
+pub fn eight(x: f64) -> f64 {
+    (x.clamp(0.0, 1.0) * 255.0).round() / 255.0
+}
+
 /// The audit of a table; a test that fails shows what it says.
 pub fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
     let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();

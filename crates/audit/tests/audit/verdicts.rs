@@ -14,7 +14,7 @@ use lobefit_truth::integrate::reflection::average;
 
 use crate::baked_support::bake_scene;
 use crate::points::lobes::karis;
-use crate::support::{both, jitter, plane, reflection_of, run, says, shipped};
+use crate::support::{both, eight, jitter, plane, reflection_of, run, says, shipped};
 
 /// Texels along each axis.
 const N: usize = 64;
@@ -51,10 +51,6 @@ fn of_karis(change: Change) -> AuditedTable {
         (0..N * N).map(texel).collect()
     });
     changed(&KARIS, change)
-}
-
-fn eight(x: f64) -> f64 {
-    (x * 255.0).round() / 255.0
 }
 
 /// The first line of a verdict.

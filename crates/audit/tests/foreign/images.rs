@@ -363,6 +363,14 @@ fn arrays_of_numpy_state_what_is_not_read() {
     // In Fortran's order the first index runs fastest: texel 9 is at row 1 and column 1.
     let table = one(&npy(&dictionary("<f8", "True", "(4, 8)"), &data), "t.npy", &Hints::default());
     assert_eq!((table.size.as_slice(), table.channels[0].values[9]), (&[8, 4][..], value(5, 0)));
+    // A short index is that of the channel, the last or the first.
+    let planar = npy(&dictionary("<f8", "False", "(2, 6, 5)"), &texels(RawFormat::F64, 60, 1));
+    let table = one(&planar, "t.npy", &Hints::default());
+    assert_eq!((table.size.as_slice(), table.channels.len()), (&[5, 6][..], 2));
+    assert_eq!([0, 1].map(|c: usize| table.channels[c].values[7]), [value(7, 0), value(37, 0)]);
+    let small = npy(&dictionary("<f8", "False", "(4, 4, 2)"), &data);
+    let table = one(&small, "t.npy", &Hints::default());
+    assert_eq!((table.size.as_slice(), table.channels[1].values[1]), (&[4, 4][..], value(3, 0)));
     let cases = [
         (dictionary(">f8", "False", "(4, 8)"), "little-endian"),
         (dictionary("<f8", "False", "(4, 9)"), "256 bytes follow, and an array of 4 x 9 <f8 has 288"),

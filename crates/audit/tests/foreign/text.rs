@@ -207,6 +207,15 @@ fn raw_numbers_take_their_size_from_the_length_or_the_caller() {
     assert!(cut.to_string().contains("byte 4092"), "{cut}");
     let huge = Hints { size: Some(vec![1 << 40, 1 << 40, 1 << 40]), ..Hints::default() };
     assert!(read(&bytes, &huge).unwrap_err().to_string().contains("the limit is"));
+    // Pairs of halves are singles as well; whoever says which, or names the file so, has them read.
+    let halves: Vec<u8> =
+        (0..1024u32).flat_map(|i| half::f16::from_f64(f64::from(i) / 1024.0).to_le_bytes()).collect();
+    let asked = read(&halves, &Hints::default()).unwrap_err().to_string();
+    assert!(asked.contains("halves of 0 to 2 as well as singles") && asked.contains("f16 or f32"), "{asked}");
+    for (name, format) in [("lut.bin", Some(RawFormat::F16)), ("lut.f16", None)] {
+        let table = &read_table(&halves, name, &Hints { format, ..Hints::default() }).unwrap()[0];
+        assert_eq!((table.step, table.channels[0].values[33]), (Step::Half, 33.0 / 1024.0));
+    }
     let mut bad = bytes.clone();
     bad[..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert!(read(&bad, &Hints::default()).unwrap_err().to_string().contains("the only one of"));

@@ -137,6 +137,13 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
         Defect::Flipped { axes: flipped, column, .. } => {
             return Some(format!("turn {} round along {}", column.name(), names(axes, flipped)));
         }
+        Defect::ChannelLobe { lobe, column, .. } => {
+            return Some(format!(
+                "make {} again with the shadowing of the others, or if the shader has {}, the others with that",
+                column.name(),
+                lobe.words()
+            ));
+        }
         Defect::Clamped { .. } if source == Source::Function => {
             "the function saturates there: let it go on beyond that value, or clamp what becomes of it"
         }

@@ -51,6 +51,9 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
         Defect::Flipped { axes: flipped, .. } => {
             format!("All of its values stand the other way round along {}.", names(axes, flipped))
         }
+        Defect::ChannelLobe { lobe, .. } => {
+            format!("Its values are of {}, not of the lobe that the others are of.", lobe.words())
+        }
         Defect::Bias { mean } => {
             format!(
                 "The error is mostly a bias: values are {} {} on average.",

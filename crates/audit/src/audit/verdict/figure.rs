@@ -256,6 +256,12 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
             let found = format!(" has {} flipped along {along}: off by at most {max}{of}", own.name());
             (Kind::Damage, *most, texel, found)
         }
+        Defect::ChannelLobe { lobe, column: own, most, texel } => {
+            let (lobe, max) = (lobe.words(), number(*most));
+            let found =
+                format!(" has {} of {lobe} beside others that are not: off by at most {max}{of}", own.name());
+            (Kind::Damage, *most, texel, found)
+        }
         Defect::MissingLoss { worst: [held, truth], texel, .. } => {
             let (stored, loss) = (number(*held), number(*truth));
             let found = format!(" holds {stored} of a loss of {loss} at texel {texel:?}");

@@ -7,7 +7,8 @@ use crate::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Spot};
 /// Bytes before the length of the dictionary.
 const PREFIX: u64 = 8;
 
-/// The table of an array: its last index is x, or the channel where it is short.
+/// The table of an array: its last index is x, or the channel where it is short; a short first index is the
+/// channel too.
 pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     let source = Source { bytes, file };
     let (start, text) = dictionary(source)?;
@@ -37,8 +38,34 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     contradicted(source, &shape, size.as_ref(), hints)?;
     let list = Values::numbers(format!("NPY, {}", format.name()), format, &bytes[start..]);
     let values = if is_of_columns { in_rows(&list.values, &shape) } else { list.values };
-    let list = Values { values, size, channels, ..list };
+    let list = match planes(size.as_ref()).filter(|_| *hints == Hints::default()) {
+        Some((size, channels)) => Values {
+            values: together(&values, channels),
+            size: Some((size, channels)),
+            kind: format!("{}, channel by channel", list.kind),
+            ..list
+        },
+        None => Values { values, size, channels, ..list },
+    };
     Ok(vec![shape::table(file, list, hints)?])
+}
+
+/// Size and channels of an array whose first index is the channel: two or three planes are no slices that
+/// anything can be told of.
+fn planes(size: Option<&(Vec<usize>, usize)>) -> Option<(Vec<usize>, usize)> {
+    match size {
+        Some((size, 1)) => match size[..] {
+            [x, y, channels @ 2..=3] if x > 4 && y > 4 => Some((vec![x, y], channels)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Values that lie plane by plane with those of a texel together.
+fn together(values: &[f64], channels: usize) -> Vec<f64> {
+    let texels = values.len() / channels;
+    (0..values.len()).map(|i| values[i % channels * texels + i / channels]).collect()
 }
 
 /// Values that lie in Fortran's order, the first index fastest, with the last index fastest.

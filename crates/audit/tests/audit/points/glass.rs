@@ -230,3 +230,17 @@ fn slices_may_lie_otherwise_than_their_texels() {
     assert_eq!(lies, [Registration::Centre, Registration::Centre, Registration::Endpoint]);
     says(&found.verdict(None), "PASS", &["ior-1 along z at end points"]);
 }
+
+/// Slices of one cosine each, where all tables that are shipped have slices of one index, kept any limit.
+#[test]
+fn slices_of_one_cosine_are_transposed() {
+    let iors: Vec<f64> = (0..N).map(|z| 1.0 + z as f64 / (N - 1) as f64).collect();
+    let values = energies(Smith::Correlated, &iors, |e, _| e.e()[0]);
+    let turned = |i: usize| values[(i % N * N + i / N % N) * N + i / (N * N)];
+    let found = run(&solid((0..N * N * N).map(turned).collect()), "ggx-glass", &Fixed::default());
+    says(
+        &found.verdict(Some(0.01)),
+        "FAIL",
+        &["it has ior-1 along x, mu along z", "`--axes ior-1,roughness,mu`"],
+    );
+}

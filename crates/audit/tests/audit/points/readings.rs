@@ -8,7 +8,7 @@ use lobefit_math::ops;
 
 use super::{N, a, at, b, e, table};
 use crate::support::{
-    Filled, axes, both, columns, half, jitter, plane, reflection_of, refused, rising, run, said, says,
+    Filled, axes, both, columns, eight, half, jitter, plane, reflection_of, refused, rising, run, said, says,
 };
 
 /// Mu along x and roughness along y, of a registration.
@@ -187,9 +187,15 @@ fn point_08_transposed_and_swapped_tables_fail_a_limit_until_they_are_meant() {
     let swapped = table(&[("R", &b), ("G", &a)]);
     let turned = Some(vec![(Scale::Roughness, false), (Scale::Mu, false)]);
     let meanings = Some(vec![Some(Column::B), Some(Column::A)]);
-    for (shipped, option, off, meant) in [
-        (transposed, "--axes roughness,mu", 0.2, Fixed { axes: turned, ..Fixed::default() }),
-        (swapped, "--meaning B,A", 0.5, Fixed { meanings, ..Fixed::default() }),
+    for (shipped, option, held, off, meant) in [
+        (
+            transposed,
+            "--axes roughness,mu",
+            "it has roughness along x, mu along y",
+            0.2,
+            Fixed { axes: turned, ..Fixed::default() },
+        ),
+        (swapped, "--meaning B,A", "it has B before A", 0.5, Fixed { meanings, ..Fixed::default() }),
     ] {
         let found = reflection_of(&shipped);
         let plain = found.plain.as_ref().expect("no reader assumes it");
@@ -202,7 +208,7 @@ fn point_08_transposed_and_swapped_tables_fail_a_limit_until_they_are_meant() {
                 "ggx-reflection ",
                 "shipped is off by at most ",
                 " read plainly, at alpha ",
-                ": it has ",
+                held,
                 &format!("say so (`{option}`)"),
             ],
         );
@@ -343,7 +349,6 @@ fn enlarged_tables_are_named_with_what_they_were_made_from() {
     assert!(!said(&reflection_of(&table(&[("R", &e)]))).contains("enlarged"));
     // Nor one of 8 bits at end points, over alpha: each bend is within some steps.
     let end = |i: usize| (i as f64 / 31.0).max(1e-4);
-    let eight = |v: f64| (v * 255.0).round() / 255.0;
     let rounded = |x: usize, y: usize| eight(crate::support::both(Smith::Correlated, end(y), end(x)).0);
     let picture = AuditedTable { step: Step::Unorm(8), ..plane([32; 2], &[("R", &rounded)]) };
     assert!(!said(&reflection_of(&picture)).contains("enlarged"));

@@ -6,7 +6,7 @@ use lobefit_audit::audit::{AuditedTable, Column, Fixed, Form, Input};
 use lobefit_audit::foreign::Step;
 
 use super::{a, at, e, table};
-use crate::support::{both, half, plane, reflection_of, run, says, shipped};
+use crate::support::{both, eight, half, plane, reflection_of, run, says, shipped};
 use lobefit_truth::quantity::{self, Variant};
 
 /// E of a table whose texels lie at other inputs: of alpha and mu.
@@ -49,6 +49,9 @@ fn copied_lines_are_no_clamps() {
         assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
         says(&found.verdict(None), "FAIL", &[line]);
     }
+    // In eight bits the errors of the others are those of rounding.
+    let copy = table(&[("R", &|x, y| eight(e(x.max(1), y)))]);
+    says(&reflection_of(&copy).verdict(None), "FAIL", &["at x = 0, "]);
     // A clamp between two centres is one.
     let found = reflection_of(&of(|alpha, mu| [alpha.max(0.012), mu.max(0.1)]));
     assert_eq!(found.best().axes.iter().filter(|axis| axis.floor > 0.0).count(), 2);
@@ -171,5 +174,34 @@ fn clamps_of_one_line_are_found_at_any_number() {
         let found = reflection_of(&damaged);
         says(&found.verdict(None), "FAIL", &["at x = 0"]);
         assert!(found.best().axes.iter().all(|axis| axis.floor == 0.0), "{:?}", found.best().axes);
+    }
+}
+
+/// Eight bits hid that a channel, or a part of all, is of the other shadowing.
+#[test]
+fn a_channel_of_the_other_shadowing_is_named() {
+    let split = |form: Smith, x: usize, y: usize| {
+        let at = |i: usize| (i as f64 + 0.5) / 32.0;
+        let (e, b) = both(form, at(y) * at(y), at(x));
+        [e - b, b]
+    };
+    let exact = |v: f64| v;
+    for store in [eight as fn(f64) -> f64, exact] {
+        let a = |x: usize, y: usize| store(split(Smith::Separable, x, y)[0]);
+        let b = |x: usize, y: usize| store(split(Smith::Correlated, x, y)[1]);
+        let found = reflection_of(&plane([32, 32], &[("R", &a), ("G", &b)]));
+        says(
+            &found.verdict(None),
+            "FAIL",
+            &["has B of height-correlated Smith beside others that are not", "make B again"],
+        );
+        let form = |y: usize| if y < 16 { Smith::Correlated } else { Smith::Separable };
+        let [a, b] = [0, 1].map(|k: usize| move |x: usize, y: usize| store(split(form(y), x, y)[k]));
+        let found = reflection_of(&plane([32, 32], &[("R", &a), ("G", &b)]));
+        says(&found.verdict(None), "FAIL", &["is of two lobes", "are of height-correlated Smith"]);
+        assert_eq!(found.two_lobes.expect("two parts").extent.range[1][1], 15);
+        // All of one shadowing is sound.
+        let [a, b] = [0, 1].map(|k: usize| move |x: usize, y: usize| store(split(Smith::Separable, x, y)[k]));
+        says(&reflection_of(&plane([32, 32], &[("R", &a), ("G", &b)])).verdict(None), "PASS", &[]);
     }
 }
