@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Audits the files of zoo.json and writes docs/audits.md.
 
+    python3 docs/audits/make.py --list
     python3 docs/audits/make.py FOLDER [ARTEFACT ...]
 
-With artefacts, by the names of the page, it only makes the files of these that are cut out of others. FOLDER holds each file as OWNER/NAME/PATH, or OWNER/NAME@AT/PATH where zoo.json states `at` for the artefact. `lobefit`
+The list says where each file lies: repository, path, and the version that was audited. With artefacts, by the names of the page, it only makes the files of these that are cut out of others. FOLDER holds each file as OWNER/NAME/PATH, or OWNER/NAME@AT/PATH where zoo.json states `at` for the artefact. `lobefit`
 is on PATH. Results stay in FOLDER/audits; a result that is newer than its file and the program is used again.
 A file that is not there, and an audit that fails, is a row that says so, and exit code 1.
 """
@@ -356,9 +357,21 @@ def files(folder, names):
     print("\n".join(made))
 
 
+def sources():
+    """Where each file lies, what is audited of it, and the version."""
+    for project in listed()["projects"]:
+        for artefact in project["artefacts"]:
+            at = f" (at {artefact['at']})" if "at" in artefact else ""
+            cut = " bytes {0} to {1}".format(artefact["cut"][0], sum(artefact["cut"]) - 1) if "cut" in artefact else ""
+            print(f"{artefact['id']}: {artefact['file']}{cut}{at}; {project['at']}")
+
+
 if __name__ == "__main__":
     if len(sys.argv) < 2:
         sys.exit(__doc__)
+    if sys.argv[1:] == ["--list"]:
+        sources()
+        sys.exit()
     if len(sys.argv) > 2:
         files(sys.argv[1], sys.argv[2:])
     else:

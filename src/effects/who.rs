@@ -10,7 +10,7 @@ use crate::scene::{Lobe, Material, Scene};
 const NAMED: usize = 3;
 
 /// Why a scene leaves out what is of glass, where it has none.
-pub(super) const NO_GLASS: &str = "no material transmits light";
+pub(super) const NO_GLASS: &str = "no material is glass";
 
 /// Why a scene leaves out functions of glass, where none of its glass wants them.
 pub(super) const NOT_ASKED: &str = "no glass asks for it (`fit`, `refracted_width`)";

@@ -243,7 +243,7 @@ fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_t
     let rough: &[u8] =
         br#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#;
     for (scene, only, expected) in [
-        (rough, "glass", "error: --only glass: no material transmits light"),
+        (rough, "glass", "error: --only glass: no material is glass"),
         (rough, "reflection,sheen", "error: --only sheen: no material has a sheen layer"),
         (
             rough,

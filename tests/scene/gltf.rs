@@ -124,6 +124,40 @@ fn extensions_become_lobes() {
     assert_eq!((scene.materials[0].f0, scene.materials[0].roughness), (Some([0.2; 3]), [0.25; 2]));
 }
 
+/// What scales F90, colours glass, lies on metal or changes over time is planned as if it did not, and said.
+#[test]
+fn what_is_not_planned_is_said() {
+    let with = |metalness: f64, extensions: Value| {
+        one(json!({
+            "name": "m", "pbrMetallicRoughness": { "metallicFactor": metalness, "roughnessFactor": 0.5 },
+            "extensions": extensions
+        }))
+    };
+    let specular = |factor: f64| json!({ "KHR_materials_specular": { "specularFactor": factor } });
+    let (scene, notes) = with(0.0, specular(0.3));
+    assert!(scene.materials.len() == 1 && notes[0].contains("it scales F90 too"), "{notes:?}");
+    let (scene, notes) = with(0.0, specular(0.0));
+    assert!(scene.materials.is_empty() && notes.is_empty(), "a lobe of nothing: {notes:?}");
+    let mut glass = specular(0.0);
+    glass["KHR_materials_transmission"] = json!({ "transmissionFactor": 1 });
+    glass["KHR_materials_volume"] = json!({ "thicknessFactor": 1 });
+    let (scene, notes) = with(0.0, glass);
+    assert_eq!(scene.materials[0].kind, Kind::Glass);
+    assert!(notes.iter().any(|note| note.contains("specular of glass")), "{notes:?}");
+    let coat = json!({ "KHR_materials_clearcoat": { "clearcoatFactor": 1 } });
+    let coats = |metalness| with(metalness, coat.clone()).1.into_iter().filter(|n| n.contains("clear coat"));
+    let [over_both, over_metal] = [0.5, 1.0].map(|metalness| coats(metalness).collect::<Vec<_>>());
+    assert!(over_both.len() == 2 && over_both[1].contains("over its share of metal"), "{over_both:?}");
+    assert!(over_metal.len() == 1 && over_metal[0].contains("the whole coat is left out"), "{over_metal:?}");
+    let glossiness = json!({ "specularGlossinessTexture": { "index": 0 } });
+    let (_, notes) = with(0.0, json!({ "KHR_materials_pbrSpecularGlossiness": glossiness }));
+    assert!(notes.iter().any(|note| note.contains("its f0 has a texture")), "{notes:?}");
+    let mut file = document(json!([{ "name": "a" }]));
+    file["extensionsUsed"] = json!(["KHR_animation_pointer"]);
+    let (_, notes) = read(&file);
+    assert!(notes[0].contains("are planned as they are at rest"), "{notes:?}");
+}
+
 /// glTF's two widths are those of the scene's parameters: alpha_x = alpha/aspect along the tangent.
 #[test]
 fn anisotropy_keeps_both_widths() {
@@ -186,6 +220,10 @@ fn what_is_no_gltf_is_refused_with_its_place() {
         (
             br#"{"asset":{"version":"1.0"}}"#.to_vec(),
             "t.glb: asset.version: `1.0` is not a version of glTF 2",
+        ),
+        (
+            br#"{"asset":{"version":1.0},"materials":{"m":{}}}"#.to_vec(),
+            "t.glb: asset.version: `1` is not a version of glTF 2",
         ),
         (
             material(r#""pbrMetallicRoughness":{"roughnessFactor":1.5}"#),

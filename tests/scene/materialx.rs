@@ -265,6 +265,20 @@ fn indices_of_refraction_begin_at_one() {
     assert!(notes[0].text.contains("are [2.71, 3.09], and glass ends at 1 and 3"), "{notes:?}");
 }
 
+/// An index below 1 is that of the other side: Autodesk's velvet has 0 beside a `specular` of 0.
+#[test]
+fn indices_below_one_have_the_f0_of_their_inverse() {
+    for (index, f0) in [("0", 1.0), ("0.5", 1.0 / 9.0)] {
+        let (materials, notes) = shader("standard_surface", &[("specular_IOR", index), ("specular", "0.5")]);
+        let stated = materials[0].f0.unwrap_or_else(|| panic!("{materials:?}"));
+        assert!(close(stated, [0.5 * f0; 3]), "{stated:?}");
+        assert!(notes[0].text.contains("`specular_IOR` is below 1"), "{notes:?}");
+    }
+    let velvet = [("specular_IOR", "0"), ("specular", "0"), ("sheen", "1"), ("sheen_roughness", "0.3")];
+    let (materials, _) = shader("standard_surface", &velvet);
+    assert!(materials.iter().any(|material| material.sheen.is_some()), "{materials:?}");
+}
+
 /// The largest spread is that of the smallest of Abbe's numbers; roughness may be less where light is
 /// refracted.
 #[test]

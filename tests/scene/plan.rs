@@ -159,7 +159,7 @@ fn every_effect_is_either_planned_or_left_out() {
 fn a_scene_without_rough_speculars_plans_nothing_and_says_why() {
     let empty = plan(&scene(r#"{"schema_version":1,"materials":[]}"#));
     assert!(empty.is_empty());
-    assert_eq!(reason(&empty, "reflection"), "the scene has no materials");
+    assert_eq!(reason(&empty, "reflection"), "no material has a lobe");
     let smooth = plan(&scene(include_str!("../../examples/mirrors.json")));
     assert!(smooth.is_empty());
     let one = plan(&metals(&[("m", "0", "{\"fit\":{}}")]));

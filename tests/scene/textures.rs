@@ -94,7 +94,7 @@ fn near(found: [f64; 2], expected: [f64; 2], within: f64) {
 #[test]
 fn channels_narrow_their_ranges() {
     let image = rgb(&[[0, 51, 255], [0, 102, 255]]);
-    let file = gltf(metallic_roughness(json!({ "roughnessFactor": 0.5 })), &["x.png"]);
+    let file = gltf(metallic_roughness(json!({ "roughnessFactor": 0.5 })), &["./x.png"]);
     let (materials, notes) = read(Format::Gltf, &file, &held("x.png", image), 0.0);
     assert_eq!((materials.len(), materials[0].kind, notes.len()), (1, Kind::Metal, 0), "all metal");
     assert_eq!(materials[0].roughness, [0.1, 0.2]);

@@ -25,8 +25,11 @@ pub const XML_ATTRIBUTES: usize = 256;
 pub const XML_NAMESPACES: usize = 64;
 /// Most texels of an image.
 pub const TEXELS: u64 = 1 << 26;
-/// Most texels of all images of a scene: a hundred of 4096 x 4096.
-pub const ALL_TEXELS: u64 = 1 << 31;
+/// Most texels of all images of a scene: these,
+pub const ALL_TEXELS: u64 = 1 << 29;
+/// and so many for each of their bytes, more than pictures have. A small file of large images of one colour
+/// takes no more time than other files do.
+pub const TEXELS_OF_BYTE: u64 = 64;
 /// Most bytes that a decoder may take for one image.
 pub const DECODED_BYTES: u64 = 256 << 20;
 /// Most bytes of a file of one image.

@@ -27,6 +27,9 @@ pub(crate) enum Reflectance {
     F0([f64; 3]),
 }
 
+/// What is said of a coat.
+const COAT: &str = "clear coat: this version has the albedo of its lobe and its darkening of a diffuse base, and neither its colour nor how it widens the lobes below";
+
 /// A metal, a dielectric over its base, glass, or a mixture of these; ranges over its textures, and of
 /// colours the largest value.
 #[derive(Clone, Debug)]
@@ -71,7 +74,7 @@ impl Surface {
             let is_glass = is_clear && self.is_solid && self.glass(&mut add, &mut said);
             if is_clear && !self.is_solid {
                 said.missing(
-                    "transmission without a volume is a thin wall: this version has its reflection and not its transmitted lobe",
+                    "transmission without a volume, or with one of no thickness, is a thin wall: this version has its reflection and not its transmitted lobe",
                 );
             }
             // The reflection of what glass does not stand for stays.
@@ -106,8 +109,15 @@ impl Surface {
             }
             let coat = json!({ "roughness": span(roughness), "ior": span(range) });
             let has_base = |part: &&mut Part| part.fields.iter().any(|(name, _)| *name == "base");
+            let has_metal = parts.iter().any(|part| part.kind == "metal");
             match parts.iter_mut().find(has_base) {
-                Some(part) => part.fields.push(("coat", coat)),
+                Some(part) => {
+                    part.fields.push(("coat", coat));
+                    said.missing(COAT);
+                    if has_metal {
+                        said.missing("clear coat over its share of metal: this version has none, and the metal is planned bare");
+                    }
+                }
                 None => said.missing("clear coat over no diffuse base, a metal or glass: this version has none, and the whole coat is left out"),
             }
         }
@@ -155,6 +165,9 @@ impl Surface {
             said.missing(format!(
                 "its indices of refraction are [{from}, {to}], and glass ends at 1 and 3: what is promised is void beyond"
             ));
+        }
+        if !matches!(self.reflectance, Some(Reflectance::Ior(_))) {
+            said.missing("specular of glass: this version has the Fresnel term of its index alone");
         }
         if self.shape.anisotropy[1] > 0.0 {
             said.missing("anisotropic glass: this version has tables of isotropic glass alone");

@@ -164,7 +164,7 @@ impl Reflection {
     /// Why no material calls for it.
     pub(super) fn why_not(&self, scene: &Scene) -> String {
         if scene.materials.is_empty() {
-            return "the scene has no materials".into();
+            return "no material has a lobe".into();
         }
         let own = scene.materials.iter().filter(|m| m.distribution == self.ndf);
         let (rough, smooth): (Vec<&Material>, Vec<&Material>) = own.partition(|m| is_rough(scene, m));

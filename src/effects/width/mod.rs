@@ -228,7 +228,7 @@ impl Effect for Width {
 
     fn left_out(&self, scene: &Scene) -> String {
         self.unserved(scene).unwrap_or_else(|| match scene.materials.iter().any(|m| m.lobe().is_glass()) {
-            false => "no material transmits light or wants `widened`".into(),
+            false => "no material is glass or wants `widened`".into(),
             true => NOT_ASKED.into(),
         })
     }

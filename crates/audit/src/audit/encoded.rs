@@ -3,6 +3,8 @@
 
 use std::f64::consts::PI;
 
+use rayon::prelude::*;
+
 use super::apart;
 use super::best::{Best, Case, best, promising, truth_of};
 use super::defects::stored;
@@ -183,8 +185,8 @@ impl Encoding {
             (_, false) => &table.channels[0].values,
         };
         let decoded = |c: &Channel| {
-            let values =
-                c.values.iter().zip(&**alphas).map(|(x, alpha)| self.factor * (self.decode)(*x, *alpha));
+            let both = c.values.par_iter().zip(&**alphas);
+            let values = both.map(|(x, alpha)| self.factor * (self.decode)(*x, *alpha));
             Channel { name: c.name.clone(), values: values.collect::<Vec<_>>().into() }
         };
         let channels: Vec<Channel> = colours.map(decoded).collect();

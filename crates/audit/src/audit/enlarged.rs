@@ -15,6 +15,9 @@ const CORNERS: [usize; 7] = [8, 16, 32, 64, 128, 256, 512];
 const LEAST: usize = 4;
 const TIMES: usize = 2;
 
+/// Texels along an axis that are looked at, of lines evenly spaced: more tell nothing else.
+const LOOKED_AT: usize = 1 << 17;
+
 /// Share of the sharpest bend along an axis that lines between texels of the smaller table may be bent by.
 /// Where a table was computed at its own size, bends are as sharp between those as at them.
 const STRAIGHT: f64 = 1e-3;
@@ -128,17 +131,21 @@ struct Lines<'a> {
     first: Vec<usize>,
     /// The largest second difference.
     bend: f64,
-    /// To what they are rounded.
+    /// To what they are rounded, and the largest magnitude of all.
     format: Step,
+    largest: f64,
 }
 
 impl<'a> Lines<'a> {
     fn of(table: &'a AuditedTable, channel: usize, axis: usize) -> Lines<'a> {
         let (size, values) = (&table.size, table.channels[channel].values.as_slice());
         let (n, step) = (size[axis], size[..axis].iter().product());
-        let first = (0..values.len() / (n * step)).flat_map(|k| (0..step).map(move |i| k * n * step + i));
+        let count = values.len() / n;
+        let every = values.len().div_ceil(LOOKED_AT.max(n));
+        let first = (0..count).step_by(every).map(|line| line / step * n * step + line % step);
         let format = stored(table.step, values);
-        let mut lines = Lines { values, n, step, first: first.collect(), bend: 0.0, format };
+        let mut lines =
+            Lines { values, n, step, first: first.collect(), bend: 0.0, format, largest: largest(values) };
         let bends = lines.each().map(|line| line.windows(3).map(second).fold(0.0, f64::max));
         let (sharpest, bend) =
             bends.enumerate().fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
@@ -150,9 +157,8 @@ impl<'a> Lines<'a> {
         self.first.iter().map(|first| (0..self.n).map(|k| self.values[first + k * self.step]).collect())
     }
 
-    /// What rounding leaves of a bend between some values at most.
-    fn rounding(&self, values: &[f64]) -> f64 {
-        let largest = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    /// What rounding leaves of a bend between values up to the largest of some.
+    fn rounding(&self, largest: f64) -> f64 {
         ROUNDED * self.format.rounding(largest) + 1e-6 * largest
     }
 
@@ -182,7 +188,7 @@ impl<'a> Lines<'a> {
             (line[a] + (line[a] - line[b]) * (knot - a as f64).abs() - line[end]).abs() <= left
         };
         let is_made = |line: Vec<f64>| {
-            let left = STRAIGHT * self.bend + self.rounding(&line);
+            let left = STRAIGHT * self.bend + self.rounding(largest(&line));
             let ends = level(&line[..low], left) && level(&line[high + 1..], left);
             let held = low == 0
                 || held(&line, [low - 1, low, low + 1], knots.at(0), left)
@@ -197,7 +203,7 @@ impl<'a> Lines<'a> {
     /// Whether lines bend at the knots and between them no more than rounding makes them: by far at the
     /// sharpest bend, or on average over all.
     fn bend_at(&self, knots: &Knots) -> bool {
-        if self.bend > ROUNDED * (STRAIGHT * self.bend + self.rounding(self.values)) {
+        if self.bend > ROUNDED * (STRAIGHT * self.bend + self.rounding(self.largest)) {
             return true;
         }
         // Of three texels in a row the outer two are on one side of every knot, or on both of one.
@@ -223,6 +229,11 @@ impl<'a> Lines<'a> {
             squares[0] > 0.0 && squares[0] * counts[1] >= sharper * sharper * squares[1] * counts[0];
         counts[0] >= FEWEST && counts[1] >= counts[0] && is_level && is_sharp
     }
+}
+
+/// The largest magnitude.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// The second difference of three values.

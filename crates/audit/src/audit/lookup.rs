@@ -18,6 +18,12 @@ use lobefit::data::Place;
 /// Places along every axis at which lookups are judged: of one axis, of two and of three.
 const PLACES: [usize; 3] = [1024, 160, 16];
 
+/// Most places along each of three axes that lie midway between texels, where straight lines err most.
+const MIDWAY: usize = 15;
+
+/// Share of the way from an outermost texel to the next at which its own line or slice is looked up.
+const AT_ENDS: f64 = 1e-6;
+
 /// Error of a lookup of one channel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LookupErrors {
@@ -52,10 +58,10 @@ impl LookupErrors {
     }
 }
 
-/// Rounds in which the worst of the sampled places are closed in on: places along every axis on each
-/// side of one, what is left of the distance after a round, and how many are (2 axes or fewer, and 3).
-const ROUNDS: usize = 4;
-const BESIDE: [(usize, f64, usize); 2] = [(3, 0.34, 3), (1, 0.5, 1)];
+/// The worst of the sampled places that are closed in on, and of 2 axes or fewer and of 3 how: places along
+/// every axis on each side of one, what is left of the distance after a round, and rounds.
+const STARTS: usize = 3;
+const BESIDE: [(usize, f64, usize); 2] = [(3, 0.34, 4), (1, 0.5, 9)];
 
 /// Places of lookups: coordinates in the table's axes, with the truth.
 struct Grid {
@@ -85,8 +91,8 @@ pub(super) struct Points<'a> {
     convention: &'a Convention,
     lobe: usize,
     grid: Grid,
-    /// Places that crowd towards the ends of the axes.
-    ends: Grid,
+    /// Places that crowd towards the ends of the axes, and of three axes those midway between texels.
+    others: Vec<Grid>,
 }
 
 impl<'a> Points<'a> {
@@ -95,13 +101,24 @@ impl<'a> Points<'a> {
         truth: &'a Truth<'a>,
         convention: &'a Convention,
         lobe: usize,
+        size: &[usize],
     ) -> Result<Points<'a>, AuditError> {
-        let n = PLACES[convention.axes.len() - 1];
+        let axes = &convention.axes;
+        let n = PLACES[axes.len() - 1];
+        // Evenly spaced places among as many centres are these centres.
+        let meets = |(axis, m): (&AxisReading, &usize)| {
+            axis.registration == Registration::Centre && m.trailing_zeros() == n.trailing_zeros()
+        };
+        let n = n + usize::from(axes.iter().zip(size).any(meets));
         let even: Vec<f64> = (0..n).map(|k| (k as f64 + 0.5) / n as f64).collect();
-        let grid = Grid::new(truth, convention, lobe, vec![even; convention.axes.len()])?;
-        let class = usize::from(convention.axes.len() == 3);
-        let ends = Grid::new(truth, convention, lobe, vec![edges(class); convention.axes.len()])?;
-        Ok(Points { truth, convention, lobe, grid, ends })
+        let of = |coordinates| Grid::new(truth, convention, lobe, coordinates);
+        let grid = of(vec![even; axes.len()])?;
+        let is_solid = axes.len() == 3;
+        let mut others = vec![of(vec![edges(usize::from(is_solid)); axes.len()])?];
+        if is_solid {
+            others.push(of(axes.iter().zip(size).map(|(axis, n)| midway(axis, *n)).collect())?);
+        }
+        Ok(Points { truth, convention, lobe, grid, others })
     }
 
     /// Errors of a lookup, the largest closed in on from the worst of the places; none where no
@@ -136,11 +153,11 @@ impl<'a> Points<'a> {
         errors: &[(f64, bool)],
         inner: bool,
     ) -> Result<Option<(f64, Place)>, AuditError> {
-        let class = usize::from(look.size.len() == 3);
-        let at_ends = self.ends.errors(self.convention, look);
+        let at_others: Vec<_> = self.others.iter().map(|grid| grid.errors(self.convention, look)).collect();
         let mut found: Option<(f64, Place)> = None;
-        for (grid, errors) in [(&self.grid, errors), (&self.ends, &at_ends)] {
-            for start in worst(grid, errors, inner, BESIDE[class].2) {
+        let others = self.others.iter().zip(at_others.iter().map(Vec::as_slice));
+        for (grid, errors) in others.chain([(&self.grid, errors)]) {
+            for start in worst(grid, errors, inner, STARTS) {
                 let climbed = self.climbed(look, inner, (grid, start, errors[start].0.abs()))?;
                 found = found.into_iter().chain([climbed]).reduce(|a, b| if b.0 > a.0 { b } else { a });
             }
@@ -155,10 +172,10 @@ impl<'a> Points<'a> {
         inner: bool,
         (grid, start, error): (&Grid, usize, f64),
     ) -> Result<(f64, Place), AuditError> {
-        let (beside, left, _) = BESIDE[usize::from(look.size.len() == 3)];
+        let (beside, left, rounds) = BESIDE[usize::from(look.size.len() == 3)];
         let mut found = (error, grid.place(start, self.convention));
         let (mut centre, mut width) = grid.about(start);
-        for _ in 0..ROUNDS {
+        for _ in 0..rounds {
             let along = |(c, width): (&f64, &f64)| -> Vec<f64> {
                 let at = |k: usize| c + width * (k as f64 / beside as f64 - 1.0);
                 let mut list: Vec<f64> = (0..=2 * beside).map(|k| at(k).clamp(0.0, 1.0)).collect();
@@ -189,6 +206,19 @@ fn edges(class: usize) -> Vec<f64> {
     let half = [16, 4][class];
     let at = |k: usize| ops::pow(k as f64 / half as f64, 4.0) / 2.0;
     (0..=half).map(at).chain((0..half).rev().map(|k| 1.0 - at(k))).collect()
+}
+
+/// Coordinates midway between the texels of an axis, of many at some of them, and beside the outermost.
+fn midway(axis: &AxisReading, n: usize) -> Vec<f64> {
+    let mut texels: Vec<f64> = (0..n).map(|i| axis.coordinate(i, n)).collect();
+    texels.sort_by(f64::total_cmp);
+    texels.dedup();
+    let between = |share: f64, k: usize| texels[k] + share * (texels[k + 1] - texels[k]);
+    let cells = texels.len() - 1;
+    let places = cells.min(MIDWAY);
+    let cell = |k: usize| k * (cells - 1) / (places - 1).max(1);
+    let inside = (0..places).map(|k| between(0.5, cell(k)));
+    [between(AT_ENDS, 0)].into_iter().chain(inside).chain([between(1.0 - AT_ENDS, cells - 1)]).collect()
 }
 
 /// Places of the largest, the first of them largest, no two of them neighbours.

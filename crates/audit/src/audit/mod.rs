@@ -335,7 +335,7 @@ fn finish(
     let convention = best.convention(truth, live, table.channels.len());
     let judgement = judge(truth, &sample, &best.axes, best.lobe, Truth::exact)?;
     let points = match table.source {
-        Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
+        Source::Table => Some(Points::new(truth, &convention, best.lobe, &table.size)?),
         Source::Function => None,
     };
     let sum = energy::Sum::of(&sample, &convention, live);

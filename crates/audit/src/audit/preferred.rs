@@ -103,7 +103,7 @@ fn remedy_lessens(
 ) -> Result<bool, AuditError> {
     let Case { table, live, .. } = *case;
     let convention = best.convention(truth, live, table.channels.len());
-    let points = Points::new(truth, &convention, best.lobe)?;
+    let points = Points::new(truth, &convention, best.lobe, &table.size)?;
     let lessened = |k: &usize| -> Result<bool, AuditError> {
         let Some(column) = convention.columns[*k] else { return Ok(true) };
         let values = &table.channels[*k].values;

@@ -207,6 +207,13 @@ fn regroup(size: &[usize], channels: usize, asked: usize) -> Option<(Vec<usize>,
     Some(([&[row / asked], rest].concat(), asked))
 }
 
+/// Mean magnitude of the difference of values so many places apart: of channels that lie together it is
+/// smaller from texel to texel.
+fn steps(list: &Values, apart: usize) -> f64 {
+    let pairs = list.values.iter().zip(list.values.iter().skip(apart));
+    pairs.map(|(a, b)| (a - b).abs()).sum::<f64>() / list.values.len().saturating_sub(apart).max(1) as f64
+}
+
 /// Squares of one to three channels, cubes of one; where there is none, squares of four channels
 /// and cubes of two to four; short lists may be a line. The lines of a text that are as many and as
 /// long as the rows of a square decide between them.
@@ -223,7 +230,9 @@ fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usiz
         None => {
             let first = [fits(2, 1), fits(2, 2), fits(2, 3), fits(3, 1), line(1)];
             let second = [fits(2, 4), fits(3, 2), fits(3, 3), fits(3, 4)];
-            let first: Vec<_> = first.into_iter().flatten().collect();
+            let mut first: Vec<_> = first.into_iter().flatten().collect();
+            // A square of an even side is one of four channels too.
+            first.extend(fits(2, 4).filter(|_| !first.is_empty() && 2.0 * steps(list, 4) < steps(list, 1)));
             if first.is_empty() { second.into_iter().flatten().collect() } else { first }
         }
     };

@@ -57,7 +57,7 @@ fn of_karis(change: Change) -> AuditedTable {
 fn line(found: &Audit, limit: Option<f64>) -> String {
     let text = found.verdict(limit).to_string();
     let line = text.lines().next().expect("a line").to_string();
-    assert!(line.chars().count() <= 160, "{line}");
+    assert!(line.chars().count() <= 200, "{line}");
     line
 }
 

@@ -109,6 +109,13 @@ fn a_flat_list_is_a_square_where_nothing_else_fits() {
     assert!(message.contains("64 x 64 or 16 x 16 x 16"), "{message}");
     let cube = Hints { size: Some(vec![16, 16, 16]), ..Hints::default() };
     assert_eq!(tables(&list(4096), "t.h", &cube)[0].size, [16, 16, 16]);
+    // Four channels that lie together make a jagged square.
+    let texel = |i: usize| format!("{}, {}, 0, 1", i as f64 / 1e4, 0.5 - i as f64 / 1e4);
+    let four = (0..256).map(texel).collect::<Vec<_>>().join(", ");
+    let message = refused(&four, &Hints::default());
+    assert!(message.contains("32 x 32 or 16 x 16 of 4 channels"), "{message}");
+    let four = tables(&four, "t.h", &Hints { channels: Some(4), ..Hints::default() }).remove(0);
+    assert_eq!((four.size.as_slice(), four.channels[1].values[3]), (&[16, 16][..], 0.4997));
     let wrong = Hints { size: Some(vec![16, 15]), ..Hints::default() };
     let message = refused(&list(4096), &wrong);
     assert!(message.contains("4096 values") && message.contains("16 x 15"), "{message}");

@@ -40,6 +40,25 @@ pub(super) struct Asset {
     pub version: String,
 }
 
+/// The version alone, of a file whose other fields may be those of another one.
+#[derive(Deserialize)]
+pub(super) struct Versioned {
+    pub asset: AnyAsset,
+}
+
+#[derive(Deserialize)]
+pub(super) struct AnyAsset {
+    pub version: AnyVersion,
+}
+
+/// A version as any of glTF states it.
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub(super) enum AnyVersion {
+    Text(String),
+    Number(f64),
+}
+
 #[derive(Deserialize)]
 #[serde(expecting = "an object that describes a mesh")]
 pub(super) struct Mesh {

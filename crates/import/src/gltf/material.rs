@@ -67,7 +67,7 @@ fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Sur
         albedo: colour,
         base_roughness: [0.0; 2],
         shape: shape(roughness, with, look)?,
-        reflectance: Some(reflectance(ior, with, look)?),
+        reflectance: reflectance(ior, with, look)?,
         transmission,
         is_solid: with.volume.0.as_ref().is_some_and(|own| number(&own.thickness_factor, 0.0) > 0.0),
         refracted: roughness,
@@ -79,18 +79,23 @@ fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Sur
 }
 
 /// The reflectance of a dielectric: its index, or f0 where `KHR_materials_specular` changes that.
-fn reflectance(ior: f64, with: &Extensions, look: &mut Look) -> Result<Reflectance, Wrong> {
-    let Some(specular) = &with.specular.0 else { return Ok(Reflectance::Ior(ior)) };
+/// None where its factor, which scales F90 as well, is 0.
+fn reflectance(ior: f64, with: &Extensions, look: &mut Look) -> Result<Option<Reflectance>, Wrong> {
+    let Some(specular) = &with.specular.0 else { return Ok(Some(Reflectance::Ior(ior))) };
     let factor = number(&specular.specular_factor, 1.0);
-    let [_, factor] = look.range("specular", factor, &specular.specular_texture, A)?;
+    let [least, factor] = look.range("specular", factor, &specular.specular_texture, A)?;
+    if factor == 0.0 {
+        return Ok(None);
+    }
+    if least < 1.0 {
+        look.said.missing(F90);
+    }
     let tint = rgb(&specular.specular_color_factor, 1.0);
     let colour = look.colour(tint, &specular.specular_color_texture)?;
     if specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some() {
-        look.said.reading(
-            "its f0 has a texture: the error of its base's share holds at the largest f0, and `any_f0` of the manifest at every one",
-        );
+        look.said.reading(F0_TEXTURE);
     }
-    Ok(Reflectance::F0(colour.map(|c| (f0_of(ior) * c).min(1.0) * factor)))
+    Ok(Some(Reflectance::F0(colour.map(|c| (f0_of(ior) * c).min(1.0) * factor))))
 }
 
 /// Specular-glossiness, which glTF had before: a dielectric of this f0 over a diffuse base.
@@ -99,6 +104,9 @@ fn of_glossiness(of: &Glossiness, look: &mut Look) -> Result<Surface, Wrong> {
     let glossiness = number(&of.glossiness_factor, 1.0);
     let [low, high] = look.range("glossiness", glossiness, texture, A)?;
     let f0 = look.colour(rgb(&of.specular_factor, 1.0), texture)?;
+    if texture.0.is_some() {
+        look.said.reading(F0_TEXTURE);
+    }
     let albedo = look.colour(rgba(&of.diffuse_factor), &of.diffuse_texture)?;
     let roughness = [1.0 - high, 1.0 - low];
     Ok(Surface {
@@ -154,7 +162,6 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
         let roughness =
             look.range("roughness of the clear coat", factor, &own.clearcoat_roughness_texture, G)?;
         surface.coat = Some([roughness, [IOR; 2]]);
-        look.said.missing(COAT);
     }
     if let Some(own) = &with.iridescence.0
         && look.is_there("iridescence", number(&own.iridescence_factor, 0.0), &own.iridescence_texture, R)?
@@ -174,8 +181,9 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
     Ok(())
 }
 
-/// What is said of a coat and of a film.
-pub(crate) const COAT: &str = "clear coat: this version has the albedo of its lobe and its darkening of a diffuse base, and neither its colour nor how it widens the lobes below";
+/// What is said of an f0 with a texture, of F90, and of a film.
+const F0_TEXTURE: &str = "its f0 has a texture: the error of its base's share holds at the largest f0, and `any_f0` of the manifest at every one";
+const F90: &str = "specular factor below 1: it scales F90 too, which is 1 in this version: its lobe is planned too bright at grazing view, and its base too dark there";
 pub(crate) const FILM: &str = "iridescence: its film changes f0 with the angle, and what is promised for an f0 is void there: this version has no film";
 
 /// A look at a material: its textures, and what is said of it.

@@ -109,7 +109,7 @@ pub fn mesh(bytes: &[u8], file: &str) -> Result<Mesh, SceneError> {
     let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
     let (json, chunk) = chunks(bytes, file).map_err(|message| whole((String::new(), message)))?;
     let document: Document = read_object(json, file, usize::MAX)?;
-    version(&document.asset).map_err(whole)?;
+    version(&document.asset.version).map_err(whole)?;
     let mut reader =
         Reader { bytes, document: &document, buffers: Buffers::new(chunk), mesh: Mesh::default() };
     reader.all().map_err(whole)?;

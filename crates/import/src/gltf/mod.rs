@@ -18,7 +18,7 @@ use super::Imported;
 use super::note::About;
 use super::scene::Writer;
 use super::texture::Textures;
-use document::{Document, KNOWN, Material};
+use document::{AnyVersion, Document, KNOWN, Material, Versioned};
 use images::Images;
 use material::parts;
 
@@ -46,8 +46,15 @@ pub(crate) fn read(
     let whole =
         |path: &str, message: String| SceneError::Whole { file: file.into(), path: path.into(), message };
     let (json, chunk) = chunks(bytes, file).map_err(|message| whole("", message))?;
-    let document: Document = read_object(json, file, usize::MAX)?;
-    version(&document.asset).map_err(|(path, message)| whole(&path, message))?;
+    let document: Document = read_object(json, file, usize::MAX).map_err(|error| {
+        let stated = serde_json::from_slice(json).ok().map(|Versioned { asset }| match asset.version {
+            AnyVersion::Text(text) => text,
+            AnyVersion::Number(number) => number.to_string(),
+        });
+        let other = stated.and_then(|stated| version(&stated).err());
+        other.map_or(error, |(path, message)| whole(&path, message))
+    })?;
+    version(&document.asset.version).map_err(|(path, message)| whole(&path, message))?;
     let mut images = match textures {
         Some(textures) => Some(Images::of(json, file, textures, chunk)?),
         None => None,
@@ -70,6 +77,12 @@ pub(crate) fn read(
         writer.note(About::Reading, format!("{more} {materials} that no primitive has {are} left out"), None);
     }
     let used = document.extensions_used.0.map_or_else(Vec::new, |list| list.0);
+    if used.iter().any(|name| name == ANIMATION) {
+        let text = format!(
+            "this version does not read `{ANIMATION}`: factors that it changes are planned as they are at rest"
+        );
+        writer.note(About::Missing, text, None);
+    }
     for extension in
         used.iter().filter(|name| name.contains("_materials_") && !KNOWN.contains(&name.as_str()))
     {
@@ -79,10 +92,13 @@ pub(crate) fn read(
     Ok(writer.finish())
 }
 
+/// What changes factors of materials over time.
+const ANIMATION: &str = "KHR_animation_pointer";
+
 /// Refuses another version than 2.
-fn version(asset: &document::Asset) -> Result<(), Wrong> {
-    let is_known = asset.version.starts_with("2.");
-    let message = || format!("`{}` is not a version of glTF 2", asset.version);
+fn version(stated: &str) -> Result<(), Wrong> {
+    let is_known = stated.starts_with("2.");
+    let message = || format!("`{stated}` is not a version of glTF 2");
     is_known.then_some(()).ok_or_else(|| ("asset.version".into(), message()))
 }
 

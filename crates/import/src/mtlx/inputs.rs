@@ -168,6 +168,14 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
         ));
     }
 
+    /// The number of an input that is one constant.
+    pub fn one_constant(&mut self, name: &str) -> Result<Option<f64>, SceneError> {
+        Ok(match self.value(name)? {
+            Some(Value::Constant(values)) if values.len() == 1 => Some(values[0]),
+            _ => None,
+        })
+    }
+
     fn value(&mut self, name: &str) -> Result<Option<Value>, SceneError> {
         let Some(&input) = self.inputs.get(name) else { return Ok(None) };
         let path = self.path(name);

@@ -4,7 +4,7 @@ use lobefit_strict::SceneError;
 use lobefit_strict::number::{Interval, NotNegative, Unit};
 
 use super::inputs::Inputs;
-use crate::gltf::material::{COAT, FILM, widths};
+use crate::gltf::material::{FILM, widths};
 use crate::limits::GLASS_IOR;
 use crate::note::Said;
 use crate::surface::{Reflectance, Shape, Surface, f0_of};
@@ -23,9 +23,12 @@ pub(super) const MODELS: [(&str, Model); 4] = [
 const WHITE: [f64; 3] = [1.0; 3];
 const BLACK: [f64; 3] = [0.0; 3];
 
+/// Highest index of refraction: its f0 is 1.
+const HIGHEST: f64 = 1e30;
+
 lobefit_strict::intervals! {
     /// Index of refraction; an infinite one, as glTF has it, is none of MaterialX.
-    Index = 1.0, 1e30, false, "[1, 1e30]";
+    Index = 1.0, HIGHEST, false, "[0, 1e30]";
     /// What is added to a roughness.
     Signed = -1.0, 1.0, false, "[-1, 1]";
 }
@@ -44,8 +47,17 @@ impl Inputs<'_, '_, '_, '_, '_> {
         Ok(self.number::<NotNegative>(name, 0.0, 1.0)?[1] > 0.0)
     }
 
+    /// An index of refraction; a constant below 1 stands for the other side of the interface, whose f0 is the
+    /// same.
     fn ior(&mut self, name: &str, default: f64) -> Result<[f64; 2], SceneError> {
-        self.number::<Index>(name, default, GLASS_IOR)
+        match self.one_constant(name)? {
+            Some(ior) if (0.0..1.0).contains(&ior) => {
+                let text = format!("`{name}` is below 1: it is planned as 1/{name}, which has the same f0");
+                self.said.reading(text);
+                Ok([ior.recip().min(HIGHEST); 2])
+            }
+            _ => self.number::<Index>(name, default, GLASS_IOR),
+        }
     }
 
     /// Roughness and index of refraction of a clear coat of a weight, if it is there; an index without a
@@ -59,7 +71,6 @@ impl Inputs<'_, '_, '_, '_, '_> {
         if !self.has(weight)? {
             return Ok(None);
         }
-        self.said.missing(COAT);
         let ior = name.map_or(Ok([ior; 2]), |name| self.number::<NotNegative>(name, ior, GLASS_IOR))?;
         Ok(Some([self.unit(roughness, default)?, ior]))
     }

@@ -50,7 +50,10 @@ fn too_large(size: [u64; 2], bytes: u64, left: u64) -> Option<String> {
             limits::DECODED_BYTES
         ))
     } else if texels > left {
-        Some(format!("beyond the {} texels of all images of a scene", limits::ALL_TEXELS))
+        let (all, of_byte) = (limits::ALL_TEXELS, limits::TEXELS_OF_BYTE);
+        Some(format!(
+            "beyond the {all} texels of all images of a scene, and {of_byte} for each of their bytes"
+        ))
     } else {
         None
     }

@@ -95,9 +95,10 @@ impl<'a> Textures<'a> {
             Place::Beside(path, part) => self.files.beside(path, *part)?,
             Place::Inline(_) | Place::Buffer(..) => inline()?,
         };
-        match decode::decode(&bytes, self.texels_left)? {
+        let left = self.texels_left + limits::TEXELS_OF_BYTE * bytes.len() as u64;
+        match decode::decode(&bytes, left)? {
             Decoded::Texels(texels) => {
-                self.texels_left -= texels.count();
+                self.texels_left = left - texels.count();
                 Ok(Ok(texels.extremes(self.quantile)))
             }
             Decoded::Not(why) => Ok(Err(why)),
@@ -117,10 +118,12 @@ impl<'a> Textures<'a> {
 pub(crate) fn relative(uri: &str) -> Result<String, String> {
     let bytes = unescaped(uri).ok_or_else(|| format!("`{uri}` is not a URI: its escapes are no UTF-8"))?;
     let hostile = |c: char| c.is_control() || matches!(c, '\\' | ':');
-    if bytes.contains(hostile) || bytes.split('/').any(|part| matches!(part, "" | "." | "..")) {
+    // `.` is the folder that a part stands in.
+    let parts: Vec<&str> = bytes.split('/').filter(|part| *part != ".").collect();
+    if bytes.contains(hostile) || parts.is_empty() || parts.iter().any(|part| matches!(*part, "" | "..")) {
         return Err(format!("`{uri}` is no plain path inside the folder of the scene: it is not opened"));
     }
-    Ok(bytes)
+    Ok(parts.join("/"))
 }
 
 /// A text with each `%xx` as its byte.

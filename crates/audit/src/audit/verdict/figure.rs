@@ -117,12 +117,9 @@ fn of_lookup(audit: &Audit, (column, lookup): (&str, &LookupErrors)) -> (String,
 fn between(audit: &Audit, lookup: (&str, &LookupErrors), texels: &str) -> Told {
     let another = of_another(audit, lookup.1.inner);
     let (looked, there) = of_lookup(audit, lookup);
-    let (there, more) = match another.is_empty() {
-        true => (there, vec![format!(", {texels} at texels")]),
-        false => (String::new(), Vec::new()),
-    };
+    let more = if another.is_empty() { vec![format!(", {texels} at texels")] } else { Vec::new() };
     let (column, lookup) = lookup;
-    let found = format!(" is off by at most {looked}{another}{there}");
+    let found = format!(" is off by at most {looked}{there}{another}");
     Told { more, ..Told::new(Kind::Lookup, column, (lookup.inner, &lookup.inner_at), found) }
 }
 

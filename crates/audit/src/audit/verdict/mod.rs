@@ -57,7 +57,7 @@ pub(super) fn figure(audit: &super::Audit, limit: Option<f64>) -> Option<Figure>
 }
 
 /// Most characters of a first line whose file has a short name, which a terminal and a log show whole.
-const LINE: usize = 160;
+const LINE: usize = 200;
 
 /// Characters of a file's name, with the dots that end it, that a first line has even where it grows beyond.
 const NAME: usize = 64;

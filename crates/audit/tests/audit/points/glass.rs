@@ -4,6 +4,7 @@ use lobefit::data::Smith;
 use lobefit_audit::audit::{AuditedTable, Column, Fit, Fixed, Form, Input, Registration, Scale};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
+use rayon::prelude::*;
 
 use super::samples::parts;
 use crate::common::{lobefit, stderr};
@@ -243,4 +244,51 @@ fn slices_of_one_cosine_are_transposed() {
         "FAIL",
         &["it has ior-1 along x, mu along z", "`--axes ior-1,roughness,mu`"],
     );
+}
+
+/// The largest error of a lookup lies beside the first slice or the first row, midway along the other axes: by
+/// as many places along each axis as there are texels, which were these, it was said to be a third of this.
+#[test]
+fn lookups_of_three_axes_err_by_no_more_than_is_said() {
+    const SIDE: usize = 16;
+    const DENSE: usize = 45;
+    let kernel = Kernel::new(Smith::Correlated, 1e-6).unwrap();
+    let at = |x: f64| (x + 0.5) / SIDE as f64;
+    let transmitted = |[mu, roughness]: [f64; 2], iors: &[f64]| -> Vec<f64> {
+        let mut out = vec![Energies::default(); iors.len()];
+        kernel.energies(roughness * roughness, mu, iors, &mut out).unwrap();
+        out.iter().map(|energies| energies.t[0]).collect()
+    };
+    let iors: Vec<f64> = (0..SIDE).map(|z| 1.0 + at(z as f64)).collect();
+    let mut values = vec![0.0; SIDE * SIDE * SIDE];
+    for i in 0..SIDE * SIDE {
+        let column = transmitted([at((i % SIDE) as f64), at((i / SIDE) as f64)], &iors);
+        column.into_iter().enumerate().for_each(|(z, t)| values[z * SIDE * SIDE + i] = t);
+    }
+    let found = run(&shipped(&[SIDE; 3], vec![("0", values.clone())]), "ggx-glass", &Fixed::default());
+    let said = found.channels[0].lookup.as_ref().expect("a table of texels").clone();
+    // Between the outermost texels, in texels.
+    let places: Vec<f64> = (0..DENSE).map(|k| (SIDE - 1) as f64 * k as f64 / (DENSE - 1) as f64).collect();
+    let dense: Vec<f64> = places.iter().map(|z| 1.0 + at(*z)).collect();
+    let looked_up = |place: [f64; 3]| -> f64 {
+        let corner = |corner: usize| {
+            let along = |k: usize| {
+                let low = (place[k] as usize).min(SIDE - 2);
+                let share = place[k] - low as f64;
+                if corner >> k & 1 == 1 { (low + 1, share) } else { (low, 1.0 - share) }
+            };
+            let [x, y, z] = [0, 1, 2].map(along);
+            x.1 * y.1 * z.1 * values[(z.0 * SIDE + y.0) * SIDE + x.0]
+        };
+        (0..8).map(corner).sum()
+    };
+    let error = |x: f64, y: f64| {
+        let truths = transmitted([at(x), at(y)], &dense);
+        let of = |(z, truth): (&f64, f64)| (looked_up([x, y, *z]) - truth).abs();
+        places.iter().zip(truths).map(of).fold(0.0, f64::max)
+    };
+    let worst = places.par_iter().map(|y| places.iter().map(|x| error(*x, *y)).fold(0.0, f64::max));
+    let worst = worst.reduce(|| 0.0, f64::max);
+    assert!(said.inner >= worst && said.inner < 1.1 * worst, "{} said, {worst} found", said.inner);
+    assert!(said.rms > 1e-3, "{}", said.rms);
 }

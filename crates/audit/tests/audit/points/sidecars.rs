@@ -68,7 +68,7 @@ fn point_09_a_file_with_its_sidecar_is_what_it_says_in_every_container() {
                     || line.contains(&file[..file.len().min(40)]) && line.contains('\u{2026}'),
                 "{line}"
             );
-            assert!(line.chars().count() <= 160 + 64, "{line}");
+            assert!(line.chars().count() <= 200 + 64, "{line}");
         }
     }
     // A file that says nothing of itself.
