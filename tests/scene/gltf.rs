@@ -144,6 +144,10 @@ fn what_is_not_planned_is_said() {
     let (scene, notes) = with(0.0, glass);
     assert_eq!(scene.materials[0].kind, Kind::Glass);
     assert!(notes.iter().any(|note| note.contains("specular of glass")), "{notes:?}");
+    let mut neutral = json!({ "KHR_materials_specular": {} });
+    neutral["KHR_materials_transmission"] = json!({ "transmissionFactor": 1 });
+    neutral["KHR_materials_volume"] = json!({ "thicknessFactor": 1 });
+    assert!(with(0.0, neutral).1.is_empty(), "a specular of nothing but defaults");
     let coat = json!({ "KHR_materials_clearcoat": { "clearcoatFactor": 1 } });
     let coats = |metalness| with(metalness, coat.clone()).1.into_iter().filter(|n| n.contains("clear coat"));
     let [over_both, over_metal] = [0.5, 1.0].map(|metalness| coats(metalness).collect::<Vec<_>>());

@@ -123,7 +123,7 @@ fn coats_have_their_roughness_and_index() {
     assert_eq!(of("gltf_pbr", &mixed), Some([[0.3; 2], [1.5; 2]]));
     assert_eq!(of("UsdPreviewSurface", &[("clearcoat", "1")]), Some([[0.01; 2], [1.5; 2]]));
     assert_eq!(of("UsdPreviewSurface", &[("clearcoat", "1"), ("ior", "1.8")]), Some([[0.01; 2], [1.8; 2]]));
-    for (ior, end) in [("4", 3.0), ("0.5", 1.0)] {
+    for (ior, end) in [("4", 3.0), ("0.5", 2.0)] {
         let coat = of("open_pbr_surface", &[("coat_weight", "1"), ("coat_ior", ior)]);
         assert_eq!(coat, Some([[0.0; 2], [end; 2]]));
     }

@@ -277,6 +277,30 @@ fn shared_images_in_the_text_are_decoded_once() {
     }
 }
 
+/// Small files of large images: the fifth of 8192 x 8192 texels is not decoded, though each view of the one
+/// buffer has all the bytes behind its image.
+#[test]
+fn texels_are_counted_against_bytes_that_count_once() {
+    const SIDE: u32 = 8192;
+    let texels = vec![255; (SIDE / 8 * SIDE) as usize];
+    let image = png([SIDE; 2], png::ColorType::Grayscale, png::BitDepth::One, &texels);
+    let all = [image.repeat(6), vec![0; 400_000]].concat();
+    let view = |i: usize| json!({ "buffer": 0, "byteOffset": i * image.len(), "byteLength": all.len() - i * image.len() });
+    let material = |i: usize| json!({ "name": format!("m{i}"), "pbrMetallicRoughness": { "metallicFactor": 0, "metallicRoughnessTexture": { "index": i } } });
+    let each = |one: &dyn Fn(usize) -> Value| (0..6).map(one).collect::<Vec<Value>>();
+    let file = json!({
+        "asset": { "version": "2.0" }, "materials": each(&material), "textures": each(&|i| json!({ "source": i })),
+        "images": each(&|i| json!({ "bufferView": i })), "bufferViews": each(&view),
+        "buffers": [{ "uri": "b.bin", "byteLength": all.len() }]
+    });
+    let (materials, notes) =
+        read(Format::Gltf, file.to_string().as_bytes(), &held("b.bin", all.clone()), 0.0);
+    let ranges: Vec<[f64; 2]> = materials.iter().map(|material| material.roughness).collect();
+    assert_eq!(ranges[..4], [[1.0; 2]; 4], "{notes:?}");
+    assert_eq!(ranges[5], [0.0, 1.0], "{notes:?}");
+    assert!(notes.iter().any(|note| note.contains("beyond the 268435456 texels")), "{notes:?}");
+}
+
 /// A frame that a comment holds is none, also behind fill bytes: 6000 x 6000 texels of a progressive JPEG
 /// are more than it may take.
 #[test]

@@ -25,10 +25,10 @@ pub const XML_ATTRIBUTES: usize = 256;
 pub const XML_NAMESPACES: usize = 64;
 /// Most texels of an image.
 pub const TEXELS: u64 = 1 << 26;
-/// Most texels of all images of a scene: these,
-pub const ALL_TEXELS: u64 = 1 << 29;
-/// and so many for each of their bytes, more than pictures have. A small file of large images of one colour
-/// takes no more time than other files do.
+/// Most texels of all images of a scene, beside those that their bytes allow.
+pub const ALL_TEXELS: u64 = 1 << 28;
+/// Texels that each byte of images allows: more than pictures have, so that a small file of large images of
+/// one colour takes no more time than a large one.
 pub const TEXELS_OF_BYTE: u64 = 64;
 /// Most bytes that a decoder may take for one image.
 pub const DECODED_BYTES: u64 = 256 << 20;

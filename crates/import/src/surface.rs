@@ -109,13 +109,17 @@ impl Surface {
             }
             let coat = json!({ "roughness": span(roughness), "ior": span(range) });
             let has_base = |part: &&mut Part| part.fields.iter().any(|(name, _)| *name == "base");
-            let has_metal = parts.iter().any(|part| part.kind == "metal");
+            let bare =
+                ["metal", "glass"].into_iter().filter(|kind| parts.iter().any(|part| part.kind == *kind));
+            let bare: Vec<&str> = bare.collect();
             match parts.iter_mut().find(has_base) {
                 Some(part) => {
                     part.fields.push(("coat", coat));
                     said.missing(COAT);
-                    if has_metal {
-                        said.missing("clear coat over its share of metal: this version has none, and the metal is planned bare");
+                    for kind in bare {
+                        said.missing(format!(
+                            "clear coat over its share of {kind}: this version has none, and the {kind} is planned bare"
+                        ));
                     }
                 }
                 None => said.missing("clear coat over no diffuse base, a metal or glass: this version has none, and the whole coat is left out"),

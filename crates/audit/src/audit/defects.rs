@@ -184,7 +184,7 @@ impl Grain {
         Grain { step, scale: table.scale, samples: fixed.samples }
     }
 
-    /// Root mean square of the error that rounding makes at some values: a third of the square of half a step.
+    /// Root mean square of the error that rounding makes at some values: of half a step over the root of 3.
     pub(super) fn rms(self, values: impl Iterator<Item = f64>) -> f64 {
         rms(values.map(|x| self.rounding(x))) / 3.0_f64.sqrt()
     }
@@ -295,6 +295,7 @@ pub(super) fn is_of_rounding(noise: f64, r: &Residuals, texels: &[usize], grain:
     noise <= NOISE_OF_ROUNDING * rounding(r, texels, grain)
 }
 
+/// The same at some texels.
 fn rounding(r: &Residuals, texels: &[usize], grain: Grain) -> f64 {
     grain.rms(texels.iter().map(|i| r.values[*i]))
 }

@@ -36,7 +36,9 @@ pub(super) fn copies(r: &Residuals, grain: Grain) -> Option<Defect> {
             let is_seen = off.iter().any(|i| r.errors[*i].abs() > least.max(grain.leaves(r, *i)));
             // Lines that a clamp makes one have the errors of the one.
             let beyond = |list: &[usize]| without(r.rms(list), grain.rms(list.iter().map(|i| r.values[*i])));
-            let stands_out = beyond(&off) > APART * beyond(&others).max(beyond(&lines[own])) && is_seen;
+            let rounding = grain.rms(off.iter().map(|i| r.values[*i]));
+            let usual = (APART * beyond(&others).max(beyond(&lines[own]))).max(rounding);
+            let stands_out = beyond(&off) > usual && is_seen;
             let rest = r.rms(&others);
             stands_out.then(|| of_extent(r, Extent::of(r.sample, &off), &off, rest))
         })

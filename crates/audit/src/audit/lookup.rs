@@ -104,16 +104,17 @@ impl<'a> Points<'a> {
         size: &[usize],
     ) -> Result<Points<'a>, AuditError> {
         let axes = &convention.axes;
-        let n = PLACES[axes.len() - 1];
-        // Evenly spaced places among as many centres are these centres.
-        let meets = |(axis, m): (&AxisReading, &usize)| {
-            axis.registration == Registration::Centre && m.trailing_zeros() == n.trailing_zeros()
+        let is_solid = axes.len() == 3;
+        // Of n even places some are centres of m texels if both have as many factors of 2: all of 16 in 16.
+        let meets = |n: &usize| {
+            let centred = axes.iter().zip(size).filter(|(axis, _)| axis.registration == Registration::Centre);
+            centred.map(|(_, m)| m.trailing_zeros()).any(|twos| is_solid && twos == n.trailing_zeros())
         };
-        let n = n + usize::from(axes.iter().zip(size).any(meets));
+        let least = PLACES[axes.len() - 1];
+        let n = (least..).find(|n| !meets(n)).unwrap_or(least);
         let even: Vec<f64> = (0..n).map(|k| (k as f64 + 0.5) / n as f64).collect();
         let of = |coordinates| Grid::new(truth, convention, lobe, coordinates);
         let grid = of(vec![even; axes.len()])?;
-        let is_solid = axes.len() == 3;
         let mut others = vec![of(vec![edges(usize::from(is_solid)); axes.len()])?];
         if is_solid {
             others.push(of(axes.iter().zip(size).map(|(axis, n)| midway(axis, *n)).collect())?);

@@ -194,6 +194,13 @@ pub fn audit(
     }
     scan::through(&truth, &case, &mut done)?;
     done.published = published::named(&table, &done);
+    if done.published.is_none()
+        && fixed.axes.is_none()
+        && let Some(meant) = published::meant(&table, quantity.name())
+    {
+        let meant = Fixed { axes: Some(meant), ..fixed.clone() };
+        return Ok(Audit { fixed: done.fixed, ..audit(audited, quantity, &meant, progress)? });
+    }
     if let Some(known) = done.published.as_ref().filter(|_| done.fit == Fit::None && fixed.form.is_none()) {
         let of = |form| {
             let fixed = Fixed { form: Some(form), ..fixed.clone() };
@@ -342,7 +349,10 @@ fn finish(
     let enlarged = Enlarged::of(table, live);
     let factors = factor::of_some(case, (&sample, &judgement), &convention);
     let flips = flipped::of_some(case, (&sample, &judgement), &convention);
-    let lobes = two_lobes::of_some(truth, case, (&sample, &judgement), best)?;
+    let lobes = match (&two_lobes, &enlarged) {
+        (None, None) => two_lobes::of_some(truth, case, (&sample, &judgement), best)?,
+        _ => vec![None; table.channels.len()],
+    };
     let alone =
         factors.into_iter().zip(flips).zip(lobes).map(|((factor, flip), lobe)| factor.or(flip).or(lobe));
     let mut alone: Vec<Option<Defect>> = alone.collect();

@@ -1,8 +1,8 @@
 //! The plain reading of a table, without a word about it: it takes texels for centres (or for end
 //! points, where they lie about those), axes for rising ones, a roughness for a roughness, an average
-//! for an average, the cosine for what runs along x and the index for what slices are of, and the lobe for the one that the quantity's name
-//! stands for. A table that is right only under another reading is wrong as it will be used, unless the
-//! user says that it is meant so.
+//! for an average, the cosine for what runs along x of two axes, the index along z of three, and the lobe
+//! for the one that the quantity's name stands for. A table that is right only under another reading is
+//! wrong as it will be used, unless the user says that it is meant so.
 
 use super::AuditError;
 use super::arguments::is_gloss;

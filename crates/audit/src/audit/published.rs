@@ -1,6 +1,8 @@
 //! Published fits by name: a function with the values of a published formula is that formula,
 //! whoever ships it.
 
+use super::arguments::role;
+use super::axis::{AxisReading, Registration, Scale};
 use super::column::{Base, Column};
 use super::lobe::Form;
 use super::table::{AuditedTable, Source, place};
@@ -35,17 +37,40 @@ const STRIDE: usize = 7;
 /// The published formula that a function is; none of a table, or of what is published by nobody that is
 /// known here.
 pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<Published> {
+    of_axes(table, done.quantity, &done.best().axes)
+}
+
+/// The inputs that arguments are given whose names say nothing, under which a function is a published
+/// formula: roughness or alpha, rising or falling, before mu or behind it.
+pub(super) fn meant(table: &AuditedTable, quantity: &str) -> Option<Vec<(Scale, bool)>> {
+    if table.size.len() != 2 {
+        return None;
+    }
+    let is_open = |(name, (scale, _)): (&String, &(Scale, bool))| {
+        role(name).is_none_or(|said| said == Input::Mu && *scale == Scale::Mu)
+    };
+    let readings = [Scale::Roughness, Scale::Alpha].into_iter().flat_map(|scale| {
+        let rough = [false, true].map(|falls| (scale, falls));
+        rough.into_iter().flat_map(|rough| [vec![rough, (Scale::Mu, false)], vec![(Scale::Mu, false), rough]])
+    });
+    readings.filter(|meant| table.axes.iter().zip(meant).all(is_open)).find(|meant| {
+        let axes = meant.iter().map(|(scale, falls)| AxisReading::new(*scale, Registration::Centre, *falls));
+        of_axes(table, quantity, &axes.collect::<Vec<_>>()).is_some()
+    })
+}
+
+fn of_axes(table: &AuditedTable, quantity: &str, axes: &[AxisReading]) -> Option<Published> {
     if table.source != Source::Function {
         return None;
     }
-    let known: Vec<&Entry> = match done.quantity {
+    let known: Vec<&Entry> = match quantity {
         "ggx-reflection" => reflection::PUBLISHED_BLENDS.iter().chain(&reflection::PUBLISHED).collect(),
         "ggx-average" => reflection::PUBLISHED_AVERAGES.iter().collect(),
         "sheen-charlie" => sheen::PUBLISHED.iter().collect(),
         "eon-single" => eon::PUBLISHED.iter().collect(),
         _ => Vec::new(),
     };
-    let points = points(table, done);
+    let points = points(table, axes);
     let entry = known.into_iter().find(|entry| is_same(entry, table, &points))?;
     let (name, publication) = (entry.name(), entry.publication?);
     let made_for = MADE_FOR.iter().find(|(known, _)| *known == name);
@@ -68,11 +93,11 @@ pub(super) fn held(
 }
 
 /// Places of the points that are compared, with alpha and mu there; mu of an average is 1.
-fn points(table: &AuditedTable, done: &Audit) -> Vec<(usize, [f64; 2])> {
+fn points(table: &AuditedTable, axes: &[AxisReading]) -> Vec<(usize, [f64; 2])> {
     let count: usize = table.size.iter().product();
     let at = |i: usize| {
         let mut inputs = [1.0; 2];
-        for ((axis, k), n) in done.best().axes.iter().zip(place(i, &table.size)).zip(&table.size) {
+        for ((axis, k), n) in axes.iter().zip(place(i, &table.size)).zip(&table.size) {
             match axis.scale.input() {
                 Input::Alpha => inputs[0] = axis.node(k, *n),
                 Input::Mu => inputs[1] = axis.node(k, *n),

@@ -1,5 +1,5 @@
-//! A table of which a part, or a channel, was made with the other shadowing form: stale since the code
-//! around it changed. Of parts no single convention fits it, and those that do best are compromises; the right one is
+//! A table of which a part, or a channel, was made with the other shadowing form: stale since the code around
+//! it changed. No single convention fits it, and those that do best are compromises; the right one is
 //! that under which each texel is of one lobe or of the other.
 
 use rayon::prelude::*;
@@ -134,7 +134,8 @@ pub(super) fn of_some(
         let other = judge(truth, sample, &best.axes, lobe, Truth::exact)?;
         for ((k, own), _) in judged.iter().zip(&is_off).filter(|(_, off)| **off) {
             let under = Residuals::new(sample, &other, own.column, own.values);
-            if found[*k].is_none() && BETTER * off(*k, &under) <= off(*k, own) {
+            let is_judged = under.judged.len() == own.judged.len();
+            if found[*k].is_none() && is_judged && BETTER * off(*k, &under) <= off(*k, own) {
                 let (worst, lobe) = (own.worst(), truth.lobes[lobe]);
                 let (most, texel) = (own.errors[worst].abs(), own.texel(worst));
                 found[*k] = Some(Defect::ChannelLobe { lobe, column: own.column, most, texel });
@@ -193,7 +194,7 @@ impl Parts {
     }
 
     /// Whether they leave clearly less than the `best` with one lobe, and little; `slack` times as much
-    /// where they are judged quickly.
+    /// where they are judged quickly. Where rounding explains both, the texels that tell lobes apart decide.
     fn explain(&self, slack: f64, best: f64) -> bool {
         let left = self.left();
         left * BETTER <= slack * best && left <= slack * FITS * self.spread

@@ -65,7 +65,7 @@ Exit codes:
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them, where it claims something: the verdict says what its axes cover
 beyond. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall or are
-transposed (the cosine along y, the index not along z), powers of roughness, B before A, E at normal incidence for an average, and another shadowing than the
+transposed (the cosine along y of two axes, an index not along z of three), powers of roughness, B before A, E at normal incidence for an average, and another shadowing than the
 quantity's own are over it unless options say that they are meant.";
 
 /// Measure a table or shader function that somebody ships against the truth

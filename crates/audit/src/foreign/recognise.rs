@@ -55,7 +55,8 @@ pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreign
         let message = format!("its layers have no names: give the number of a slice, from 0, not {layer}");
         ForeignError::new(file, message)
     })?;
-    shape::slices(file, whole(bytes, file, &Hints { layer: None, ..hints.clone() })?, index)
+    let layer = hints.layer.clone().filter(|_| !bytes.starts_with(EXR_MAGIC));
+    shape::slices(file, whole(bytes, file, &Hints { layer, ..hints.clone() })?, index)
 }
 
 /// The tables with all of their slices.
@@ -73,7 +74,7 @@ fn reader(bytes: &[u8], file: &str, hints: &Hints) -> Result<Reader, ForeignErro
     if let Some((_, known)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return known.map_err(|(what, advice)| ForeignError::unsupported(file, Spot::Byte(0), what, advice));
     }
-    let extension = file.rsplit_once('.').map_or(String::new(), |(_, e)| e.to_ascii_lowercase());
+    let extension = extension(file);
     let unknown = |message: String| Err(ForeignError::new(file, message));
     match extension.as_str() {
         "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(raw),
@@ -96,20 +97,26 @@ fn reader(bytes: &[u8], file: &str, hints: &Hints) -> Result<Reader, ForeignErro
     }
 }
 
+/// The extension of a file's name, in small letters; nothing where it has none.
+fn extension(file: &str) -> String {
+    file.rsplit_once('.').map_or(String::new(), |(_, extension)| extension.to_ascii_lowercase())
+}
+
 /// Largest bits of a half up to 2, and numbers that tell singles from pairs of them.
 const TWO: u16 = 0x4000;
 const TELLING: usize = 16;
 
-/// Whether numbers may be pairs of halves of 0 to 2 as well as singles, whose low bits are any.
+/// Whether singles may be pairs of halves of 0 to 2 as well: low bits of singles are any.
 fn may_be_halves(bytes: &[u8]) -> bool {
-    let low = || bytes.chunks_exact(4).map(|four| u16::from_le_bytes([four[0], four[1]]));
-    low().len() >= TELLING && low().all(|half| half <= TWO) && low().any(|half| half > 0)
+    let halves = || bytes.chunks_exact(2).map(|two| u16::from_le_bytes([two[0], two[1]]));
+    let low = || halves().step_by(2);
+    low().len() >= TELLING && halves().all(|half| half <= TWO) && low().any(|half| half > 0)
 }
 
 /// The table of little-endian numbers without a header: of the format that the caller states, else of that
 /// in the file's name, else singles.
 fn raw(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
-    let named = || match file.rsplit_once('.')?.1 {
+    let named = || match extension(file).as_str() {
         "f16" => Some(RawFormat::F16),
         "f32" => Some(RawFormat::F32),
         "f64" => Some(RawFormat::F64),

@@ -263,8 +263,8 @@ fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usiz
 pub(super) type Grouped = (Option<(Vec<usize>, usize)>, Option<usize>);
 
 /// What the extents of nested lists, outermost first, say: the innermost is that of channels if it
-/// is a vector's, if it is at most four and the next is longer and at least four, or if there are four; a plain list
-/// says nothing, a list of texels only their channels.
+/// is a vector's, if it is at most four and the next is longer and at least four, or if there are
+/// four; a plain list says nothing, a list of texels only their channels.
 pub(super) fn grouped(extents: &[usize], vectors: bool) -> Result<Grouped, String> {
     let small = matches!(extents, [.., next, last] if *last <= 4 && *next >= 4 && next > last);
     let (size, channels) = match extents {

@@ -368,6 +368,11 @@ fn arrays_of_numpy_state_what_is_not_read() {
     let table = one(&planar, "t.npy", &Hints::default());
     assert_eq!((table.size.as_slice(), table.channels.len()), (&[5, 6][..], 2));
     assert_eq!([0, 1].map(|c: usize| table.channels[c].values[7]), [value(7, 0), value(37, 0)]);
+    let slice = Hints { layer: Some("1".into()), ..Hints::default() };
+    let table = one(&planar, "t.npy", &slice);
+    assert_eq!((table.size.as_slice(), table.channels[0].values[7]), (&[5, 6][..], value(37, 0)));
+    let stated = Hints { channels: Some(2), format: Some(RawFormat::F64), ..Hints::default() };
+    assert_eq!(one(&planar, "t.npy", &stated).channels.len(), 2);
     let small = npy(&dictionary("<f8", "False", "(4, 4, 2)"), &data);
     let table = one(&small, "t.npy", &Hints::default());
     assert_eq!((table.size.as_slice(), table.channels[1].values[1]), (&[4, 4][..], value(3, 0)));

@@ -95,6 +95,10 @@ fn reflectance(ior: f64, with: &Extensions, look: &mut Look) -> Result<Option<Re
     if specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some() {
         look.said.reading(F0_TEXTURE);
     }
+    let is_textured = specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some();
+    if !is_textured && least == 1.0 && colour == [1.0; 3] {
+        return Ok(Some(Reflectance::Ior(ior)));
+    }
     Ok(Some(Reflectance::F0(colour.map(|c| (f0_of(ior) * c).min(1.0) * factor))))
 }
 
@@ -183,7 +187,7 @@ fn layers(with: &Extensions, surface: &mut Surface, look: &mut Look) -> Result<(
 
 /// What is said of an f0 with a texture, of F90, and of a film.
 const F0_TEXTURE: &str = "its f0 has a texture: the error of its base's share holds at the largest f0, and `any_f0` of the manifest at every one";
-const F90: &str = "specular factor below 1: it scales F90 too, which is 1 in this version: its lobe is planned too bright at grazing view, and its base too dark there";
+pub(crate) const F90: &str = "specular factor below 1: it scales F90 too, which is 1 in this version: its lobe is planned too bright at grazing view, and its base too dark there";
 pub(crate) const FILM: &str = "iridescence: its film changes f0 with the angle, and what is promised for an f0 is void there: this version has no film";
 
 /// A look at a material: its textures, and what is said of it.

@@ -51,7 +51,8 @@ pub(crate) fn read(
             AnyVersion::Text(text) => text,
             AnyVersion::Number(number) => number.to_string(),
         });
-        let other = stated.and_then(|stated| version(&stated).err());
+        let other =
+            stated.filter(|stated| !stated.starts_with('2')).and_then(|stated| version(&stated).err());
         other.map_or(error, |(path, message)| whole(&path, message))
     })?;
     version(&document.asset.version).map_err(|(path, message)| whole(&path, message))?;

@@ -4,7 +4,7 @@ use lobefit_strict::SceneError;
 use lobefit_strict::number::{Interval, NotNegative, Unit};
 
 use super::inputs::Inputs;
-use crate::gltf::material::{FILM, widths};
+use crate::gltf::material::{F90, FILM, widths};
 use crate::limits::GLASS_IOR;
 use crate::note::Said;
 use crate::surface::{Reflectance, Shape, Surface, f0_of};
@@ -27,7 +27,8 @@ const BLACK: [f64; 3] = [0.0; 3];
 const HIGHEST: f64 = 1e30;
 
 lobefit_strict::intervals! {
-    /// Index of refraction; an infinite one, as glTF has it, is none of MaterialX.
+    /// Index of refraction that is not below 1, of which [`Inputs::ior`] takes care; an infinite one, as glTF
+    /// has it, is none of MaterialX.
     Index = 1.0, HIGHEST, false, "[0, 1e30]";
     /// What is added to a roughness.
     Signed = -1.0, 1.0, false, "[-1, 1]";
@@ -71,7 +72,7 @@ impl Inputs<'_, '_, '_, '_, '_> {
         if !self.has(weight)? {
             return Ok(None);
         }
-        let ior = name.map_or(Ok([ior; 2]), |name| self.number::<NotNegative>(name, ior, GLASS_IOR))?;
+        let ior = name.map_or(Ok([ior; 2]), |name| self.ior(name, ior))?;
         Ok(Some([self.unit(roughness, default)?, ior]))
     }
 
@@ -207,7 +208,10 @@ fn gltf(of: &mut Inputs) -> Result<Surface, SceneError> {
     let colour = of.colour("base_color", WHITE)?;
     let metalness = of.unit("metallic", 1.0)?;
     let roughness = of.unit("roughness", 1.0)?;
-    let specular = of.unit("specular", 1.0)?[1];
+    let specular = of.unit("specular", 1.0)?;
+    if specular[1] > 0.0 && specular[0] < 1.0 {
+        of.said.missing(F90);
+    }
     let tint = of.colour("specular_color", WHITE)?;
     let ior = of.ior("ior", 1.5)?;
     let strength = of.unit("anisotropy_strength", 0.0)?;
@@ -222,7 +226,10 @@ fn gltf(of: &mut Inputs) -> Result<Surface, SceneError> {
         albedo: colour,
         base_roughness: [0.0; 2],
         shape: shape(of, roughness, strength, "anisotropy_strength", widths),
-        reflectance: Some(reflectance(ior, specular, tint).unwrap_or(Reflectance::F0(BLACK))),
+        reflectance: match specular[1] {
+            0.0 => None,
+            weight => Some(reflectance(ior, weight, tint).unwrap_or(Reflectance::F0(BLACK))),
+        },
         transmission: of.unit("transmission", 0.0)?,
         is_solid: of.has("thickness")?,
         refracted: roughness,

@@ -30,7 +30,27 @@ pub struct Textures<'a> {
     files: &'a dyn Files,
     quantile: f64,
     texels_left: u64,
+    /// The bytes that texels were counted for, by their file.
+    counted: BTreeMap<String, Spans>,
     known: BTreeMap<Place, Outcome>,
+}
+
+/// Spans of bytes, none of which touches another: ends by beginnings.
+#[derive(Default)]
+struct Spans(BTreeMap<u64, u64>);
+
+impl Spans {
+    /// Adds a span, and how many of its bytes were in none before.
+    fn add(&mut self, [mut first, mut end]: [u64; 2]) -> u64 {
+        let mut new = end - first;
+        while let Some((&from, &to)) = self.0.range(..=end).next_back().filter(|(_, to)| **to >= first) {
+            new -= to.min(end).saturating_sub(from.max(first)).min(new);
+            (first, end) = (first.min(from), end.max(to));
+            self.0.remove(&from);
+        }
+        self.0.insert(first, end);
+        new
+    }
 }
 
 /// Where an image is.
@@ -61,7 +81,13 @@ pub(crate) type Outcome = Result<[Extremes; 4], String>;
 impl<'a> Textures<'a> {
     /// Textures whose values are taken without a share of `quantile`, in [0, 0.5), at each end.
     pub fn new(files: &'a dyn Files, quantile: f64) -> Textures<'a> {
-        Textures { files, quantile, texels_left: limits::ALL_TEXELS, known: BTreeMap::new() }
+        Textures {
+            files,
+            quantile,
+            texels_left: limits::ALL_TEXELS,
+            counted: BTreeMap::new(),
+            known: BTreeMap::new(),
+        }
     }
 
     /// The extremes of an image, whose bytes `inline` gives where they are in the scene's text.
@@ -95,13 +121,25 @@ impl<'a> Textures<'a> {
             Place::Beside(path, part) => self.files.beside(path, *part)?,
             Place::Inline(_) | Place::Buffer(..) => inline()?,
         };
-        let left = self.texels_left + limits::TEXELS_OF_BYTE * bytes.len() as u64;
+        // Views of one file may overlap: each of its bytes counts once.
+        let length = bytes.len() as u64;
+        let (file, at) = match place {
+            Place::Own([at, _]) => (String::new(), *at),
+            Place::Beside(path, part) => (path.clone(), part.map_or(0, |[at, _]| at)),
+            Place::Inline(image) => (format!("image:{image}"), 0),
+            Place::Buffer(buffer, [at, _]) => (format!("buffer:{buffer}"), *at as u64),
+        };
+        let new = self.counted.entry(file).or_default().add([at, at.saturating_add(length)]);
+        let left = self.texels_left.saturating_add(limits::TEXELS_OF_BYTE * new);
         match decode::decode(&bytes, left)? {
             Decoded::Texels(texels) => {
                 self.texels_left = left - texels.count();
                 Ok(Ok(texels.extremes(self.quantile)))
             }
-            Decoded::Not(why) => Ok(Err(why)),
+            Decoded::Not(why) => {
+                self.texels_left = left;
+                Ok(Err(why))
+            }
         }
     }
 

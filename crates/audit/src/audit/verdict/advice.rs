@@ -139,7 +139,7 @@ pub(super) fn mending(defect: &Defect, axes: &[String], source: Source) -> Optio
         }
         Defect::ChannelLobe { lobe, column, .. } => {
             return Some(format!(
-                "make {} again with the shadowing of the others, or if the shader has {}, the others with that",
+                "make {} again with the shadowing of the others, or if the shader has {}, make the others again",
                 column.name(),
                 lobe.words()
             ));

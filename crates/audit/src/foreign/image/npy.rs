@@ -7,8 +7,8 @@ use crate::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Spot};
 /// Bytes before the length of the dictionary.
 const PREFIX: u64 = 8;
 
-/// The table of an array: its last index is x, or the channel where it is short; a short first index is the
-/// channel too.
+/// The table of an array: its last index is x, or the channel where it is short; a first index of two
+/// or three is the channel too, unless one of these is asked for as a slice.
 pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     let source = Source { bytes, file };
     let (start, text) = dictionary(source)?;
@@ -38,7 +38,9 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     contradicted(source, &shape, size.as_ref(), hints)?;
     let list = Values::numbers(format!("NPY, {}", format.name()), format, &bytes[start..]);
     let values = if is_of_columns { in_rows(&list.values, &shape) } else { list.values };
-    let list = match planes(size.as_ref()).filter(|_| *hints == Hints::default()) {
+    let is_open = hints.size.is_none() && hints.layer.is_none();
+    let meant = |(_, planes): &(Vec<usize>, usize)| is_open && hints.channels.is_none_or(|n| n == *planes);
+    let list = match planes(size.as_ref()).filter(meant) {
         Some((size, channels)) => Values {
             values: together(&values, channels),
             size: Some((size, channels)),

@@ -162,6 +162,20 @@ fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
     }
 }
 
+/// With arguments whose names say nothing its albedo passed as that of separable Smith over alpha.
+#[test]
+fn a_published_fit_is_named_whatever_its_arguments_are_called() {
+    for [rough, cosine] in [["r", "nov"], ["x", "y"]] {
+        let text = karis("float karis(", "ab.x + ab.y").replace("roughness", "rough");
+        let text = text.replace("float4 r =", "float4 q =").replace("r.", "q.").replace("nov", cosine);
+        let function = table(&text.replace("rough", rough), "f.hlsl", "karis", &[]);
+        let found = audit(&function, of("ggx-reflection"), &Fixed::default(), &|_| ()).unwrap();
+        assert_eq!(found.published.as_ref().map(|known| known.name), Some("ggx_blend_karis"), "{rough}");
+        assert!(!found.fixed && found.best().axes[0].scale == Scale::Roughness, "{:?}", found.best());
+        says(&found.verdict(None), "FAIL", &["is `ggx_blend_karis`, no approximation"]);
+    }
+}
+
 /// At an f0 of 1 it has f0 A + B, the albedo, and no A, however near that is to it in a domain.
 #[test]
 fn a_function_of_f0_has_an_albedo_at_one() {
