@@ -10,7 +10,7 @@ use serde::de::IgnoredAny;
 use super::calls::{MARK, cosines, table};
 use super::check::{FILE_BYTES, for_shaders};
 use super::options::{PagesOption, SceneOption, ThreadsOption, effect, shard};
-use super::output::{Outcome, files, print, say, say_broken};
+use super::output::{Outcome, files, print, say, say_broken, say_each};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
@@ -84,6 +84,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let folder = if options.shard.is_some() { Folder::open_flat(out)? } else { Folder::open(out)? };
     if !quiet {
         input::say_notes(&input.scene.notes);
+        let doubted = plan.effects.iter().flat_map(|called| &called.jobs).filter(|job| job.doubt.is_some());
+        say_each("note", &doubted.map(|job| format!("{}: {}", job.name, job.said())).collect::<Vec<_>>());
     }
     let progress = Bar::new(quiet, (&input.scene, &plan), 0);
     let cache = if options.no_cache { None } else { Cache::of_user() };

@@ -117,7 +117,7 @@ fn effect_text(effect: &Called) -> String {
             out,
             "  {}: {}; {over}{}; {}; about {:.1} s",
             job.name,
-            job.approximation,
+            job.said(),
             job.limit(),
             bytes(job.bytes, job.bytes_at_most),
             job.seconds

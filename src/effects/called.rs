@@ -20,6 +20,9 @@ pub struct JobSummary {
     pub name: String,
     /// What it is, in words.
     pub approximation: String,
+    /// What speaks against its goals being kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<String>,
     /// Domain by input.
     pub ranges: Ranges,
     /// Bytes of texels; the most that there can be where `bytes_at_most`.
@@ -117,12 +120,18 @@ impl JobSummary {
         if let (Some(cheapest), Some(most)) = (cheapest, max_ops)
             && cheapest > most
         {
-            self.approximation += &format!(
-                "; no formula has so few, and `bake` fails: the cheapest takes {}",
+            self.doubt = Some(format!(
+                "no formula has so few, and `bake` fails: the cheapest takes {}",
                 words::operations(cheapest)
-            );
+            ));
         }
         self
+    }
+
+    /// What it is, with the doubt.
+    pub fn said(&self) -> String {
+        let doubt = self.doubt.as_ref().map_or_else(String::new, |doubt| format!("; {doubt}"));
+        format!("{}{doubt}", self.approximation)
     }
 }
 

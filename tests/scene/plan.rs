@@ -183,7 +183,7 @@ fn a_fit_alone_plans_no_table_and_a_table_alone_no_fit() {
 fn a_plan_says_what_no_formula_keeps() {
     let said = |want: &str| {
         let plan = plan(&metals(&[("m", "[0.05,1]", &format!(r#"{{"fit":{{{want}}}}}"#))]));
-        plan.effects[0].jobs[0].approximation.clone()
+        plan.effects[0].jobs[0].said()
     };
     let none = said(r#""max_ops":3"#);
     assert!(
@@ -199,7 +199,7 @@ fn a_plan_says_what_no_formula_keeps() {
     );
     let grazing = metals(&[("m", "[0.05,1]", r#"{"fit":{"max_ops":8,"max_error":0.01}}"#)]);
     let grazing = plan(&Scene { mu: [0.001, 1.0], ..grazing });
-    let unknown = &grazing.effects[0].jobs[0].approximation;
+    let unknown = grazing.effects[0].jobs[0].said();
     assert!(unknown.ends_with("up to 8 operations, max"), "{unknown}");
     let kept = said(r#""max_ops":18,"max_error":0.01"#);
     assert!(kept.ends_with("up to 18 operations, max"), "{kept}");

@@ -247,9 +247,8 @@ impl Reflection {
         if !wants.hypotheses.is_empty() {
             return summary;
         }
-        let doubt = self.doubt(scene, job).unwrap_or_default();
         let summary = summary.doubting(job, Formulas::of(self.normalisations));
-        JobSummary { approximation: summary.approximation + &doubt, ..summary }
+        JobSummary { doubt: summary.doubt.or_else(|| self.doubt(scene, job)), ..summary }
     }
 
     /// What the errors [`REACHED`] say against the goals of a job of normalisations in their domain: what is
@@ -272,7 +271,7 @@ impl Reflection {
             |(ops, error)| format!(", {} reach {error}", call.ops(*ops)),
         );
         Some(format!(
-            "; max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
+            "max_error {limit} is doubtful: over roughness 0.02 to 1, {} operations reach {least}{instead}",
             call.ops(*ops)
         ))
     }

@@ -50,7 +50,7 @@ fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Sur
     let colour = look.colour(rgba(&of.base_color_factor), &of.base_color_texture)?;
     if metalness[0] < 1.0 && metalness[1] > 0.0 {
         look.said.reading(
-            "metalness between 0 and 1: mix f0 as glTF does and give it to the compensation that the metal calls, whose relative error holds at every f0",
+            "metalness between 0 and 1: mix f0 as glTF does and give it to the compensation that the metal calls, whose relative error holds at every f0; the coupling of the base takes that of the dielectric",
         );
     }
     let ior = with.ior.0.as_ref().map_or(IOR, |own| number(&own.ior, IOR));

@@ -90,7 +90,7 @@ pub enum IntegrateError {
     },
     /// Monte Carlo of a quantity that has none.
     #[error(
-        "{quantity} is a minimum and not an integral: it has no second opinion by Monte Carlo; leave out --method monte-carlo"
+        "{quantity} is solved for, and no integral: it has no second opinion by Monte Carlo; leave out --method monte-carlo"
     )]
     NoSecondOpinion {
         /// Quantity asked for.
