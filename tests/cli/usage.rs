@@ -272,12 +272,14 @@ fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_t
 #[test]
 fn a_bake_says_first_what_it_will_not_keep() {
     let folder = tempfile::tempdir().unwrap();
-    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":0.9,"roughness":[0.05,1],
+    let scene =
+        br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":0.9,"roughness":[0.05,1],
         "wants":{"fit":{"max_ops":3}}}]}"#;
     let output = lobefit(folder.path(), &["bake", "-", "--no-cache"], scene);
     assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     let said = stderr(&output);
-    let [note, work] = ["note: normalisation: ", "promise not kept"].map(|words| said.find(words).expect(words));
+    let [note, work] =
+        ["note: normalisation: ", "promise not kept"].map(|words| said.find(words).expect(words));
     assert!(note < work && said.contains("and `bake` fails: the cheapest takes 5 operations"), "{said}");
 }
 
