@@ -27,7 +27,7 @@ fn odd(size: &[usize], step: Step) -> AuditedTable {
     }
 }
 
-/// A file that follows nothing is the dearest, for everything is tried on it: five encodings,
+/// A file that follows nothing is the dearest, for everything is tried on it: six encodings,
 /// other quantities, each channel. One truth serves all of these, and what loses is judged at few texels.
 #[test]
 fn a_file_of_nothing_stays_within_a_budget() {
@@ -42,6 +42,6 @@ fn a_file_of_nothing_stays_within_a_budget() {
     let axes = Some(vec![(Scale::Mu, false), (Scale::Roughness, false), (Scale::IorUnit, false)]);
     let solid = spent(&odd(&[24, 24, 24], Step::None), "ggx-glass", &Fixed { axes, ..Fixed::default() });
     println!("{picture:?} {solid:?}");
-    assert!(picture[0] < 12_000 && picture[1] < 210_000_000, "{picture:?}");
+    assert!(picture[0] < 12_000 && picture[1] < 240_000_000, "{picture:?}");
     assert!(solid[0] < 140_000 && solid[1] < 20_000_000, "{solid:?}");
 }
