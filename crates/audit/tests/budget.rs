@@ -43,5 +43,5 @@ fn a_file_of_nothing_stays_within_a_budget() {
     let solid = spent(&odd(&[24, 24, 24], Step::None), "ggx-glass", &Fixed { axes, ..Fixed::default() });
     println!("{picture:?} {solid:?}");
     assert!(picture[0] < 12_000 && picture[1] < 240_000_000, "{picture:?}");
-    assert!(solid[0] < 140_000 && solid[1] < 20_000_000, "{solid:?}");
+    assert!(solid[0] < 150_000 && solid[1] < 20_000_000, "{solid:?}");
 }
