@@ -295,7 +295,7 @@ pub(super) fn is_of_rounding(noise: f64, r: &Residuals, texels: &[usize], grain:
     noise <= NOISE_OF_ROUNDING * rounding(r, texels, grain)
 }
 
-/// The same at some texels.
+/// Root mean square of the error that rounding makes at some texels.
 fn rounding(r: &Residuals, texels: &[usize], grain: Grain) -> f64 {
     grain.rms(texels.iter().map(|i| r.values[*i]))
 }

@@ -50,7 +50,7 @@ fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Sur
     let colour = look.colour(rgba(&of.base_color_factor), &of.base_color_texture)?;
     if metalness[0] < 1.0 && metalness[1] > 0.0 {
         look.said.reading(
-            "metalness between 0 and 1: mix f0 as glTF does and give it to the compensation that the metal calls, whose relative error holds at every f0; the coupling of the base takes that of the dielectric",
+            "metalness between 0 and 1: mix f0 as glTF does and give it to the compensation that the metal calls, whose relative error holds at every f0; the factor of its base takes the f0 of the dielectric",
         );
     }
     let ior = with.ior.0.as_ref().map_or(IOR, |own| number(&own.ior, IOR));
@@ -92,10 +92,10 @@ fn reflectance(ior: f64, with: &Extensions, look: &mut Look) -> Result<Option<Re
     }
     let tint = rgb(&specular.specular_color_factor, 1.0);
     let colour = look.colour(tint, &specular.specular_color_texture)?;
-    if specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some() {
+    let is_textured = specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some();
+    if is_textured {
         look.said.reading(F0_TEXTURE);
     }
-    let is_textured = specular.specular_texture.0.is_some() || specular.specular_color_texture.0.is_some();
     if !is_textured && least == 1.0 && colour == [1.0; 3] {
         return Ok(Some(Reflectance::Ior(ior)));
     }
