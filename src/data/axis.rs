@@ -26,7 +26,7 @@ impl Registration {
     pub fn coordinate(self, position: f64, n: usize) -> f64 {
         match self {
             Registration::Centre => (position + 0.5) / n as f64,
-            Registration::Endpoint => position / (n - 1) as f64,
+            Registration::Endpoint => position / (n - 1).max(1) as f64,
         }
     }
 }

@@ -25,6 +25,8 @@ pub enum Decode {
     /// (alpha_v/alpha)^2 = cos2_phi/q + (1 - cos2_phi) q, the alpha towards the view,
     /// t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1] and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
     AzimuthCubic,
+    /// `deficit`: R = (1 - deficit) F, F the reflectance of a smooth surface at mu and ior (Fresnel).
+    Deficit,
     /// `loss`, `bias`: E = 1 - loss, B = E (bias + (1 - mu)^5).
     LossBias,
     /// `m11`, `m31`, `m13`, `m33`: the inverse matrix of a linearly transformed cosine, whose m22 is 1.
@@ -46,15 +48,17 @@ impl Decode {
             (Layout::PathTracer, _) => Decode::Albedo,
             (Layout::Azimuth, _) => Decode::AzimuthCubic,
             (Layout::AreaLights, _) => Decode::Transform,
+            (Layout::Dielectric, _) => Decode::Deficit,
         }
     }
 
     /// Every decoding, in the order of the declaration.
-    pub const ALL: [Decode; 7] = [
+    pub const ALL: [Decode; 8] = [
         Decode::Albedo,
         Decode::Loss,
         Decode::SplitSum,
         Decode::AzimuthCubic,
+        Decode::Deficit,
         Decode::LossBias,
         Decode::Transform,
         Decode::Light,
@@ -67,6 +71,7 @@ impl Decode {
             Decode::Loss => "loss",
             Decode::SplitSum => "split_sum",
             Decode::AzimuthCubic => "azimuth_cubic",
+            Decode::Deficit => "deficit",
             Decode::LossBias => "loss_bias",
             Decode::Transform | Decode::Light => "whole",
         }
@@ -80,7 +85,7 @@ impl Decode {
     /// Channels of a texel: those that the variant names, in this order.
     pub fn channels(self) -> usize {
         match self {
-            Decode::Albedo | Decode::Loss => 1,
+            Decode::Albedo | Decode::Loss | Decode::Deficit => 1,
             Decode::SplitSum | Decode::LossBias => 2,
             Decode::AzimuthCubic | Decode::Transform | Decode::Light => 4,
         }
@@ -95,7 +100,13 @@ impl Decode {
             }
             Decode::SplitSum | Decode::LossBias => "E, A and B",
             Decode::Albedo | Decode::Loss | Decode::AzimuthCubic => "E",
+            Decode::Deficit => "R",
         }
+    }
+
+    /// Whether a texel tells E, by which a lobe is compensated.
+    pub fn has_albedo(self) -> bool {
+        self.formulas()[0].0 == "E"
     }
 
     /// Whether a texel tells B beside E.
@@ -108,6 +119,11 @@ impl Decode {
         match self {
             Decode::Albedo => &[("E", "E")],
             Decode::Loss => &[("E", "1 - loss")],
+            Decode::Deficit => &[(
+                "R",
+                "(1 - deficit) * a^2 * (1 + b^2) / 2, g = sqrt(ior^2 - 1 + mu^2), a = (g - mu) / (g + mu), \
+                 b = (mu * (g + mu) - 1) / (mu * (g - mu) + 1)",
+            )],
             Decode::AzimuthCubic => &[(
                 "E",
                 "1 - (c0 + t * (c1 + t * (c2 + t * c3))), t = log2(cos2_phi / q + (1 - cos2_phi) * q) / -log2(q), \

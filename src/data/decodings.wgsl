@@ -8,6 +8,16 @@ fn loss(texel: f32) -> f32 {
     return 1.0 - texel;
 }
 
+// A part of Fresnel's reflectance of a smooth surface; 0 where ior is 1.
+fn deficit(texel: f32, mu: f32, ior: f32) -> f32 {
+    let g = sqrt(max(ior * ior - 1.0 + mu * mu, 0.0));
+    let near = g - mu;
+    let far = g + mu;
+    let a = near / max(far, 0.000001);
+    let b = (mu * far - 1.0) / (mu * near + 1.0);
+    return (1.0 - texel) * (0.5 * a * a * (1.0 + b * b));
+}
+
 fn split_sum(texel: vec2f) -> vec3f {
     return vec3f(texel.x + texel.y, texel.x, texel.y);
 }

@@ -28,6 +28,9 @@ pub enum Layout {
     FiveAxis,
     /// Over roughness and mu, sqrt(1 - mu), end points: a pair of tables of linearly transformed cosines.
     AreaLights,
+    /// Over mu as the homogeneous layout has it, roughness and index of refraction: the albedo of a dielectric
+    /// as a part of what a smooth surface reflects.
+    Dielectric,
 }
 
 impl Layout {
@@ -42,6 +45,7 @@ impl Layout {
             Layout::Azimuth => "azimuth",
             Layout::FiveAxis => "five-axis",
             Layout::AreaLights => "area-lights",
+            Layout::Dielectric => "dielectric",
         }
     }
 
@@ -54,7 +58,7 @@ impl Layout {
     pub fn axes(self) -> usize {
         match self {
             Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::AreaLights => 2,
-            Layout::Optimised | Layout::PathTracer | Layout::Azimuth => 3,
+            Layout::Optimised | Layout::PathTracer | Layout::Azimuth | Layout::Dielectric => 3,
             Layout::FiveAxis => 5,
         }
     }

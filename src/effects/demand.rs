@@ -332,6 +332,16 @@ impl Job {
         self.ranges.get(input).copied().ok_or_else(lacks)
     }
 
+    /// The hull of the demands' own ranges of an input, as narrow as it is.
+    ///
+    /// # Errors
+    /// As [`Job::range`].
+    pub fn own_range(&self, input: &str) -> Result<[f64; 2], BakeError> {
+        let spans = self.demands.iter().flat_map(|demand| &demand.spans);
+        let own = spans.filter(|(name, _)| *name == input).map(|(_, span)| span.range);
+        own.reduce(hull).map_or_else(|| self.range(input), Ok)
+    }
+
     /// Those of formulas that are for the inputs that vary.
     pub fn formulas<'a>(&self, own: Formulas<'a>) -> &'a [Entry] {
         own.over(self.ranges.iter().map(|(input, range)| (*input, *range)), false)

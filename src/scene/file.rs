@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::SceneError;
 use super::culling::{CULLING, Culling};
 use super::limits;
+use super::material::EXACT_FRESNEL;
 use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
@@ -177,6 +178,10 @@ fn advised(error: SceneError) -> SceneError {
     SceneError::Field { file, at, path, message }
 }
 
+/// The fields that list tables with slices, and the lobes of the materials that have them.
+const SLICED: [(&str, Lobe); 3] =
+    [("wants", Lobe::Anisotropic), ("wants", Lobe::Glass), (EXACT_FRESNEL, Lobe::Isotropic)];
+
 impl Scene {
     /// The same without the materials and probes of these fields, as `materials[0]`, and without notes.
     pub fn without(&self, those: &BTreeSet<&str>) -> Scene {
@@ -264,20 +269,51 @@ impl Scene {
         Ok(scene)
     }
 
-    /// Chooses the slices that are left open, by all materials of a lobe: they may share a table.
+    /// Chooses the slices that are left open.
     fn settle_slices(&mut self) {
-        for lobe in [Lobe::Anisotropic, Lobe::Glass] {
-            let own = || self.materials.iter().filter(move |material| material.lobe() == lobe);
-            let spans = |material: &Material| {
-                if lobe == Lobe::Glass { material.ior } else { Some(material.anisotropy) }
-            };
-            let range = own().flat_map(spans).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
-            let Some(range) = range else { continue };
-            let (enough, is_one) = (enough_slices(lobe, range), range[0] == range[1]);
-            let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
-            let tables = own.flat_map(|material| &mut material.wants.tables);
-            tables.for_each(|want| want.settle_slices(enough, is_one));
+        for of in SLICED {
+            let Some(range) = self.sliced_over(of) else { continue };
+            let (enough, is_one) = (enough_slices(of.1, range), range[0] == range[1]);
+            let own = self.materials.iter_mut().filter(|material| material.lobe() == of.1);
+            let tables = own.flat_map(Material::tables_mut).filter(|(field, _)| *field == of.0);
+            tables.for_each(|(_, want)| want.settle_slices(enough, is_one));
         }
+    }
+
+    /// What the slices of the tables of a field span, of all materials of a lobe: they may share a table.
+    fn sliced_over(&self, (field, lobe): (&str, Lobe)) -> Option<[f64; 2]> {
+        let own = self.materials.iter().filter(|material| material.lobe() == lobe);
+        let spans = own.flat_map(|material| match field {
+            // Coats take the tables too.
+            EXACT_FRESNEL => {
+                let of_lobe = material.wants.exact_fresnel.as_ref().and(material.ior);
+                [of_lobe, material.coat.as_ref().map(|coat| coat.ior)]
+            }
+            _ if lobe == Lobe::Glass => [material.ior, None],
+            _ => [Some(material.anisotropy), None],
+        });
+        spans.flatten().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+    }
+
+    /// Holds tables of an axis less to one value of what it would span.
+    fn check_slices(&self) -> Result<(), (String, String)> {
+        for of in SLICED {
+            let Some([low, high]) = self.sliced_over(of).filter(|[low, high]| low < high) else { continue };
+            let own = self.materials.iter().enumerate().filter(|(_, material)| material.lobe() == of.1);
+            let tables = own.flat_map(|(i, material)| material.tables().map(move |table| (i, table)));
+            let of_field = tables.filter(|(_, (field, ..))| *field == of.0);
+            if let Some((i, (field, j, want))) =
+                of_field.into_iter().find(|(_, (.., want))| want.has_one_slice())
+            {
+                let name = if of.1 == Lobe::Anisotropic { "anisotropy" } else { "ior" };
+                let message = format!(
+                    "2 numbers where the {} layout has 3 axes: an axis less is for one value of `{name}`, and here it is {low} to {high}",
+                    want.layout.name()
+                );
+                return Err((format!("materials[{i}].{field}.tables[{j}].size"), message));
+            }
+        }
+        Ok(())
     }
 
     /// The scene that is compiled in, which every verb uses by default.
@@ -313,6 +349,7 @@ impl Scene {
             return Err(("mu".into(), "the range is a single cosine; fits need a range".into()));
         }
         self.check_names()?;
+        self.check_slices()?;
         self.check_texels()?;
         self.check_probes()?;
         self.check_hypotheses()

@@ -141,7 +141,7 @@ impl TryFrom<SheenFile> for Sheen {
 
     fn try_from(file: SheenFile) -> Result<Self, String> {
         let tables = file.tables.0.map_or_else(Vec::new, |list| list.0);
-        let tables = different(tables, Lobe::Isotropic, "tables")?;
+        let tables = different(tables, |table| table.of(Lobe::Isotropic), "tables")?;
         if let Some(i) = tables.iter().position(|table| table.serves != Serves::Albedo) {
             return Err(about(
                 format!("tables[{i}].serves"),

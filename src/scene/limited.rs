@@ -38,7 +38,7 @@ impl Scene {
             material.goals_mut().for_each(limit);
             if max_error.is_some() || max_bytes.is_some() {
                 let most = max_bytes.unwrap_or(u64::MAX);
-                material.tables_mut().for_each(|table| table.open(max_error, most));
+                material.tables_mut().for_each(|(_, table)| table.open(max_error, most));
             }
         }
         for probe in &mut self.probes {

@@ -149,8 +149,8 @@ impl Material {
     /// The goals of its functions: of the specular lobe and of its layers.
     pub(super) fn goals_mut(&mut self) -> impl Iterator<Item = &mut Goals> {
         let fit = self.wants.fit.iter_mut().map(|fit| &mut fit.goals);
-        let values = self.wants.exact_fresnel.iter_mut().chain(&mut self.wants.refracted_width);
-        let fit = fit.chain(values.map(|value| &mut value.goals));
+        let fit = fit.chain(self.wants.exact_fresnel.iter_mut().map(|exact| &mut exact.goals));
+        let fit = fit.chain(self.wants.refracted_width.iter_mut().map(|value| &mut value.goals));
         let fit = fit.chain(self.wants.widened.iter_mut().map(|widened| &mut widened.goals));
         let fit = fit.chain(self.coat.iter_mut().map(|coat| &mut coat.goals));
         let base = self.base.iter_mut().map(|base| &mut base.goals);
@@ -160,13 +160,18 @@ impl Material {
     /// The tables that it asks for, each with the field that lists it: of its lobe and of its layers.
     pub fn tables(&self) -> impl Iterator<Item = (&'static str, usize, &TableWant)> {
         let own = self.wants.tables.iter().enumerate().map(|(j, table)| ("wants", j, table));
+        let exact = self.wants.exact_fresnel.iter().flat_map(|exact| exact.tables.iter().enumerate());
         let layer = self.sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
-        own.chain(layer.map(|(j, table)| ("sheen", j, table)))
+        let beside = exact.map(|(j, table)| (EXACT_FRESNEL, j, table));
+        own.chain(beside).chain(layer.map(|(j, table)| ("sheen", j, table)))
     }
 
     /// The same, to change them.
-    pub(super) fn tables_mut(&mut self) -> impl Iterator<Item = &mut TableWant> {
-        self.wants.tables.iter_mut().chain(self.sheen.iter_mut().flat_map(|sheen| &mut sheen.tables))
+    pub(super) fn tables_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut TableWant)> {
+        let exact = self.wants.exact_fresnel.iter_mut().flat_map(|exact| &mut exact.tables);
+        let layer = self.sheen.iter_mut().flat_map(|sheen| &mut sheen.tables);
+        let own = self.wants.tables.iter_mut().map(|table| ("wants", table));
+        own.chain(exact.map(|table| (EXACT_FRESNEL, table))).chain(layer.map(|table| ("sheen", table)))
     }
 
     /// What kind of specular lobe it has.
@@ -180,6 +185,9 @@ impl Material {
         rough_part(self.roughness, map)
     }
 }
+
+/// The field of what is wanted with the exact Fresnel term.
+pub const EXACT_FRESNEL: &str = "wants.exact_fresnel";
 
 /// The part of a roughness range whose lobe is rough.
 pub(super) fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> {
@@ -216,7 +224,14 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         { "required": ["ior"], "properties": {
             "kind": { "const": "dielectric" },
             "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": EXACT_IOR },
-            "wants": { "properties": { "refracted_width": false } },
+            "wants": { "properties": {
+                "refracted_width": false,
+                "exact_fresnel": { "properties": { "tables": { "items": { "properties": {
+                    "layout": { "const": "dielectric" },
+                    "serves": { "const": "albedo" },
+                    "format": { "enum": ["f16", "f32"] },
+                } } } } },
+            } },
         } },
         {
             "required": ["ior"],
@@ -258,8 +273,8 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         "anyOf": [
             { "required": ["anisotropy"], "properties": { "wants": { "properties": { "exact_fresnel": false, "tables": { "items": {
                 "anyOf": [
-                    { "required": ["layout"] },
-                    { "properties": { "size": { "minItems": 3 }, "serves": { "const": "albedo" } } },
+                    { "required": ["layout"], "properties": { "layout": { "not": { "const": "dielectric" } } } },
+                    { "properties": { "layout": false, "serves": { "const": "albedo" } } },
                 ],
             } } } } } },
             { "properties": {
@@ -267,7 +282,6 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
                 "wants": { "properties": { "tables": { "items": { "properties": {
                     "layout": { "enum": ["optimised", "path-tracer"] },
-                    "size": { "minItems": 3 },
                     "serves": { "const": "albedo" },
                 } } } } },
             } },

@@ -25,11 +25,11 @@ pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};
 pub use layers::*;
 pub use limited::Limits;
-pub use material::{Kind, Lobe, Material, smallest_rough};
+pub use material::{EXACT_FRESNEL, Kind, Lobe, Material, smallest_rough};
 pub use output::Output;
 pub use probe::Probe;
 pub use table::{Layout, Serves, TableWant};
-pub use wants::{FitWant, Norm, ValueWant, Wants};
+pub use wants::{ExactWant, FitWant, Norm, ValueWant, Wants};
 
 use lobefit_strict::value;
 pub use lobefit_strict::{Position, SceneError, escape, place};

@@ -23,7 +23,12 @@ fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Some(3e-3),
         (
-            Layout::Optimised | Layout::Azimuth | Layout::FiveAxis | Layout::PathTracer | Layout::AreaLights,
+            Layout::Optimised
+            | Layout::Azimuth
+            | Layout::FiveAxis
+            | Layout::PathTracer
+            | Layout::AreaLights
+            | Layout::Dielectric,
             _,
         ) => None,
     }
@@ -36,6 +41,7 @@ fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, _) => None,
         (Layout::Azimuth, _) => Some(vec![64, 16, 16]),
         (Layout::FiveAxis, _) => Some(vec![8, 4, 5, 4, 5]),
+        (Layout::Dielectric, _) => Some(vec![32, 32, 16]),
         (Layout::AreaLights, _) => Some(vec![64, 64]),
         (Layout::Optimised | Layout::PathTracer, Lobe::Glass | Lobe::AnisotropicGlass) => {
             Some(vec![128, 128, 32])
@@ -92,8 +98,13 @@ impl TableWant {
     pub(super) fn settle_slices(&mut self, enough: usize, is_one: bool) {
         let is_open = self.has_open_slices && (is_one || self.max_error.is_none());
         if let (true, Some([_, _, slices])) = (is_open, self.size.as_deref_mut()) {
-            *slices = enough.min(*slices);
+            *slices = if is_one { 1 } else { enough.min(*slices) };
         }
+    }
+
+    /// Whether it has an axis less, as what its slices would span is one value.
+    pub fn has_one_slice(&self) -> bool {
+        matches!(self.size.as_deref(), Some([_, _, 1]))
     }
 }
 
@@ -152,8 +163,8 @@ pub(super) struct OpenTable {
     },
     {
         "properties": {
-            "layout": { "enum": ["optimised", "path-tracer", "azimuth"] },
-            "size": { "minItems": 3, "maxItems": 3, "items": { "minimum": 4, "maximum": 256 } },
+            "layout": { "enum": ["optimised", "path-tracer", "azimuth", "dielectric"] },
+            "size": { "maxItems": 3, "items": { "minimum": 4, "maximum": 256 } },
             "serves": { "const": "albedo" },
         },
     },
@@ -172,17 +183,18 @@ struct TableFile {
     /// mu), for a pair of tables of a linearly transformed cosine, by which polygons light the lobe. With
     /// a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`,
     /// which takes separable Smith and alpha = roughness whatever the scene says, has its own size and
-    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials. With
+    /// takes no `max_error`, and `azimuth`, which is for anisotropic materials. In `exact_fresnel`
+    /// `dielectric` alone, over mu, roughness and ior. With
     /// five, of glass with anisotropy and its default: `five-axis`, over mu, azimuth, roughness, anisotropy
     /// and ior.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
-    /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
-    /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
+    /// 256 along three, of these at most 4194304 together, and in the optimised and dielectric layouts
+    /// 16384 columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
     /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
-    /// 128x128x32, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the last three together),
-    /// and 4, 8 or 16 slices where the anisotropies or indices of refraction of the materials lie close
-    /// together.
+    /// 128x128x32, `dielectric` 32x32x16, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the
+    /// last three together), 4, 8 or 16 slices where the anisotropies or indices of refraction of the materials lie close together.
+    /// Where they are one value, an axis less: then two numbers do.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,
@@ -216,11 +228,15 @@ impl TryFrom<TableFile> for OpenTable {
     }
 }
 
-/// The tables of a list at a field, as a material with this lobe wants them, each once.
-pub(super) fn different(list: Vec<OpenTable>, lobe: Lobe, field: &str) -> Result<Vec<TableWant>, String> {
+/// The tables of a list at a field, as a material wants them, each once.
+pub(super) fn different(
+    list: Vec<OpenTable>,
+    of: impl Fn(OpenTable) -> Result<TableWant, String>,
+    field: &str,
+) -> Result<Vec<TableWant>, String> {
     let mut tables: Vec<TableWant> = Vec::with_capacity(list.len());
     for (i, open) in list.into_iter().enumerate() {
-        let table = open.of(lobe).map_err(|e| about(format!("{field}[{i}]"), e))?;
+        let table = of(open).map_err(|e| about(format!("{field}[{i}]"), e))?;
         if let Some(first) = tables.iter().position(|known| known.is_like(&table)) {
             let message = format!("it has the layout, size, format and use of {field}[{first}]");
             return Err(about(format!("{field}[{i}]"), message));
@@ -244,6 +260,20 @@ impl OpenTable {
             Lobe::AnisotropicGlass => Layout::FiveAxis,
         });
         fits_lobe(layout, lobe).map_err(|e| about("layout", e))?;
+        self.in_layout(layout, lobe)
+    }
+
+    /// The table of a dielectric's lobe with the exact Fresnel term.
+    pub(super) fn of_exact_fresnel(self) -> Result<TableWant, String> {
+        if let Some(layout) = self.layout.filter(|layout| *layout != Layout::Dielectric) {
+            let message =
+                format!("`{}` is of other lobes; of the exact Fresnel term give `dielectric`", layout.name());
+            return Err(about("layout", message));
+        }
+        self.in_layout(Layout::Dielectric, Lobe::Isotropic)
+    }
+
+    fn in_layout(self, layout: Layout, lobe: Lobe) -> Result<TableWant, String> {
         if layout == Layout::PathTracer {
             if self.size.is_some() {
                 return Err(about("size", "the path-tracer layout has its own; leave it out"));
@@ -253,7 +283,12 @@ impl OpenTable {
                 return Err(about("max_error", message));
             }
         }
-        if let Some(size) = &self.size {
+        let mut size = self.size;
+        if let Some(size) = &mut size {
+            if layout.axes() == 3 && size.len() == 2 {
+                // Whether there is one value alone is the scene's to tell.
+                size.push(1);
+            }
             check_size(layout, size)?;
         }
         if self.n_dot_v[0] >= self.n_dot_v[1] {
@@ -276,10 +311,10 @@ impl OpenTable {
             );
             return Err(about("format", message));
         }
-        let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
+        let default_limit = || if size.is_none() { default_limit(layout, serves) } else { None };
         let max_error = self.max_error.or_else(default_limit);
-        let has_open_slices = self.size.is_none() && layout.axes() == 3 && layout != Layout::PathTracer;
-        let size = self.size.or_else(|| default_size(lobe, layout));
+        let has_open_slices = size.is_none() && layout.axes() == 3 && layout != Layout::PathTracer;
+        let size = size.or_else(|| default_size(lobe, layout));
         let (format, n_dot_v) = (self.format, self.n_dot_v);
         Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, max_bytes: None, n_dot_v })
     }
@@ -289,7 +324,7 @@ impl OpenTable {
 /// differences and matrices are not.
 fn within_unit(layout: Layout, serves: Serves) -> bool {
     match layout {
-        Layout::Azimuth | Layout::AreaLights => false,
+        Layout::Azimuth | Layout::AreaLights | Layout::Dielectric => false,
         Layout::Homogeneous => serves == Serves::Albedo,
         Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::PathTracer | Layout::FiveAxis => {
             true
@@ -301,6 +336,9 @@ fn within_unit(layout: Layout, serves: Serves) -> bool {
 fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
     let name = layout.name();
     match (lobe, layout) {
+        (_, Layout::Dielectric) => {
+            Err(format!("`{name}` is of the exact Fresnel term; list it in `wants.exact_fresnel.tables`"))
+        }
         (Lobe::AnisotropicGlass, Layout::FiveAxis) => Ok(()),
         (_, Layout::FiveAxis) => Err(format!("`{name}` is for glass with `anisotropy`")),
         (Lobe::AnisotropicGlass, _) => {
@@ -345,7 +383,8 @@ fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
         3 => [SLICED_AXIS_MIN, SLICED_AXIS_MAX],
         _ => [AXIS_MIN, SLICED_AXIS_MAX],
     };
-    if let Some((i, n)) = size.iter().enumerate().find(|(_, n)| !(low..=high).contains(*n)) {
+    let own = size.strip_suffix(&[1]).filter(|_| axes == 3).unwrap_or(size);
+    if let Some((i, n)) = own.iter().enumerate().find(|(_, n)| !(low..=high).contains(*n)) {
         return Err(about(format!("size[{i}]"), format!("{n} is outside [{low}, {high}]")));
     }
     if axes == 2 {
@@ -356,9 +395,9 @@ fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
         return Err(about("size", format!("{} is more than {SLICED_CELLS} texels", size.join("x"))));
     }
     let &[columns, _, slices] = size else { return check_depth(size) };
-    if layout == Layout::Optimised && columns * slices > SLICED_LINES {
+    if matches!(layout, Layout::Optimised | Layout::Dielectric) && columns * slices > SLICED_LINES {
         let message = format!(
-            "{columns} columns x {slices} slices of the optimised layout are more than {SLICED_LINES}; rows cost less"
+            "{columns} columns x {slices} slices of the {name} layout are more than {SLICED_LINES}; rows cost less"
         );
         return Err(about("size", message));
     }

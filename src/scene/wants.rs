@@ -39,6 +39,17 @@ pub struct ValueWant {
     pub goals: Goals,
 }
 
+/// What is wanted of a dielectric's lobe with the exact Fresnel term: fits of R, and tables beside them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExactWant {
+    /// What the fits must keep; the limit is of the error of R.
+    #[serde(flatten)]
+    pub goals: Goals,
+    /// Different tables, in the scene's order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<TableWant>,
+}
+
 /// Wanted fits of the roughness that stands for a widened lobe: at least one widening.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WidenedWant {
@@ -60,10 +71,10 @@ pub struct Wants {
     pub tables: Vec<TableWant>,
     /// Fits of N of the isotropic lobe; of glass of N from either side.
     pub fit: Option<FitWant>,
-    /// Fits of R with the exact Fresnel term, of a dielectric with an index of refraction.
+    /// R with the exact Fresnel term, of a dielectric with an index of refraction.
     // Absent where not wanted: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub exact_fresnel: Option<ValueWant>,
+    pub exact_fresnel: Option<ExactWant>,
     /// Fits of the roughness to fetch what glass refracts with.
     // Absent where not wanted, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,7 +88,7 @@ pub struct Wants {
 pub(super) struct OpenWants {
     tables: Vec<OpenTable>,
     fit: Option<FitWant>,
-    exact_fresnel: Option<ValueWant>,
+    exact_fresnel: Option<ExactWant>,
     refracted_width: Option<ValueWant>,
     widened: Option<WidenedWant>,
 }
@@ -99,10 +110,10 @@ struct WantsFile {
     /// reflection and transmission together, from either side.
     #[serde(default)]
     fit: Maybe<FitWant>,
-    /// Formulas of the lobe's albedo with the exact Fresnel term in place of Schlick's: of a dielectric
-    /// with an `ior` of at most 3 and without anisotropy.
+    /// The lobe's albedo with the exact Fresnel term in place of Schlick's, as formulas and tables: of a
+    /// dielectric with an `ior` of at most 3 and without anisotropy.
     #[serde(default)]
-    exact_fresnel: Maybe<ValueWant>,
+    exact_fresnel: Maybe<ExactWant>,
     /// Formulas of the roughness with which a prefiltered environment map or a blurred picture stands for
     /// what glass refracts, seen from outside: of glass, with alpha = roughness^2.
     #[serde(default)]
@@ -147,6 +158,34 @@ impl TryFrom<ValueFile> for ValueWant {
 
     fn try_from(file: ValueFile) -> Result<Self, String> {
         Ok(ValueWant { goals: Goals::read(file.max_ops, file.max_error, file.norms)? })
+    }
+}
+
+/// Fits of R over roughness, mu and ior, and tables beside them.
+#[derive(Default, Deserialize, JsonSchema)]
+#[schemars(rename = "ExactFresnel")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes fits and tables")]
+struct ExactFile {
+    /// Most operations that an emitted fit may take; default: any number.
+    max_ops: Maybe<Whole<Ops>>,
+    /// Error of R that at least one emitted fit within `max_ops` must meet, else the bake fails; default: no
+    /// limit.
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Norms,
+    /// Tables of R over mu, roughness and ior beside the fits, in the layout `dielectric`; default none.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    tables: Maybe<List<OpenTable, { limits::TABLES }>>,
+}
+
+impl TryFrom<ExactFile> for ExactWant {
+    type Error = String;
+
+    fn try_from(file: ExactFile) -> Result<Self, String> {
+        let goals = Goals::read(file.max_ops, file.max_error, file.norms)?;
+        let tables = file.tables.0.map_or_else(Vec::new, |list| list.0);
+        Ok(ExactWant { goals, tables: different(tables, OpenTable::of_exact_fresnel, "tables")? })
     }
 }
 
@@ -291,12 +330,13 @@ impl OpenWants {
         if refracted_width.is_some() && lobe != Lobe::Glass {
             return Err(about("wants.refracted_width", "it is of glass without anisotropy, which refracts"));
         }
-        let tables = different(tables, lobe, "wants.tables")?;
+        let tables = different(tables, |table| table.of(lobe), "wants.tables")?;
         Ok(Wants { tables, fit, exact_fresnel, refracted_width, widened })
     }
 }
 
 from_file!(FitWant, FitFile);
 from_file!(ValueWant, ValueFile);
+from_file!(ExactWant, ExactFile);
 from_file!(WidenedWant, WidenedFile);
 from_file!(OpenWants, WantsFile);

@@ -3,6 +3,7 @@
 use crate::baked_support::bake_scene;
 use lobefit::approximate::Fit;
 use lobefit::bake::Baked;
+use lobefit::effects::table::{Lookup, Point};
 use lobefit::scene::Scene;
 use lobefit_shade::Source;
 use lobefit_truth::integrate::glass::Side;
@@ -239,4 +240,62 @@ fn what_f32_rounds_away_is_left_out() {
         let stated = fit.approximation.certificate.max_abs;
         assert!(off <= f64::max(2e-6, 0.2 * stated), "{}: {off}, {stated}", fit.hypothesis.name());
     }
+}
+
+/// The R + T of glass of one index, and the albedo of a brushed metal of one anisotropy, in textures of two axes.
+#[test]
+fn of_one_value_tables_have_an_axis_less() {
+    let scene = |size: &str| {
+        format!(
+            r#"{{ "schema_version": 1, "name": "t", "materials": [
+  {{ "name": "pane", "kind": "glass", "ior": 1.52, "roughness": [0.1, 1], "wants": {{ "tables": [{size}] }} }},
+  {{ "name": "rail", "kind": "metal", "f0": 0.9, "roughness": [0.1, 1], "anisotropy": 0.6, "wants": {{ "tables": [{size}, {{ "layout": "azimuth" }}] }} }}
+] }}"#
+        )
+    };
+    let baked_by = |size: &str| baked(&scene(size));
+    let [flat, solid] = [r#"{ "size": [32, 32] }"#, r#"{ "size": [32, 32, 4] }"#].map(baked_by);
+    let axes = |baked: &Baked| -> Vec<Vec<usize>> {
+        let sizes =
+            baked.tables.iter().map(|t| t.table().expect("texels").axes.iter().map(|a| a.size).collect());
+        sizes.collect()
+    };
+    assert_eq!(axes(&flat), [vec![32, 32], vec![64, 16], vec![32, 32], vec![32, 32]]);
+    assert_eq!(axes(&solid), [vec![32, 32, 4], vec![64, 16], vec![32, 32, 4], vec![32, 32, 4]]);
+    let text =
+        code(&flat).split_whitespace().collect::<Vec<_>>().join(" ").replace("( ", "(").replace(" )", ")");
+    for signature in [
+        "ggx_glass_albedo_outside(table: texture_2d<f32>, linear_clamp: sampler, roughness: f32, n_dot_v: f32, ior: f32)",
+        "ggx_aniso_albedo(table: texture_2d<f32>, linear_clamp: sampler, roughness: f32, n_dot_v: f32)",
+    ] {
+        assert!(text.contains(&format!("fn {signature} -> f32 {{")), "{signature} is not in\n{text}");
+    }
+    for (flat, solid) in flat.tables.iter().zip(&solid.tables) {
+        let [flat_error, solid_error] = [flat, solid].map(|table| table.errors.lookup.max);
+        println!("{}: {flat_error}, of three axes {solid_error}", flat.approximation.name);
+        assert!(flat_error <= 1.02 * solid_error, "{}", flat.approximation.name);
+    }
+    // By the truth itself, of rays from inside.
+    let inside = flat.tables.iter().find(|table| table.side == Some(Side::Inside)).expect("a table");
+    let lookup = Lookup::new(inside.table().expect("texels"), inside.decode).expect("known axes");
+    let variant = Variant { smith: Some(Smith::Correlated), side: Some(Side::Inside), ..Variant::default() };
+    for (roughness, mu) in [(0.15_f32, 0.3_f32), (0.4, 0.7), (0.77, 0.05), (1.0, 1.0)] {
+        let at = Point { roughness, alpha: roughness * roughness, mu, ior: 1.52, ..Point::default() };
+        let given = [at.alpha, mu, 1.52_f32].map(f64::from);
+        let truth = GGX_GLASS.at(&variant, &given, 1e-7).expect("in the domain")[2];
+        let off = (f64::from(lookup.at(&at).e) - truth).abs();
+        assert!(off <= inside.errors.lookup.max, "{roughness} {mu}: {off}");
+    }
+}
+
+/// Where a table of an axis less does not keep its limit, larger ones of an axis less are said.
+#[test]
+fn a_limit_of_an_axis_less_is_answered_with_an_axis_less() {
+    let text = r#"{ "schema_version": 1, "name": "t", "reports": false, "materials": [
+  { "name": "pane", "kind": "glass", "ior": 1.52, "roughness": [0.3, 1], "wants": { "tables": [{ "size": [8, 8], "max_error": 0.001 }] } }] }"#;
+    let broken =
+        bake_scene(&Scene::from_json(text.as_bytes(), "t.json").expect("a scene")).expect("a bake").broken;
+    let said = broken.join("\n");
+    assert!(said.contains("16x16:") || said.contains("32x32:"), "{said}");
+    assert!(!said.contains("x4") && !said.contains("x2:"), "{said}");
 }

@@ -120,6 +120,17 @@ pub fn to_look_up() -> Vec<Solid> {
             &["roughness", "alpha", "n_dot_v", "ior"],
         ),
         solid(
+            "solid-deficit",
+            [
+                mu(Endpoint, Warp::Homogeneous),
+                roughness(Endpoint, 0.02),
+                slices("ior", Endpoint, Warp::Linear, [1.1, 2.5]),
+            ],
+            Decode::Deficit,
+            &["deficit"],
+            &["roughness", "alpha", "n_dot_v", "ior"],
+        ),
+        solid(
             "solid-albedo",
             [mu(Centre, Warp::Sqrt), roughness(Centre, 0.0), anisotropy(Centre)],
             Decode::Albedo,

@@ -79,6 +79,7 @@ fn naga_validates_the_lookups_and_compensations() {
         let beside: &[&str] = match solid.decode {
             Decode::LossBias => &["n_dot_v"],
             Decode::AzimuthCubic => &["anisotropy", "cos2_phi"],
+            Decode::Deficit => &["n_dot_v", "ior"],
             _ => &[],
         };
         assert_eq!(decode[0], "texel", "{name}");

@@ -65,8 +65,8 @@ const FITS: ValueFits = ValueFits {
 
 fn with_table<T>(of: impl FnOnce(ValueFits) -> T) -> T {
     let wants = &[(TableWant::flat(Layout::Homogeneous, [16, 12], TexelFormat::F16), String::new())];
-    let (quantity, column, name, role) = (&Minnaert, "E", "minnaert", "minnaert_lookup");
-    of(ValueFits { table: Some(ValueTable { quantity, column, name, role, seconds: 0.5, wants }), ..FITS })
+    let table = ValueTable { wants, ..ValueTable::of(&Minnaert, "E", "minnaert", "minnaert_lookup") };
+    of(ValueFits { table: Some(table), ..FITS })
 }
 
 pub struct Moon;

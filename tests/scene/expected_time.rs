@@ -54,7 +54,7 @@ fn more_work_takes_longer() {
 fn more_work_takes_longer_with_three_axes() {
     let glass = |tables: &str| {
         let text = format!(
-            r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"glass","ior":1.5,"roughness":1,"wants":{{"tables":[{tables}]}}}}]}}"#
+            r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"glass","ior":[1.3,1.9],"roughness":1,"wants":{{"tables":[{tables}]}}}}]}}"#
         );
         plan(&Scene::from_json(text.as_bytes(), "test").expect("a scene")).effects[0].seconds
     };

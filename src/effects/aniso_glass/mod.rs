@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::effect::Profile;
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, Point, Region, SliceAxis, Sliced, Spec, TableJob,
-    Truths, aspect, even,
+    Truths, aspect, even, ior_axis,
 };
 use super::who::{NO_GLASS, named, verb};
 use super::{Albedo, NOTE_F0, NOTE_LOOKUP, ggx};
@@ -39,19 +39,15 @@ const TRUTH_S: f64 = 0.009;
 const POINTS: u32 = 32;
 const TEXELS: usize = 16;
 
-/// Smallest index of refraction from which slices linear in it do better than slices that crowd at 1.
-const APART: f64 = 1.1;
-
 /// The axes over a region.
 fn axes(size: [usize; 5], region: &Region) -> Result<[Axis; 5], BuildError> {
     let (ior, anisotropy) = (region.slices()?.range, region.anisotropy.ok_or(BuildError::Slices)?);
-    let slices = if ior[0] < APART { Warp::Ior } else { Warp::Linear };
     Ok([
         Axis::ends("mu", size[0], Warp::HomogeneousIor, [0.0, 1.0]),
         Axis::ends("cos2_phi", size[1], Warp::Linear, [0.0, 1.0]),
         Axis::ends("roughness", size[2], Warp::Linear, region.roughness),
         Axis::ends("anisotropy", size[3], Warp::Aspect, anisotropy),
-        Axis::ends("ior", size[4], slices, ior),
+        ior_axis(size[4], ior),
     ])
 }
 

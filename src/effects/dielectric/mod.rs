@@ -1,16 +1,19 @@
 //! The effect `dielectric`: what a dielectric's lobe reflects with the exact Fresnel term. Quantity
 //! `ggx-glass`, column R from outside.
 
+mod table;
+
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
 use super::effect::Profile;
+use super::table::{ValueTable, wants};
 use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
 use crate::approximate::{Entry, Formulas, own, published};
 use crate::emit::call::Call;
 use crate::scene::limits::EXACT_IOR;
-use crate::scene::{Goals, Kind, Material, Scene};
+use crate::scene::{EXACT_FRESNEL, Goals, Kind, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::GGX_GLASS;
 
@@ -56,7 +59,7 @@ const FITS: ValueFits = ValueFits {
     published: &PUBLISHED,
     role: "ggx_dielectric_albedo",
     of: "dielectrics",
-    field: "wants.exact_fresnel",
+    field: EXACT_FRESNEL,
     layer: None,
     because: "with a rough specular lobe wants the exact Fresnel term",
     caption: "R of the lobe: the rest of the light goes in, or is lost between facets.",
@@ -66,6 +69,25 @@ const FITS: ValueFits = ValueFits {
     table: None,
     around: None,
 };
+
+/// Its tables, but for which are wanted.
+const TABLE: ValueTable = ValueTable {
+    side: FITS.side,
+    texels: table::texels,
+    ..ValueTable::of(GGX_GLASS, FITS.column, "ggx-dielectric", "ggx_dielectric_lookup")
+};
+
+/// The tables that the dielectrics of a scene want.
+fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
+    let least = scene.alpha.roughness(ALPHA_MIN);
+    wants(scene, EXACT_FRESNEL, |m| m.roughness[1] >= least)
+}
+
+/// The fits, and the tables that are wanted beside them.
+fn with(wants: &[(TableWant, String)]) -> ValueFits<'_> {
+    let table = (!wants.is_empty()).then_some(ValueTable { wants, ..TABLE });
+    ValueFits { table, ..FITS }
+}
 
 /// The same of coats, whose base keeps what their lobe leaves.
 const OF_COATS: ValueFits = ValueFits {
@@ -87,7 +109,7 @@ impl Effect for Dielectric {
             &Profile {
                 name: "dielectric",
                 fits: &[FITS],
-                prefixes: &[FITS.role],
+                prefixes: &[FITS.role, TABLE.role],
                 lobe: ggx,
                 notes: &[(
                     &[FITS.role],
@@ -144,11 +166,15 @@ impl Effect for Dielectric {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        value::expects(&[ValueFits { seconds: seconds(&FITS, scene), ..FITS }], jobs)
+        value::expects(&[ValueFits { seconds: seconds(&FITS, scene), ..with(&wanted(scene)) }], jobs)
+    }
+
+    fn stages(&self, scene: &Scene, jobs: &[Job]) -> usize {
+        jobs.len() + wanted(scene).len()
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        let mut made = FITS.bake(called, context)?;
+        let mut made = with(&wanted(context.scene)).bake(called, context)?;
         let above_base = |call: &&mut Call| {
             let material = context.scene.materials.iter().find(|material| material.name == call.of);
             call.layer.is_some() || material.is_some_and(|own| own.exact_base().is_some())

@@ -3,7 +3,7 @@
 use super::path_tracer::{axes, grid};
 use super::{JUDGED, energies};
 use crate::data::{Axis, Channel, Layout, Smith, Table, Warp};
-use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, check};
+use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, check, ior_axis};
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
 use lobefit_truth::quantity::Glass;
@@ -21,10 +21,6 @@ const CHECKED: usize = 1 << 15;
 /// Samples per cell that the texels are optimised on: four from slice to slice, where the error is.
 const SAMPLES: [usize; 3] = [2, 1, 4];
 
-/// Smallest index of refraction from which slices linear in it do better than slices that crowd at
-/// the matched index.
-const APART: f64 = 1.1;
-
 /// Axes of one side over the given range of roughness and of ior, in [1, 4]. All register their end
 /// points: the ends of every range are texels.
 ///
@@ -33,11 +29,10 @@ const APART: f64 = 1.1;
 /// critical cosine sqrt(2 (ior - 1)). The slices crowd there; the columns follow the second. From
 /// outside it is smoother, and the same axes serve.
 pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis; 3] {
-    let slices = if ior[0] < APART { Warp::Ior } else { Warp::Linear };
     [
         Axis::ends("mu", size[0], Warp::HomogeneousIor, [0.0, 1.0]),
         Axis::ends("roughness", size[1], Warp::Linear, roughness),
-        Axis::ends("ior", size[2], slices, ior),
+        ior_axis(size[2], ior),
     ]
 }
 

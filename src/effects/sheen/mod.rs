@@ -5,12 +5,11 @@ mod catalogue;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Profile;
-use super::table::ValueTable;
+use super::table::{ValueTable, wants};
 use super::value::{self, Functions, ValueFits};
 use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::{Fit, Formulas};
-use crate::data::Layout;
 use crate::scene::{Material, Scene, TableWant};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
 use lobefit_shade::Source;
@@ -47,14 +46,7 @@ const FITS: ValueFits = ValueFits {
 };
 
 /// Its tables, but for which are wanted.
-const TABLE: ValueTable = ValueTable {
-    quantity: &SheenCharlie,
-    column: "E",
-    name: "sheen",
-    role: "sheen_lookup",
-    seconds: 0.5,
-    wants: &[],
-};
+const TABLE: ValueTable = ValueTable::of(&SheenCharlie, "E", "sheen", "sheen_lookup");
 
 /// What the base below keeps, in WGSL.
 const SCALE: &str = include_str!("sheen.wgsl");
@@ -68,31 +60,9 @@ fn scale(language: Language, _: &Fit) -> Result<String, BakeError> {
     Ok(format!("\n{}", source.print_documented(language, BASE_SCALE)?))
 }
 
-/// The tables that the sheens of a scene want, each once and within the strictest limit, with who
-/// sets that.
+/// The tables that the sheens of a scene want.
 fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
-    let mut all: Vec<(TableWant, String)> = Vec::new();
-    for (i, material) in scene.materials.iter().enumerate() {
-        let sheen = material.sheen.as_ref().filter(|sheen| sheen.rough_range(scene.alpha).is_some());
-        let own = sheen.iter().flat_map(|sheen| sheen.tables.iter().enumerate());
-        for (j, table) in own.filter(|(_, table)| table.layout != Layout::AreaLights) {
-            let by = format!("{} (materials[{i}].sheen.tables[{j}].max_error)", material.name);
-            let stricter = |known: &TableWant| {
-                table.max_error.is_some_and(|e| known.max_error.is_none_or(|known| e < known))
-            };
-            match all.iter_mut().find(|(known, _)| known.is_like(table)) {
-                None => all.push((table.clone(), by)),
-                Some((known, limited_by)) => {
-                    let [low, high] = known.n_dot_v;
-                    if stricter(known) {
-                        (known.max_error, *limited_by) = (table.max_error, by);
-                    }
-                    known.n_dot_v = [low.min(table.n_dot_v[0]), high.max(table.n_dot_v[1])];
-                }
-            }
-        }
-    }
-    all
+    wants(scene, "sheen", |m| m.sheen.as_ref().is_some_and(|sheen| sheen.rough_range(scene.alpha).is_some()))
 }
 
 /// The fits, and the tables that are wanted beside them.

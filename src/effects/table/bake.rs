@@ -103,7 +103,9 @@ pub fn bake(
         if let (Some(last), Some(table), Some(limit)) =
             (unkept.last_mut(), tables.first(), job.want.max_error)
         {
-            let size: Vec<usize> = table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
+            let mut size: Vec<usize> =
+                table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
+            size.extend(job.want.has_one_slice().then_some(1));
             for line in instead(family, (job, &size), &judge, limit, context)? {
                 *last += &format!("\n{line}");
             }
@@ -227,7 +229,8 @@ pub(super) fn finish(spec: &Spec, table: &Table, made: Made, judge: Judge) -> Re
         precision: format!("{} texels, f32 lookup", table.format.name()),
         points: errors.points as u64,
     };
-    let (column, used_as) = if decode.has_bias() { ("E, A, B", Use::F0_BLEND) } else { ("E", Use::VALUE) };
+    let (column, used_as) =
+        if decode.has_bias() { ("E, A, B", Use::F0_BLEND) } else { (decode.formulas()[0].0, Use::VALUE) };
     let ops = lookup_ops(&table.axes, decode).map_err(LookupError::Shader)?;
     let approximation = Approximation {
         name: table.name.clone(),

@@ -77,7 +77,11 @@ pub fn findings<F: Sliced>(
 pub fn shown_slices<F: Sliced>(family: &F, region: &Region) -> Vec<f64> {
     let Some([low, high]) = region.slices.map(|slices| slices.range) else { return Vec::new() };
     let inside: Vec<f64> = family.shown().iter().copied().filter(|x| (low..=high).contains(x)).collect();
-    if inside.is_empty() { vec![low, high] } else { inside }
+    match inside.is_empty() {
+        true if low == high => vec![low],
+        true => vec![low, high],
+        false => inside,
+    }
 }
 
 /// `, roughness 0.2 to 0.6`: tells apart what was made in several ranges.
@@ -132,7 +136,7 @@ fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
         let figure = ErrorFigure { max: r.max, rms: Some(r.rms), at: r.at.clone() };
         lines.push((format!("quantisation of {}", r.channel), figure));
     }
-    lines.push(lookup("lookup of E", &e.lookup_e));
+    lines.push(lookup(&format!("lookup of {}", baked.decode.formulas()[0].0), &e.lookup_e));
     lines.extend(e.lookup_b.iter().map(|b| lookup("lookup of B", b)));
     lines.push(lookup("lookup in use, weights of 8 bits", &e.lookup_8_bit));
     if let Half::Measured(HalfError { max_abs, rms, at, .. }) = &e.half {

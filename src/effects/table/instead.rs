@@ -69,7 +69,7 @@ pub(super) fn instead(
     };
     let largest = vec![usize::MAX; own.len()];
     let (mut grown, mut kept) = (doubled as Grown, None);
-    if own.len() > 2 {
+    if own.len() > 2 && !job.want.has_one_slice() {
         kept = smallest(job.clone(), of_same_slices(own), (of_same_slices, &largest), "")?;
     }
     if kept.is_some() {
@@ -270,7 +270,8 @@ fn of_same_slices(size: &[usize]) -> Vec<usize> {
 }
 
 fn doubled(size: &[usize]) -> Vec<usize> {
-    size.iter().map(|n| 2 * n).collect()
+    // One slice stays one.
+    size.iter().map(|n| if *n == 1 { 1 } else { 2 * n }).collect()
 }
 
 /// Whether a size is one that a scene may ask for, and small enough.

@@ -94,11 +94,15 @@ fn slices(material: &Material, layout: Layout) -> Option<Slices> {
     }
 }
 
-/// The range of slices, at least [`SLICES_WIDTH_MIN`] wide, inside what the layout reaches.
-fn wide(slices: Slices, layout: Layout) -> Span {
+/// The range of slices, inside what the layout reaches and at least [`SLICES_WIDTH_MIN`] wide; of one slice as
+/// it is.
+fn wide(slices: Slices, want: &TableWant) -> Span {
+    if want.has_one_slice() {
+        return Span::new(slices.range);
+    }
     let domain = match slices.axis {
         SliceAxis::Anisotropy => [0.0, 1.0],
-        SliceAxis::Ior if layout == Layout::PathTracer => [1.0, PATH_TRACER_IOR],
+        SliceAxis::Ior if want.layout == Layout::PathTracer => [1.0, PATH_TRACER_IOR],
         SliceAxis::Ior => [1.0, GLASS_IOR],
     };
     Span::at_least(slices.range, SLICES_WIDTH_MIN, domain)
@@ -116,10 +120,10 @@ pub fn demand(
     let (slices, range) = (slices(material, want.layout), material.rough_range(alpha_map)?);
     let rows = if slices.is_some() { rows(range, alpha_map) } else { Span::roughness(range, alpha_map) };
     let mut spans = vec![("mu", Span::new(want.n_dot_v)), ("roughness", rows)];
-    spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want.layout))));
+    spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want))));
     if want.layout == Layout::FiveAxis {
         let anisotropy = Slices { axis: SliceAxis::Anisotropy, range: material.anisotropy };
-        spans.push((anisotropy.axis.name(), wide(anisotropy, want.layout)));
+        spans.push((anisotropy.axis.name(), wide(anisotropy, want)));
     }
     if want.layout.has_azimuth() {
         // The albedo is even about both tangents.
@@ -280,8 +284,9 @@ fn rows(range: [f64; 2], map: AlphaMap) -> Span {
     Span::at_least(range.map(|r| r.max(least)), ROUGHNESS_WIDTH_MIN, [least, 1.0])
 }
 
-/// `64x64x32`.
+/// `64x64x32`; of one slice `64x64`.
 pub(super) fn size_text(size: &[usize]) -> String {
+    let size = size.strip_suffix(&[1]).unwrap_or(size);
     size.iter().map(ToString::to_string).collect::<Vec<_>>().join("x")
 }
 
@@ -319,13 +324,14 @@ fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
 /// wants none.
 fn because(lobe: &str, scene: &Scene, material: &Material) -> Option<String> {
     let wants: Vec<&TableWant> = wanted(material, 3).map(|(_, want)| want).collect();
-    let slices = slices(material, wants.first()?.layout)?;
+    let first = wants.first()?;
+    let slices = slices(material, first.layout)?;
     let (name, kind) = (&material.name, material.kind.name());
     // Of several tables, what those in the scene's own roughness hold.
     let path_tracer = wants.iter().all(|want| want.layout == Layout::PathTracer);
     let map = if path_tracer { AlphaMap::Roughness } else { scene.alpha };
     let roughness = rows_text(material.rough_range(map)?, map);
-    let range = wide(slices, Layout::Optimised).text();
+    let range = wide(slices, first).text();
     let (input, forms) = (slices.axis.name(), forms(&wants));
     Some(format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}"))
 }

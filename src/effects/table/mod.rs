@@ -37,7 +37,7 @@ pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
 pub use family::{Family, Further, Sliced, Truths};
 pub use findings::finding;
 pub use instead::table_instead;
-pub use job::{TableJob, demand, demands, summaries, wanted};
+pub use job::{SLICES_WIDTH_MIN, TableJob, demand, demands, summaries, wanted};
 pub use judge::Judge;
 pub(in crate::effects) use judge::even;
 pub use lookup::{Lookup, LookupError, Point};
@@ -46,9 +46,9 @@ pub use plan::{Node, TexelPlan};
 pub use points::{GROUP, LookupPoints};
 pub use region::{Region, SliceAxis, Slices, aspect};
 pub use results::{Way, WaysFinding};
-pub(in crate::effects) use spec::alpha_nodes;
 pub use spec::{BuildError, Made, Spec};
-pub use value::ValueTable;
+pub(in crate::effects) use spec::{alpha_nodes, ior_axis};
+pub use value::{Texels, ValueTable, Values, wants};
 
 /// Rounds of relaxation after which the error of tables with slices stands still.
 pub const ROUNDS: usize = 12;

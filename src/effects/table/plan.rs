@@ -34,7 +34,7 @@ pub struct TexelPlan {
 }
 
 impl TexelPlan {
-    /// Samples `per_cell` along each axis; `nodes` Chebyshev nodes in ln(alpha), at least 2;
+    /// Samples `per_cell` along each axis, of slices one or more; `nodes` Chebyshev nodes in ln(alpha), at least 2;
     /// lookups count from `smallest_mu` on.
     ///
     /// # Panics
@@ -111,7 +111,23 @@ impl TexelPlan {
 
     /// Texels for targets of this plan, as [`TexelPlan::texels`] gives them.
     pub fn optimised(&self, wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
-        texels::optimise(&self.lattice, &self.at_texels(&wanted.targets), wanted, rounds)
+        let Lattice { size, per_cell, beyond } = &self.lattice;
+        // One slice is no axis to look up along.
+        let axes = size.iter().filter(|n| **n > 1).count();
+        let [size, per_cell, beyond] = [size, per_cell, beyond].map(|all| all[..axes].to_vec());
+        texels::optimise(
+            &Lattice { size, per_cell, beyond },
+            &self.at_texels(&wanted.targets),
+            wanted,
+            rounds,
+        )
+    }
+
+    /// A function of every sample of the lattice, in the order of [`TexelPlan::targets`].
+    pub fn of_samples(&self, value: impl Fn(&Node) -> f64 + Sync) -> Vec<f64> {
+        let [columns, rows, slices] = self.samples();
+        let at = |i: usize| value(&self.sample([i % columns, i / columns % rows, i / columns / rows]));
+        (0..columns * rows * slices).into_par_iter().map(at).collect()
     }
 
     /// Columns, rows and slices of the lattice.
@@ -152,7 +168,7 @@ impl TexelPlan {
     }
 
     fn unit(&self, axis: usize, sample: usize) -> f64 {
-        self.lattice.position(axis, sample) / (self.axes[axis].size - 1) as f64
+        self.lattice.position(axis, sample) / (self.axes[axis].size - 1).max(1) as f64
     }
 
     fn alpha(&self, row: usize) -> f64 {

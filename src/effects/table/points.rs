@@ -188,10 +188,8 @@ fn point(region: &Region, roughness: f64, mu: f64, slice: f64) -> Point {
     let roughness = roughness as f32;
     let mut point =
         Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), mu: mu as f32, ..Point::default() };
-    match region.slices.map(|slices| slices.axis) {
-        Some(SliceAxis::Anisotropy) => point.anisotropy = slice as f32,
-        Some(SliceAxis::Ior) => point.ior = slice as f32,
-        None => {}
+    if let Some(slices) = region.slices {
+        *slices.axis.of_mut(&mut point) = slice as f32;
     }
     point
 }

@@ -25,6 +25,14 @@ impl SliceAxis {
         }
     }
 
+    /// Its value in a point.
+    pub(super) fn of_mut(self, point: &mut Point) -> &mut f32 {
+        match self {
+            SliceAxis::Anisotropy => &mut point.anisotropy,
+            SliceAxis::Ior => &mut point.ior,
+        }
+    }
+
     /// Its value at a point.
     pub fn of(self, point: &Point) -> f32 {
         match self {
@@ -75,6 +83,15 @@ impl Region {
     /// None, where a table with slices is made: a defect of the effect.
     pub fn slices(&self) -> Result<Slices, BuildError> {
         self.slices.ok_or(BuildError::Slices)
+    }
+
+    /// What points have in common: of slices the first value, which is the only one where no axis spans them.
+    pub(super) fn one_slice(&self) -> Point {
+        let mut point = Point::default();
+        if let Some(Slices { axis, range: [first, _] }) = self.slices {
+            *axis.of_mut(&mut point) = first as f32;
+        }
+        point
     }
 
     /// The region by input, as certificates state it.

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Region;
-use crate::data::{Axis, Channel, Decode, Layout, Serves, Smith, Table, TableError, TexelFormat};
+use super::{Region, SliceAxis};
+use crate::data::{Axis, Channel, Decode, Layout, Serves, Smith, Table, TableError, TexelFormat, Warp};
 
 /// Tables to bake that share their integrals: one for each side.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,20 +44,21 @@ impl Spec {
         BuildError::Layout { table: self.names.join(" "), layout: self.layout.name() }
     }
 
-    /// A table of channels for each name.
+    /// A table of channels for each name. An axis of one texel, the last one, is none of the table's.
     pub(in crate::effects) fn tables(
         &self,
         quantity: &str,
         axes: &[Axis],
         channels: Vec<Vec<Channel>>,
     ) -> Result<Vec<Table>, BuildError> {
+        let axes: Vec<Axis> = axes.iter().filter(|axis| axis.size > 1).cloned().collect();
         let table = |(name, channels): (&String, Vec<Channel>)| {
             let table = Table {
                 name: name.clone(),
                 quantity: quantity.into(),
                 smith: Some(self.smith),
                 alpha_map: self.region.alpha_map,
-                axes: axes.to_vec(),
+                axes: axes.clone(),
                 channels,
                 format: self.format,
             };
@@ -121,4 +122,13 @@ pub(in crate::effects) fn alpha_nodes(alpha: [f64; 2]) -> usize {
     use lobefit_math::ops;
     let rate = ops::asinh(std::f64::consts::PI / ops::log(alpha[1] / alpha[0]).max(1e-3));
     ((ops::log(2e4) / rate).ceil() as usize).max(8)
+}
+
+/// Smallest index of refraction from which slices linear in it do better than slices that crowd at 1.
+const APART: f64 = 1.1;
+
+/// The axis of slices along the index of refraction.
+pub(in crate::effects) fn ior_axis(size: usize, range: [f64; 2]) -> Axis {
+    let warp = if range[0] < APART { Warp::Ior } else { Warp::Linear };
+    Axis::ends(SliceAxis::Ior.name(), size, warp, range)
 }

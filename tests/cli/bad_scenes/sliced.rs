@@ -6,6 +6,12 @@ use super::{ANISOTROPIC, Case, GLASS, case, material, refused, wants};
 fn not_a_sliced_table() -> Vec<Case> {
     let of = |fields: &str, wants: &str| material(&format!(r#"{fields},"wants":{{{wants}}}"#));
     let tables = |fields: &str, tables: &str| of(fields, &format!("\"tables\":{tables}"));
+    let exact = |tables: &str| {
+        of(
+            r#""kind":"dielectric","ior":1.5,"roughness":1"#,
+            &format!(r#""exact_fresnel":{{"tables":{tables}}}"#),
+        )
+    };
     vec![
         case(
             wants("{\"tables\":[{\"layout\":\"optimised\"}]}"),
@@ -75,8 +81,37 @@ fn not_a_sliced_table() -> Vec<Case> {
         ),
         case(tables(ANISOTROPIC, "[{\"max_error\":0}]"), "wants.tables[0].max_error: 0 is outside (0, 1]"),
         case(
-            tables(ANISOTROPIC, "[{\"size\":[64,64]}]"),
-            "wants.tables[0].size: 2 numbers where the optimised layout has 3 axes",
+            tables(r#""kind":"glass","ior":[1.3,1.5],"roughness":1"#, "[{\"size\":[64,64]}]"),
+            "materials[0].wants.tables[0].size: 2 numbers where the optimised layout has 3 axes: an axis less is for one \
+             value of `ior`, and here it is 1.3 to 1.5",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[64,3]}]"),
+            "materials[0].wants.tables[0].size[1]: 3 is outside [4, 256]",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[64,64,32,2]}]"),
+            "wants.tables[0].size: 4 numbers where the optimised layout has 3 axes",
+        ),
+        case(
+            tables(GLASS, "[{\"layout\":\"dielectric\"}]"),
+            "materials[0].wants.tables[0].layout: `dielectric` is of the exact Fresnel term; list it in \
+             `wants.exact_fresnel.tables`",
+        ),
+        case(
+            exact("[{\"layout\":\"optimised\"}]"),
+            "materials[0].wants.exact_fresnel.tables[0].layout: `optimised` is of other lobes; of the exact Fresnel term \
+             give `dielectric`",
+        ),
+        case(
+            exact("[{},{\"format\":\"unorm16\"}]"),
+            "materials[0].wants.exact_fresnel.tables[1].format: `unorm16` holds [0, 1], and texels of the dielectric layout are \
+             signed",
+        ),
+        case(
+            exact("[{},{}]"),
+            "materials[0].wants.exact_fresnel.tables[1]: it has the layout, size, format and use of \
+             tables[0]",
         ),
         case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list in brackets, [...], of at most 5"),
         case(tables(ANISOTROPIC, "[{\"size\":[64,64,3]}]"), "wants.tables[0].size[2]: 3 is outside [4, 256]"),

@@ -64,7 +64,8 @@ fn change(solid: &Solid, channel: usize) -> f64 {
 fn allowed(solid: &Solid, changes: [f64; 4], texel: [f32; 4], point: &Point) -> [f64; 3] {
     let [first, second, ..] = changes;
     let of = match solid.decode {
-        Decode::Albedo | Decode::Loss => [first, 0.0, 0.0],
+        // Of a deficit at most as much: what a smooth surface reflects is at most 1.
+        Decode::Albedo | Decode::Loss | Decode::Deficit => [first, 0.0, 0.0],
         Decode::AzimuthCubic => [azimuth_bound(texel, point, &logarithms(point, changes)), 0.0, 0.0],
         Decode::SplitSum => [first + second, first, second],
         Decode::LossBias => [first, 3.0 * first + second, 2.0 * first + second],
@@ -87,7 +88,7 @@ fn reference(solid: &Solid, lookup: &Lookup, point: &Point) -> [f64; 3] {
     let (e, texel) = (lookup.at(point).e, lookup.texel(point));
     let x = 1.0 - point.mu;
     let values = match solid.decode {
-        Decode::Albedo | Decode::Loss | Decode::AzimuthCubic => [e, 0.0, 0.0],
+        Decode::Albedo | Decode::Loss | Decode::Deficit | Decode::AzimuthCubic => [e, 0.0, 0.0],
         Decode::SplitSum => [e, texel[0], texel[1]],
         Decode::LossBias => {
             let b = e * (texel[1] + x * x * (x * x) * x);
