@@ -12,12 +12,13 @@ use crate::approximate::target::TargetError;
 use crate::bake::{
     BakeError, Baked, Progress, Selection, Shard, Silent, UserHypothesis, bake, context, merge, shard,
 };
-use crate::plan::Plan;
+use crate::emit::header::short;
+use crate::plan::{Clamped, Plan};
 use crate::scene::{self, Limits, Scene, SceneError, limits};
 use crate::store::{self, Cache, StoreError};
 use lobefit_fit::FitError;
 use lobefit_import::{ENDINGS, Files, Format, Imported, Note, Textures};
-use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_shade::{Hypothesis, ShadeError, round_up};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// A scene and what it refers to.
@@ -149,7 +150,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     let mut scene = parsed(&text)?;
     scene.made_of = text.ending.map(|ending| in_command(path, ending, &option.textures));
     let Text { name, folder, notes, .. } = text;
-    scene.notes = notes;
+    scene.notes = with_errors(notes, &scene)?;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
         let file = store::inside(&folder, path)?;
@@ -160,6 +161,22 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         hypotheses.push(UserHypothesis { file: path.into(), source });
     }
     Ok(Input { scene, name, hypotheses, paths })
+}
+
+/// Notes of what a quantile leaves out, with what is off where a shader clamps to the ranges of the scene.
+pub(super) fn with_errors(mut notes: Vec<Note>, scene: &Scene) -> Result<Vec<Note>, CliError> {
+    for note in &mut notes {
+        let Some(all) = note.beyond else { continue };
+        if let Some(Clamped { error, roughness, mu }) =
+            Clamped::of(scene, &note.of, all).map_err(BakeError::from)?
+        {
+            let (error, [roughness, mu]) = (round_up(error, 2), [roughness, mu].map(short));
+            note.text += &format!(
+                "; clamped to the range, E is off by up to {error} (roughness {roughness}, n_dot_v {mu})"
+            );
+        }
+    }
+    Ok(notes)
 }
 
 /// The JSON of a scene.

@@ -34,10 +34,10 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(format!("{}: {ENDINGS} is called for", text.name)));
     }
     // It is one that every verb takes.
-    input::parsed(&text)?;
+    let scene = input::parsed(&text)?;
     print(&text.bytes)?;
     if !options.quiet {
-        input::say_notes(&text.notes);
+        input::say_notes(&input::with_errors(text.notes, &scene)?);
     }
     Ok(Outcome::Done)
 }

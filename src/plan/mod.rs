@@ -1,6 +1,8 @@
 //! A scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is
 //! planned that no material needs; jobs that several materials share are planned once.
 
+mod clamped;
+
 use std::collections::BTreeSet;
 
 use serde::Serialize;
@@ -8,6 +10,7 @@ use serde::Serialize;
 use crate::effects::demand::{Demand, Job};
 use crate::effects::{Called, Effect, LeftOut, catalogue};
 use crate::scene::Scene;
+pub use clamped::Clamped;
 
 /// What a scene calls for.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -8,6 +8,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use lobefit::scene::{Kind, Material, Scene};
 use lobefit_import::{Files, Format, Imported, Textures};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::optics::Smith;
+use lobefit_truth::quantity::{GGX_GLASS, GGX_REFLECTION, Variant};
 use serde_json::{Value, json};
 
 use crate::common::{lobefit, stderr};
@@ -137,6 +140,53 @@ fn quantiles_leave_out_what_they_say() {
         ]
     );
     assert_eq!(roughness(image, 0.0002).0[0], 0.0, "a share below one texel drops none");
+}
+
+/// What is off beyond a quantile's range is said, by the albedo itself, of metal, dielectric and glass.
+#[test]
+fn a_quantile_says_what_is_off_beyond_it() {
+    let mut texels = vec![[0, 128, 255]; 4000];
+    texels[17] = [0, 26, 255];
+    let metal = metallic_roughness(json!({}));
+    let mut glass = metallic_roughness(json!({ "metallicFactor": 0 }));
+    glass["extensions"] = json!({
+        "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_volume": { "thicknessFactor": 1 }
+    });
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("x.png"), rgb(&texels)).expect("written");
+    let [kept, left] = [128.0, 26.0].map(|x| x / 255.0);
+    for (name, material) in [("metal", metal), ("glass", glass)] {
+        let file = format!("{name}.gltf");
+        std::fs::write(folder.path().join(&file), gltf(material, &["x.png"])).expect("written");
+        let arguments = ["plan", &file, "--textures", "--quantile", "0.001"];
+        let output = lobefit(folder.path(), &arguments, b"");
+        let text = String::from_utf8(output.stdout).expect("text");
+        let said =
+            text.split("clamped to the range, E is off by up to ").nth(1).unwrap_or_else(|| panic!("{text}"));
+        let number = |after: &str| -> f64 {
+            let rest = said.split(after).nth(1).expect("a number");
+            rest.split([' ', ',', ')'])
+                .next()
+                .and_then(|x| x.parse().ok())
+                .unwrap_or_else(|| panic!("{said}"))
+        };
+        let error: f64 = said.split(' ').next().and_then(|x| x.parse().ok()).expect("an error");
+        let (roughness, mu) = (number("(roughness "), number("n_dot_v "));
+        assert!((left..kept).contains(&(roughness + 1e-4)), "{said}");
+        let albedo = |roughness: f64| {
+            let (smith, alpha) = (Some(Smith::Correlated), roughness * roughness);
+            let variant =
+                Variant { smith, side: (name == "glass").then_some(Side::Inside), ..Variant::default() };
+            match name {
+                "metal" => GGX_REFLECTION.at(&variant, &[alpha, mu], 1e-7).expect("in the domain")[0],
+                _ => GGX_GLASS.at(&variant, &[alpha, mu, 1.5], 1e-7).expect("in the domain")[2],
+            }
+        };
+        let off = (albedo(roughness) - albedo(kept)).abs();
+        assert!((off / error - 1.0).abs() < 0.06 && error > 0.02, "{name}: {off}, {said}");
+        let scene = lobefit(folder.path(), &["scene-from", &file, "--textures", "--quantile", "0.001"], b"");
+        assert!(stderr(&scene).contains("E is off by up to "), "{}", stderr(&scene));
+    }
 }
 
 #[test]

@@ -18,7 +18,7 @@ pub enum About {
 }
 
 /// What a file says that its scene does not hold, and the names of the materials that say it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Note {
     /// What it is about.
     pub about: About,
@@ -26,6 +26,9 @@ pub struct Note {
     pub text: String,
     /// Names as the scene has them; none where it is said of the file.
     pub of: Vec<String>,
+    /// The roughness with the texels that a quantile leaves out, where it is of that.
+    #[serde(skip)]
+    pub beyond: Option<[f64; 2]>,
 }
 
 /// Names that a message lists.
@@ -45,15 +48,18 @@ impl fmt::Display for Note {
 
 /// Sentences about one material.
 #[derive(Debug, Default)]
-pub(crate) struct Said(pub Vec<(About, String)>);
+pub(crate) struct Said(pub Vec<Sentence>);
+
+/// A sentence of a note: what it is about, its text, and [`Note::beyond`].
+pub(crate) type Sentence = (About, String, Option<[f64; 2]>);
 
 impl Said {
     pub fn missing(&mut self, text: impl Into<String>) {
-        self.0.push((About::Missing, text.into()));
+        self.0.push((About::Missing, text.into(), None));
     }
 
     pub fn reading(&mut self, text: impl Into<String>) {
-        self.0.push((About::Reading, text.into()));
+        self.0.push((About::Reading, text.into(), None));
     }
 }
 
@@ -66,11 +72,12 @@ pub(crate) struct Notes {
 
 impl Notes {
     /// Adds a note, or a name to the one of its text.
-    pub fn add(&mut self, (about, text): (About, String), of: Option<&str>) {
+    pub fn add(&mut self, (about, text, beyond): Sentence, of: Option<&str>) {
         let place = *self.places.entry(text).or_insert_with_key(|text| {
-            self.all.push(Note { about, text: text.clone(), of: Vec::new() });
+            self.all.push(Note { about, text: text.clone(), of: Vec::new(), beyond });
             self.all.len() - 1
         });
+        self.all[place].beyond = joined(self.all[place].beyond, beyond);
         self.all[place].of.extend(of.map(String::from));
     }
 
@@ -80,16 +87,24 @@ impl Notes {
 }
 
 impl Said {
-    /// Says what the quantile leaves out of a texture's range, if anything.
-    pub fn beyond(&mut self, what: &str, extremes: &Extremes, quantile: f64) {
+    /// Says what the quantile leaves out of a texture's range, if anything; `roughness` makes roughness of a
+    /// texel of that.
+    pub fn beyond(
+        &mut self,
+        what: &str,
+        extremes: &Extremes,
+        quantile: f64,
+        roughness: Option<&dyn Fn(f64) -> f64>,
+    ) {
         let Extremes { kept, all } = extremes;
         if kept != all {
             let [[low, high], [least, most]] = [kept, all].map(|ends| ends.map(short));
             let share = short(100.0 * quantile);
-            self.reading(format!(
+            let text = format!(
                 "{what} without {share} % of the texels at each end is [{low}, {high}] of its factor, with them [{least}, {most}]: \
                  what is promised is void there"
-            ));
+            );
+            self.0.push((About::Reading, text, roughness.map(|of| ordered(all.map(of)))));
         }
     }
 
@@ -97,6 +112,19 @@ impl Said {
     pub fn unknown(&mut self, what: &str, why: &str, range: [f64; 2]) {
         let [low, high] = range.map(short);
         self.missing(format!("{what} has an image {why}: it takes [{low}, {high}]"));
+    }
+}
+
+/// The ends in order.
+fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The smallest range that holds both.
+fn joined(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].max(b[1])]),
+        (a, b) => a.or(b),
     }
 }
 

@@ -53,7 +53,7 @@ impl Writer {
 
     /// Says something of the file, or of what it names.
     pub fn note(&mut self, about: About, text: String, of: Option<&str>) {
-        self.notes.add((about, text), of);
+        self.notes.add((about, text, None), of);
     }
 
     pub fn finish(self) -> Imported {

@@ -212,7 +212,14 @@ impl Look<'_, '_, '_> {
         match images.texture(texture.index)? {
             Ok(channels) => {
                 let extremes = channels[channel];
-                self.said.beyond(what, &extremes, quantile);
+                let rough = |texel: f64| factor * texel;
+                let glossy = |texel: f64| 1.0 - factor * texel;
+                let roughness: Option<&dyn Fn(f64) -> f64> = match what {
+                    "roughness" => Some(&rough),
+                    "glossiness" => Some(&glossy),
+                    _ => None,
+                };
+                self.said.beyond(what, &extremes, quantile, roughness);
                 Ok(extremes.kept.map(|texel| factor * texel))
             }
             Err(why) => {
@@ -229,7 +236,7 @@ impl Look<'_, '_, '_> {
         match images.texture(texture.index)? {
             Ok(channels) => Ok([R, G, B].map(|k| {
                 let [kept, all] = [channels[k].kept, channels[k].all].map(|ends| ends.map(srgb::decoded));
-                self.said.beyond(COLOUR[k], &Extremes { kept, all }, quantile);
+                self.said.beyond(COLOUR[k], &Extremes { kept, all }, quantile, None);
                 factor[k] * kept[1]
             })),
             Err(why) => {

@@ -329,7 +329,12 @@ impl<'i, 'd, 'b, 'f, 't> Inputs<'i, 'd, 'b, 'f, 't> {
     fn texels(&mut self, what: &str, texels: &Texels, channel: usize, range: [f64; 2]) {
         let quantile = self.textures.as_ref().map_or(0.0, |textures| textures.quantile());
         match texels {
-            Some(Ok(channels)) => self.said.beyond(what, &channels[channel], quantile),
+            Some(Ok(channels)) => {
+                let same = |texel: f64| texel;
+                let is_roughness = ["roughness", "specular_roughness"].contains(&what);
+                let roughness = is_roughness.then_some(&same as &dyn Fn(f64) -> f64);
+                self.said.beyond(what, &channels[channel], quantile, roughness);
+            }
             Some(Err(why)) => self.said.unknown(what, why, range),
             None => {}
         }
