@@ -31,9 +31,14 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     if !record.left_out.is_empty() {
         sections.push(left_out(record));
     }
-    let pages = if record.origin.scene == "default" { bar_from("../")? } else { Vec::new() };
-    let file = record.device.adapter.to_lowercase().replace(' ', "-");
-    let known = pages.iter().any(|(_, page)| *page == format!("../gpu/{file}.html"));
+    let of_every_formula = record.origin.scene == EVERY_FORMULA;
+    let is_own = record.origin.scene == "default" || of_every_formula;
+    let device = record.device.adapter.to_lowercase().replace(' ', "-");
+    let every = format!("{device}-every-formula");
+    let mut pages = if is_own { bar_from("../")? } else { Vec::new() };
+    let known = pages.iter().any(|(_, page)| *page == format!("../gpu/{device}.html"));
+    pages.extend(known.then(|| ("times of every formula".into(), format!("../gpu/{every}.html"))));
+    let file = if of_every_formula { every } else { device };
     let origin = Origin { pages, ..record.origin.clone() };
     Ok(Page::new(
         format!("lobefit on {}", record.device.adapter),
@@ -42,6 +47,9 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
         sections,
     ))
 }
+
+/// The scene of the repository with every formula, whose record lies beside that of the built-in one.
+const EVERY_FORMULA: &str = "every formula, under its own name";
 
 const LEAD: &str = "Time per evaluation of the emitted WGSL on one graphics processor. A time holds for the code of its function, whatever the \
     scene; `lobefit check` says which functions have changed since.";
