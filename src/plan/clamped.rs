@@ -2,7 +2,7 @@
 //! left out of it.
 
 use crate::scene::Scene;
-use crate::scene::limits::SMOOTH_ALPHA;
+use crate::scene::limits::SLICED_ALPHA;
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
@@ -37,23 +37,31 @@ impl Clamped {
     /// A truth that cannot be integrated.
     pub fn of(scene: &Scene, names: &[String], all: [f64; 2]) -> Result<Option<Clamped>, IntegrateError> {
         let mut worst: Option<Clamped> = None;
+        let mut known = Vec::new();
         for material in scene.materials.iter().filter(|material| names.contains(&material.name)) {
-            let ranges = [material.roughness, all];
-            let mut found = Vec::new();
-            if material.lobe().is_glass() {
-                for (side, ior) in Side::ALL
-                    .into_iter()
-                    .flat_map(|s| material.ior.into_iter().flatten().map(move |n| (s, n)))
-                {
-                    found.extend(clamped(scene, (GGX_GLASS, Some((side, ior))), ranges)?);
-                }
-            } else {
-                found.extend(clamped(scene, (GGX_REFLECTION, None), ranges)?);
+            let iors = material.ior.filter(|_| material.lobe().is_glass());
+            // Many materials are alike.
+            if known.contains(&(material.roughness, iors)) {
+                continue;
             }
-            worst = worst.into_iter().chain(found).reduce(|a, b| if b.error > a.error { b } else { a });
+            known.push((material.roughness, iors));
+            let ranges = [material.roughness, all];
+            let Some([low, high]) = iors else {
+                worst = worse(worst, clamped(scene, (GGX_REFLECTION, None), ranges)?);
+                continue;
+            };
+            let ends = if low == high { vec![low] } else { vec![low, high] };
+            for (side, ior) in Side::ALL.into_iter().flat_map(|side| ends.iter().map(move |ior| (side, *ior)))
+            {
+                worst = worse(worst, clamped(scene, (GGX_GLASS, Some((side, ior))), ranges)?);
+            }
         }
         Ok(worst)
     }
+}
+
+fn worse(a: Option<Clamped>, b: Option<Clamped>) -> Option<Clamped> {
+    a.into_iter().chain(b).reduce(|a, b| if b.error > a.error { b } else { a })
 }
 
 /// The worst of one lobe, whose roughness is clamped to a range; none where nothing lies beyond it.
@@ -64,7 +72,7 @@ fn clamped(
 ) -> Result<Option<Clamped>, IntegrateError> {
     let [first, last] = scene.mu.map(ops::log);
     let mut places = Vec::new();
-    for (end, beyond) in [(low, least), (high, most)].into_iter().filter(|_| least < low || most > high) {
+    for (end, beyond) in [(low, least.min(low)), (high, most.max(high))].into_iter().filter(|(a, b)| a != b) {
         for part in 1..=PARTS {
             let roughness = end + (beyond - end) * part as f64 / PARTS as f64;
             for i in 0..=COSINES {
@@ -78,7 +86,7 @@ fn clamped(
         return Ok(None);
     }
     let alphas = places.iter().flat_map(|(roughness, end, _)| [*roughness, *end]);
-    let alphas: Vec<f64> = alphas.map(|r| scene.alpha.alpha(r).max(SMOOTH_ALPHA)).collect();
+    let alphas: Vec<f64> = alphas.map(|r| scene.alpha.alpha(r).max(SLICED_ALPHA)).collect();
     let mus = places.iter().flat_map(|(.., mu)| [*mu; 2]).collect();
     let mut columns = vec![("alpha", alphas), ("mu", mus)];
     columns.extend(from.map(|(_, ior)| ("ior", vec![ior; 2 * places.len()])));

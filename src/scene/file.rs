@@ -14,7 +14,7 @@ use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::output::{self, OneOf, Output};
 use super::probe::Probe;
-use super::table::{TableWant, enough_slices};
+use super::table::{Layout, TableWant, enough_slices};
 use super::value::{List, Maybe, Text, Word, about, distinct, told};
 use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith, Vendor};
 use lobefit_import::Note;
@@ -271,26 +271,30 @@ impl Scene {
 
     /// Chooses the slices that are left open.
     fn settle_slices(&mut self) {
-        for of in SLICED {
+        for of @ (field, lobe) in SLICED {
             let Some(range) = self.sliced_over(of) else { continue };
-            let (enough, is_one) = (enough_slices(of.1, range), range[0] == range[1]);
-            let own = self.materials.iter_mut().filter(|material| material.lobe() == of.1);
-            let tables = own.flat_map(Material::tables_mut).filter(|(field, _)| *field == of.0);
-            tables.for_each(|(_, want)| want.settle_slices(enough, is_one));
+            // A dielectric's are few as they are.
+            let enough = if field == EXACT_FRESNEL { usize::MAX } else { enough_slices(lobe, range) };
+            let own = self.materials.iter_mut().filter(|material| material.lobe() == lobe);
+            let tables = own.flat_map(Material::tables_mut).filter(|(of, _)| *of == field);
+            tables.for_each(|(_, want)| want.settle_slices(enough, range[0] == range[1]));
         }
     }
 
-    /// What the slices of the tables of a field span, of all materials of a lobe: they may share a table.
+    /// What the slices of the tables of a field span, of all materials of a lobe that call for them: they may
+    /// share a table, and of the exact Fresnel term with every coat.
     fn sliced_over(&self, (field, lobe): (&str, Lobe)) -> Option<[f64; 2]> {
-        let own = self.materials.iter().filter(|material| material.lobe() == lobe);
-        let spans = own.flat_map(|material| match field {
-            // Coats take the tables too.
-            EXACT_FRESNEL => {
-                let of_lobe = material.wants.exact_fresnel.as_ref().and(material.ior);
-                [of_lobe, material.coat.as_ref().map(|coat| coat.ior)]
+        let is_rough = |[_, high]: [f64; 2]| self.alpha.alpha(high) >= limits::SLICED_ALPHA;
+        let spans = self.materials.iter().flat_map(|material| {
+            let Material { wants, ior, anisotropy, coat, .. } = material;
+            if field == EXACT_FRESNEL {
+                let own = wants.exact_fresnel.as_ref().and(*ior).filter(|_| is_rough(material.roughness));
+                return [own, coat.as_ref().map(|coat| coat.ior)];
             }
-            _ if lobe == Lobe::Glass => [material.ior, None],
-            _ => [Some(material.anisotropy), None],
+            let is_sliced = |want: &TableWant| want.layout.axes() == 3 && want.layout != Layout::PathTracer;
+            let own = if lobe == Lobe::Glass { *ior } else { Some(*anisotropy) };
+            let calls = material.lobe() == lobe && wants.tables.iter().any(is_sliced);
+            [own.filter(|_| calls && material.rough_range(self.alpha).is_some()), None]
         });
         spans.flatten().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
     }
@@ -307,7 +311,7 @@ impl Scene {
             {
                 let name = if of.1 == Lobe::Anisotropic { "anisotropy" } else { "ior" };
                 let message = format!(
-                    "2 numbers where the {} layout has 3 axes: an axis less is for one value of `{name}`, and here it is {low} to {high}",
+                    "2 numbers where the {} layout has 3 axes: an axis less is for one value of `{name}`, which is {low} to {high} of the materials and coats that call for it",
                     want.layout.name()
                 );
                 return Err((format!("materials[{i}].{field}.tables[{j}].size"), message));

@@ -285,7 +285,7 @@ fn a_white_base_is_white_by_a_table() {
         }
     }
     println!("by the table {:.2e}, by the formula {:.2e}", worst[0], worst[1]);
-    assert!(worst[0] < 1e-3 && worst[1] > 5e-3, "{worst:?}");
+    assert!(worst[0] < 1e-3 && (5e-3..0.04).contains(&worst[1]), "{worst:?}");
 }
 
 /// Layouts of tables of the same that are shipped, with exact texels: cosine, roughness and index of

@@ -140,6 +140,13 @@ fn close_values_take_few_slices() {
         let brushed = brushed("b", "").replace("[0.3,0.5]", anisotropy);
         assert_eq!(sizes(&[&brushed]), [vec![64, 64, slices]], "{anisotropy}");
     }
+    // Materials that call for no such table leave the others alone.
+    let path_tracer = tables(r#"{"layout":"path-tracer"}"#);
+    let smooth = glass("c", "2", "").replace("[0.2,0.6]", "0");
+    assert_eq!(
+        sizes(&[&glass("a", "1.5", ""), &glass("b", "1.33", &path_tracer), &smooth])[0],
+        [128, 128, 1]
+    );
     let both = sliced(&of(&[&glass("a", "1.505", &both)]));
     let [one, several] = [0, 1].map(|i: usize| both[i].region.slices.expect("slices").range);
     assert_eq!((one, several), ([1.505; 2], [1.5, 1.51]), "in the digits that a person would write");

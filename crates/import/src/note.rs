@@ -63,21 +63,21 @@ impl Said {
     }
 }
 
-/// Notes, each text once.
+/// Notes, each text once, of a quantile once for each roughness with what it leaves out.
 #[derive(Default)]
 pub(crate) struct Notes {
     all: Vec<Note>,
-    places: BTreeMap<String, usize>,
+    places: BTreeMap<(String, Option<[u64; 2]>), usize>,
 }
 
 impl Notes {
     /// Adds a note, or a name to the one of its text.
     pub fn add(&mut self, (about, text, beyond): Sentence, of: Option<&str>) {
-        let place = *self.places.entry(text).or_insert_with_key(|text| {
+        let key = (text, beyond.map(|ends| ends.map(f64::to_bits)));
+        let place = *self.places.entry(key).or_insert_with_key(|(text, _)| {
             self.all.push(Note { about, text: text.clone(), of: Vec::new(), beyond });
             self.all.len() - 1
         });
-        self.all[place].beyond = joined(self.all[place].beyond, beyond);
         self.all[place].of.extend(of.map(String::from));
     }
 
@@ -118,14 +118,6 @@ impl Said {
 /// The ends in order.
 fn ordered([a, b]: [f64; 2]) -> [f64; 2] {
     [a.min(b), a.max(b)]
-}
-
-/// The smallest range that holds both.
-fn joined(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
-    match (a, b) {
-        (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].max(b[1])]),
-        (a, b) => a.or(b),
-    }
 }
 
 /// Four decimals, which tell the values of 8 bits apart.

@@ -12,7 +12,7 @@ use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
 use crate::approximate::{Entry, Formulas, own, published};
 use crate::emit::call::Call;
-use crate::scene::limits::EXACT_IOR;
+use crate::scene::limits::{EXACT_IOR, SLICED_ALPHA};
 use crate::scene::{EXACT_FRESNEL, Goals, Kind, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::GGX_GLASS;
@@ -44,7 +44,7 @@ pub const PUBLISHED: [Entry; 4] = published![
 
 /// Least alpha of a job. For narrower lobes, which are near Fresnel's own term, every value of the truth
 /// is an integral of its own.
-pub(super) const ALPHA_MIN: f64 = 4e-4;
+pub(super) const ALPHA_MIN: f64 = SLICED_ALPHA;
 
 /// Least cosine of which the truth is quick, and seconds of the truth with smaller ones.
 const MU_QUICK: f64 = 2e-4;
@@ -80,7 +80,8 @@ const TABLE: ValueTable = ValueTable {
 /// The tables that the dielectrics of a scene want.
 fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
     let least = scene.alpha.roughness(ALPHA_MIN);
-    wants(scene, EXACT_FRESNEL, |m| m.roughness[1] >= least)
+    // A coat takes those of a smooth lobe below it.
+    wants(scene, EXACT_FRESNEL, |m| m.roughness[1] >= least || m.coat.is_some())
 }
 
 /// The fits, and the tables that are wanted beside them.
@@ -112,9 +113,9 @@ impl Effect for Dielectric {
                 prefixes: &[FITS.role, TABLE.role],
                 lobe: ggx,
                 notes: &[(
-                    &[FITS.role],
+                    &[FITS.role, TABLE.role],
                     &[
-                        "`ggx_dielectric_albedo` is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
+                        "`ggx_dielectric_albedo`, and `ggx_dielectric_lookup` of a table, is R, the albedo of a dielectric's single-scattering lobe with the exact Fresnel term, seen from outside.",
                         "The layer below receives at most 1 - R. The light that is lost between facets is part of 1 - R: a base that is scaled by 1 - R gets it. Pass",
                         "roughness and ior within the stated domain, of a smoother or rougher surface the nearest roughness there: beyond it R may leave [0, 1].",
                     ],

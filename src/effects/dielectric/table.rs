@@ -21,11 +21,14 @@ use lobefit_truth::optics::fresnel::dielectric;
 /// Targets drawn for their check.
 const CHECKED: usize = 1 << 13;
 
-/// Samples per cell that the texels are optimised on: four from row to row, where the error is.
-const SAMPLES: [usize; 3] = [2, 4, 2];
+/// Samples per cell that the texels are optimised on: four from row to row, where the error is; fewer in tables of
+/// more texels than `LARGE`, whose cells hold less curvature and whose samples would fill the memory.
+const SAMPLES: [[usize; 3]; 2] = [[2, 4, 2], [2, 2, 1]];
+const LARGE: usize = 1 << 18;
 
-/// Least index of refraction of a texel: at 1 nothing is reflected, and a part of nothing has no value.
-const LEAST_IOR: f64 = 1.001;
+/// Least index of refraction of a texel: at 1 nothing is reflected, and a part of nothing has no value. Below it a
+/// lookup may be off by all of R at grazing, as the certificate of such a table says.
+const LEAST_IOR: f64 = 1.0001;
 
 /// The table of a spec.
 ///
@@ -40,7 +43,8 @@ pub fn texels(quantity: &'static str, spec: &Spec, values: &Values) -> Result<(V
         ior_axis(slices, region.slices()?.range),
     ];
     let nodes = 2 * alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
-    let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
+    let samples = SAMPLES[usize::from(columns * rows * slices > LARGE)];
+    let plan = TexelPlan::new(axes.clone(), region.alpha_map, samples, nodes, region.mu[0]);
     let reflected = |nodes: &[Node]| {
         let places: Vec<[f64; 3]> = nodes.iter().map(|p| [p.alpha, p.mu, p.slice.max(LEAST_IOR)]).collect();
         values(&places)

@@ -9,7 +9,7 @@ use crate::effects::demand::{Caller, Demand, Job, ROUGHNESS_WIDTH_MIN, Span, lis
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::emit::lookup::TableNames;
-use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR, SLICED_AXIS_MIN};
+use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR, SLICED_ALPHA, SLICED_AXIS_MIN};
 use crate::scene::{Goals, Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 
@@ -274,7 +274,7 @@ impl TableJob {
 /// Below it a lookup clamps to the edge, and the lobe is so narrow that its loss matters at grazing
 /// views alone.
 fn smallest_row(map: AlphaMap) -> f64 {
-    map.roughness(4e-4)
+    map.roughness(SLICED_ALPHA)
 }
 
 /// The roughness that the rows of a table with slices span: at least `ROUGHNESS_WIDTH_MIN` wide,

@@ -1,4 +1,4 @@
-//! A table of one column of any quantity of alpha and mu, or with its slices of ior too.
+//! A table of one column of any quantity of alpha and mu, or of alpha, mu and ior.
 
 use std::cell::Cell;
 
@@ -161,6 +161,11 @@ impl ValueTable<'_> {
         Ok(Slices { axis, range })
     }
 
+    /// Seconds of a texel with slices, whose samples are many; of two axes they are in `seconds`.
+    fn texel_seconds(&self, want: &TableWant) -> f64 {
+        if want.layout.axes() > 2 { 1e-4 } else { 0.0 }
+    }
+
     fn held(&self) -> Held {
         Held { quantity: self.quantity, column: self.column, side: self.side }
     }
@@ -179,9 +184,9 @@ impl ValueTable<'_> {
                 approximation: format!("table {size} {format}, {layout} layout, of {}", self.column),
                 ranges: job.ranges.clone().into_iter().chain([("mu", want.n_dot_v)]).chain(slices).collect(),
                 bytes: texels as u64 * want.format.bytes(),
-                bytes_at_most: want.size.is_none(),
+                bytes_at_most: want.size.is_none() || want.max_bytes.is_some(),
                 expected_error: want.max_error,
-                seconds: self.seconds,
+                seconds: self.seconds + texels as f64 * self.texel_seconds(want),
                 ..JobSummary::default()
             }
         };
@@ -189,7 +194,8 @@ impl ValueTable<'_> {
     }
 
     fn named(&self, want: &TableWant) -> String {
-        let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
+        let stated = want.size.as_ref().filter(|_| want.max_bytes.is_none());
+        let size = stated.map_or_else(|| "auto".into(), |size| size_text(size));
         format!("{}-{}", self.name, shape(&size, want.format, want.layout))
     }
 }
@@ -250,6 +256,13 @@ impl Family for ValueTable<'_> {
 
     fn seconds(&self, _: usize, _: &[TableJob]) -> f64 {
         self.seconds
+    }
+
+    fn note(&self, _: Layout) -> Option<&'static str> {
+        self.side.map(|side| match side {
+            Side::Outside => "of rays from outside",
+            Side::Inside => "of rays from inside",
+        })
     }
 
     fn build(&self, spec: &Spec, memo: &Memo) -> Result<(Vec<Table>, Made), BuildError> {

@@ -83,7 +83,7 @@ fn not_a_sliced_table() -> Vec<Case> {
         case(
             tables(r#""kind":"glass","ior":[1.3,1.5],"roughness":1"#, "[{\"size\":[64,64]}]"),
             "materials[0].wants.tables[0].size: 2 numbers where the optimised layout has 3 axes: an axis less is for one \
-             value of `ior`, and here it is 1.3 to 1.5",
+             value of `ior`, which is 1.3 to 1.5 of the materials and coats that call for it",
         ),
         case(
             tables(ANISOTROPIC, "[{\"size\":[64,3]}]"),

@@ -236,7 +236,7 @@ fn statements_that_would_take_for_ever_or_lead_nowhere_are_refused() {
         (decode("E = sqrt(0 - 1 - loss)"), "gives NaN"),
         (decode("E = 1 / (loss - loss)"), "gives inf"),
         (decode("E = s * 0, t = 1"), "names what is not there"),
-        (domain("alpha [0.25, 0.25]"), "is no range"),
+        (domain("alpha [0.25, 0.25]"), "no range of alpha"),
         (domain("alpha [0.5, 0.25]"), "is no range"),
         (domain("alpha [2, 3]"), "no range of alpha"),
         (domain("alpha [0.25, 0.2500000000000001]"), "no range of alpha"),

@@ -29,8 +29,8 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Errors: an input of which the statement gives no range, or one that is empty or a single
-    /// value where the truth is had.
+    /// Errors: an input of which the statement gives no range, or one that is empty where the truth is had, or a
+    /// single value of an axis.
     pub fn new(truth: &Truth, own: usize, said: &Statement) -> Result<Domain, String> {
         let count = PLACES[truth.spec.inputs.len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
@@ -42,9 +42,12 @@ impl Domain {
             let claimed = said.range(name).or(all);
             let claimed = claimed.ok_or_else(|| format!("its line `domain` has no {name}"))?;
             let [from, to] = claimed.map(|x| x.clamp(low, high));
-            out.places.push((name, places(*input, [from, to], count)?));
+            let covered = cover(said, *input)?;
+            let is_constant = covered.is_none() && claimed == [from, to] && from == to;
+            let along = if is_constant { vec![from] } else { places(*input, [from, to], count)? };
+            out.places.push((name, along));
             out.cut.extend(outside(name, claimed, [low, high]));
-            let [least, most] = cover(said, *input)?.unwrap_or([low, high]);
+            let [least, most] = covered.unwrap_or(if is_constant { claimed } else { [low, high] });
             let least = if *input == Input::Mu { least.max(GRAZING) } else { least };
             out.beyond.extend(outside(name, [least.max(low), most.min(high)], [from, to]));
         }

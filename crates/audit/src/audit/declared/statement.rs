@@ -128,7 +128,7 @@ fn axis(text: &str) -> Result<Axis, String> {
         name: name.to_string(),
         size: size.parse().map_err(|_| odd())?,
         registration: registration.ok_or_else(odd)?,
-        range: numbers(ends).ok_or_else(odd)?,
+        range: numbers(ends).filter(|[low, high]| low < high).ok_or_else(odd)?,
         text: coordinate.to_string(),
         coordinate: definitions(coordinate)?,
     })
@@ -166,13 +166,14 @@ fn definitions(text: &str) -> Result<Vec<(String, Formula)>, String> {
 fn range(text: &str) -> Result<(String, [f64; 2]), String> {
     let odd = || format!("`{text}` is no range");
     let (name, ends) = text.trim().trim_end_matches(']').split_once(" [").ok_or_else(odd)?;
-    Ok((name.to_string(), numbers(ends).ok_or_else(odd)?))
+    let [low, high] = numbers(ends).ok_or_else(odd)?;
+    // Of one value a table has no axis.
+    (low <= high).then(|| (name.to_string(), [low, high])).ok_or_else(odd)
 }
 
-/// `0.001, 1`, rising.
+/// `0.001, 1`.
 fn numbers(text: &str) -> Option<[f64; 2]> {
     let (low, high) = text.split_once(", ")?;
     let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let (low, high) = (number(low)?, number(high)?);
-    (low < high).then_some([low, high])
+    Some([number(low)?, number(high)?])
 }
