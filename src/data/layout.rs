@@ -28,8 +28,8 @@ pub enum Layout {
     FiveAxis,
     /// Over roughness and mu, sqrt(1 - mu), end points: a pair of tables of linearly transformed cosines.
     AreaLights,
-    /// Over mu as the homogeneous layout has it, roughness and index of refraction: the albedo of a dielectric
-    /// as a part of what a smooth surface reflects.
+    /// Over mu as the homogeneous layout has it, roughness and index of refraction: the albedo of a
+    /// dielectric as a part of what a smooth surface reflects.
     Dielectric,
 }
 

@@ -30,8 +30,9 @@ pub struct Clamped {
 }
 
 impl Clamped {
-    /// The worst of the materials of these names, where their texels are over the roughness `all`: of E of GGX's
-    /// lobe that reflects, of glass of E = R + T from either side at the ends of its indices of refraction.
+    /// The worst of the materials of these names, where their texels are over the roughness `all`: of E of
+    /// GGX's lobe that reflects, of glass of E = R + T from either side at the ends of its indices of
+    /// refraction.
     ///
     /// # Errors
     /// A truth that cannot be integrated.

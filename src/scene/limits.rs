@@ -62,8 +62,8 @@ pub const THREADS: usize = 256;
 /// than 2e-4 for mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is
 /// smooth.
 pub const SMOOTH_ALPHA: f64 = 1e-4;
-/// Least alpha of tables with slices and of dielectrics with the exact Fresnel term: below it every value of the
-/// truth is an integral of its own.
+/// Least alpha of tables with slices and of dielectrics with the exact Fresnel term: below it every value
+/// of the truth is an integral of its own.
 pub const SLICED_ALPHA: f64 = 4e-4;
 /// Largest index of refraction that the path tracer's tables reach.
 pub const PATH_TRACER_IOR: f64 = 2.0;

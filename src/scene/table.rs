@@ -193,8 +193,8 @@ struct TableFile {
     /// 16384 columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
     /// meets `max_error`, of `area-lights` 64x64; of three: 64x64x32, with the azimuth 64x16x16, of glass
     /// 128x128x32, `dielectric` 32x32x16, `five-axis` 8x4x5x4x5 (2 to 256 along each, at most 2048 along the
-    /// last three together), 4, 8 or 16 slices where the anisotropies or indices of refraction of the materials lie close together.
-    /// Where they are one value, an axis less: then two numbers do.
+    /// last three together), 4, 8 or 16 slices where the anisotropies or indices of refraction of the
+    /// materials lie close together. Where they are one value, an axis less: then two numbers do.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`. `unorm16` has the bytes of a half and a 16th of its rounding near 1,

@@ -242,7 +242,8 @@ fn what_f32_rounds_away_is_left_out() {
     }
 }
 
-/// The R + T of glass of one index, and the albedo of a brushed metal of one anisotropy, in textures of two axes.
+/// The R + T of glass of one index, and the albedo of a brushed metal of one anisotropy, in textures of two
+/// axes.
 #[test]
 fn of_one_value_tables_have_an_axis_less() {
     let scene = |size: &str| {

@@ -21,13 +21,14 @@ use lobefit_truth::optics::fresnel::dielectric;
 /// Targets drawn for their check.
 const CHECKED: usize = 1 << 13;
 
-/// Samples per cell that the texels are optimised on: four from row to row, where the error is; fewer in tables of
-/// more texels than `LARGE`, whose cells hold less curvature and whose samples would fill the memory.
+/// Samples per cell that the texels are optimised on: four from row to row, where the error is; fewer in
+/// tables of more texels than `LARGE`, whose cells hold less curvature and whose samples would fill the
+/// memory.
 const SAMPLES: [[usize; 3]; 2] = [[2, 4, 2], [2, 2, 1]];
 const LARGE: usize = 1 << 18;
 
-/// Least index of refraction of a texel: at 1 nothing is reflected, and a part of nothing has no value. Below it a
-/// lookup may be off by all of R at grazing, as the certificate of such a table says.
+/// Least index of refraction of a texel: at 1 nothing is reflected, and a part of nothing has no value.
+/// Below it a lookup may be off by all of R at grazing, as the certificate of such a table says.
 const LEAST_IOR: f64 = 1.0001;
 
 /// The table of a spec.

@@ -34,8 +34,8 @@ pub struct TexelPlan {
 }
 
 impl TexelPlan {
-    /// Samples `per_cell` along each axis, of slices one or more; `nodes` Chebyshev nodes in ln(alpha), at least 2;
-    /// lookups count from `smallest_mu` on.
+    /// Samples `per_cell` along each axis, of slices one or more; `nodes` Chebyshev nodes in ln(alpha), at
+    /// least 2; lookups count from `smallest_mu` on.
     ///
     /// # Panics
     /// If the smallest roughness is not above 0, where ln(alpha) ends.

@@ -29,8 +29,8 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Errors: an input of which the statement gives no range, or one that is empty where the truth is had, or a
-    /// single value of an axis.
+    /// Errors: an input of which the statement gives no range, or one that is empty where the truth is had,
+    /// or a single value of an axis.
     pub fn new(truth: &Truth, own: usize, said: &Statement) -> Result<Domain, String> {
         let count = PLACES[truth.spec.inputs.len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
