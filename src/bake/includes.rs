@@ -64,8 +64,7 @@ pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
 
 /// What all sections share: the fetches that lookups call, and what a value of a table is used for.
 fn shared(language: Language, sections: &str, parts: &[Part]) -> Result<String, CodeError> {
-    let tables =
-        parts.iter().flat_map(|part| &part.entries.tables).filter(|table| table.decode.contains_key("E"));
+    let tables = parts.iter().flat_map(|part| &part.entries.tables).filter(|table| table.has_albedo()[0]);
     let mut text = String::new();
     for compensation in compensation::of(tables.map(|entry| entry.quantity.as_str())) {
         text += &format!("\n{}", compensation.print(language)?);

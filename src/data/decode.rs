@@ -104,11 +104,6 @@ impl Decode {
         }
     }
 
-    /// Whether a texel tells E, by which a lobe is compensated.
-    pub fn has_albedo(self) -> bool {
-        self.formulas()[0].0 == "E"
-    }
-
     /// Whether a texel tells B beside E.
     pub fn has_bias(self) -> bool {
         matches!(self, Decode::SplitSum | Decode::LossBias)

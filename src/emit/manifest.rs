@@ -369,6 +369,11 @@ impl AxisEntry {
 }
 
 impl TableEntry {
+    /// Whether its lookup gives E, by which a lobe is compensated, and B beside it.
+    pub fn has_albedo(&self) -> [bool; 2] {
+        ["E", "B"].map(|value| self.decode.contains_key(value))
+    }
+
     /// The entry of a table's approximation.
     pub fn new(
         effect: &str,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{BakedTable, LookupError};
 use crate::approximate::FitStageError;
-use crate::data::{Decode, Table, lookup_features};
+use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
@@ -36,7 +36,7 @@ impl Made {
             let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors);
             let inputs = readable(baked, table, context, &[]).inputs()?;
             let entry = entry.in_files(written).read_by(&baked.names.lookup, &inputs);
-            let (file, decode) = (entry.file.clone(), baked.decode);
+            let (file, has) = (entry.file.clone(), entry.has_albedo());
             part.entries.tables.push(entry);
             let (by, function) = (baked.wanted_by.clone(), &baked.names.lookup);
             let price = match context.scene.output.cost {
@@ -51,7 +51,7 @@ impl Made {
             for call in &mut self.part.entries.calls[known..] {
                 let material = materials.get(call.of.as_str());
                 call.then =
-                    material.and_then(|material| then(material, &table.quantity, decode)).map(String::from);
+                    material.and_then(|material| then(material, &table.quantity, has)).map(String::from);
             }
         }
         self.code(context, |language| code(language, &tables, context))?;
@@ -60,10 +60,10 @@ impl Made {
     }
 }
 
-/// What a material makes of an albedo: a function that takes it, or the lobe f over it.
-fn then(material: &Material, quantity: &str, decode: Decode) -> Option<&'static str> {
-    let is_split = decode.has_bias();
-    let compensation = Compensation::of_quantity(quantity).filter(|_| decode.has_albedo())?;
+/// What a material makes of an albedo, where it is there and where its parts are: a function that takes it,
+/// or the lobe f over it.
+fn then(material: &Material, quantity: &str, [is_there, is_split]: [bool; 2]) -> Option<&'static str> {
+    let compensation = Compensation::of_quantity(quantity).filter(|_| is_there)?;
     match (compensation, material.specular()) {
         (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
         (_, Specular::Normalised) => Some(if is_split { SPLIT_OVER } else { OVER }),

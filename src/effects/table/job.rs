@@ -96,7 +96,7 @@ fn slices(material: &Material, layout: Layout) -> Option<Slices> {
 
 /// The range of slices, inside what the layout reaches and at least [`SLICES_WIDTH_MIN`] wide; of one slice
 /// as it is.
-fn wide(slices: Slices, want: &TableWant) -> Span {
+pub(super) fn wide(slices: Slices, want: &TableWant) -> Span {
     if want.has_one_slice() {
         return Span::new(slices.range);
     }

@@ -218,7 +218,7 @@ pub(in crate::effects) fn even((axes, region): (&[Axis], &Region), n: u32) -> Ve
             |axis: usize| if axis < 3 { sobol.coordinate(k, axis) } else { beyond.coordinate(k, axis - 3) };
         let position = std::array::from_fn(|axis| at(axis) * (size(axis) - 1.0));
         let cos2_phi = azimuths.coordinate(k, 0) as f32;
-        within(axes, region, position, Point { cos2_phi, ..region.one_slice() })
+        within(axes, region, position, Point { cos2_phi, ..region.in_common() })
     };
     (0..n).map(point).collect()
 }

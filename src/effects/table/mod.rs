@@ -37,7 +37,7 @@ pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
 pub use family::{Family, Further, Sliced, Truths};
 pub use findings::finding;
 pub use instead::table_instead;
-pub use job::{SLICES_WIDTH_MIN, TableJob, demand, demands, summaries, wanted};
+pub use job::{TableJob, demand, demands, summaries, wanted};
 pub use judge::Judge;
 pub(in crate::effects) use judge::even;
 pub use lookup::{Lookup, LookupError, Point};

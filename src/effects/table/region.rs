@@ -85,8 +85,9 @@ impl Region {
         self.slices.ok_or(BuildError::Slices)
     }
 
-    /// What points have in common: of slices the first value, which is the only one where no axis spans them.
-    pub(super) fn one_slice(&self) -> Point {
+    /// What the points of a table have in common: of slices the first value, the only one where no axis spans
+    /// them.
+    pub(super) fn in_common(&self) -> Point {
         let mut point = Point::default();
         if let Some(Slices { axis, range: [first, _] }) = self.slices {
             *axis.of_mut(&mut point) = first as f32;

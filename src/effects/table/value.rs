@@ -2,10 +2,10 @@
 
 use std::cell::Cell;
 
-use super::job::{AUTO_SIDE, OPEN_SIZE, shape, size_text};
+use super::job::{AUTO_SIDE, OPEN_SIZE, shape, size_text, wide};
 use super::{
-    BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, SLICES_WIDTH_MIN, SliceAxis,
-    Slices, Spec, TableJob, Truths, bake, flat,
+    BakedTable, BuildError, Family, Further, LookupPoints, Made, Point, Region, SliceAxis, Slices, Spec,
+    TableJob, Truths, bake, flat,
 };
 use crate::approximate::{self, Memo};
 use crate::data::{Layout, Serves, Smith, Table};
@@ -154,10 +154,8 @@ impl ValueTable<'_> {
     /// What the slices of a table span: of one slice the one value.
     fn slices(&self, job: &Job, want: &TableWant) -> Result<Slices, BakeError> {
         let axis = SliceAxis::Ior;
-        let own = job.own_range(axis.name())?;
-        let domain = self.held().domain(axis.name());
-        let range =
-            if want.has_one_slice() { own } else { Span::at_least(own, SLICES_WIDTH_MIN, domain).widened() };
+        let own = Slices { axis, range: job.own_range(axis.name())? };
+        let range = wide(own, want).widened();
         Ok(Slices { axis, range })
     }
 

@@ -15,7 +15,8 @@ const CORNERS: [usize; 7] = [8, 16, 32, 64, 128, 256, 512];
 const LEAST: usize = 4;
 const TIMES: usize = 2;
 
-/// Texels that are looked at along an axis, in lines evenly spaced: damage elsewhere is not this one's to find.
+/// Texels that are looked at along an axis, in lines evenly spaced: damage elsewhere is not this one's to
+/// find.
 const LOOKED_AT: usize = 1 << 17;
 
 /// Share of the sharpest bend along an axis that lines between texels of the smaller table may be bent by.
