@@ -1,6 +1,7 @@
 //! What an effect declares. The plan, the bake and its files loop over a catalogue of such values
 //! and know none of them by name.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use super::context::Context;
@@ -98,9 +99,11 @@ pub trait Effect: Sync {
         REPORT_S
     }
 
-    /// Its formulas, those with free parameters and published ones.
+    /// Its formulas, those with free parameters and published ones, each once.
     fn formulas(&self) -> Vec<&'static Entry> {
-        self.profile().fits.iter().flat_map(|fits| fits.own.entries().chain(fits.published)).collect()
+        let mut known = BTreeSet::new();
+        let all = self.profile().fits.iter().flat_map(|fits| fits.own.entries().chain(fits.published));
+        all.filter(|entry| known.insert(entry.file)).collect()
     }
 
     /// The formulas that compete where the user searches for one to this target.

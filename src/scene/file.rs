@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SceneError;
 use super::culling::{CULLING, Culling};
+use super::layers::Visibility;
 use super::limits;
 use super::material::EXACT_FRESNEL;
 use super::material::{Lobe, Material};
@@ -39,6 +40,10 @@ pub struct Scene {
     pub smith: Smith,
     /// How roughness becomes alpha, for every material.
     pub alpha: AlphaMap,
+    /// What the sheens are shadowed by.
+    // Absent at its default, as the formats.
+    #[serde(skip_serializing_if = "Visibility::is_default")]
+    pub sheen_visibility: Visibility,
     /// Domain of mu for fits, lo < hi in [1e-4, 1].
     pub mu: [f64; 2],
     /// File formats in which every table is written, each once, in the order of [`Container`]; at
@@ -84,6 +89,10 @@ struct SceneFile {
     /// How roughness becomes GGX alpha; default `roughness^2`.
     #[serde(default)]
     alpha: Maybe<Word<AlphaMap>>,
+    /// The visibility of every sheen: `neubelt` (the default), 1/(4 (mu + mu_l - mu mu_l)), which real-time
+    /// renderers take, or `estevez-kulla`, with the Lambda that the authors of the lobe fitted.
+    #[serde(default)]
+    sheen_visibility: Maybe<Word<Visibility>>,
     /// Range [lo, hi] of the cosine of the view angle over which fits are made and certified;
     /// default [0.01, 1]. Tables have their own, `n_dot_v`.
     #[serde(default)]
@@ -256,6 +265,7 @@ impl Scene {
             name: parsed.name.0.map_or_else(|| UNNAMED.into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
+            sheen_visibility: parsed.sheen_visibility.0.map_or_else(Visibility::default, |w| w.0),
             mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),
             formats,
             output,
@@ -320,6 +330,20 @@ impl Scene {
         Ok(())
     }
 
+    /// Pairs of linearly transformed cosines are fitted to one visibility.
+    fn check_sheens(&self) -> Result<(), (String, String)> {
+        let sheens = self.materials.iter().enumerate().filter_map(|(i, m)| Some((i, m.sheen.as_ref()?)));
+        let all = sheens.flat_map(|(i, sheen)| sheen.tables.iter().enumerate().map(move |(j, t)| (i, j, t)));
+        let mut pairs = all.filter(|(.., table)| table.layout == Layout::AreaLights);
+        match pairs.next().filter(|_| !self.sheen_visibility.is_default()) {
+            Some((i, j, _)) => Err((
+                format!("materials[{i}].sheen.tables[{j}].layout"),
+                "this version fits transformed cosines to sheens of `neubelt`; leave the table or the scene's `sheen_visibility` out".into(),
+            )),
+            None => Ok(()),
+        }
+    }
+
     /// The scene that is compiled in, which every verb uses by default.
     pub fn built_in() -> Result<Scene, SceneError> {
         Scene::from_json(include_bytes!("default.json"), "the built-in scene")
@@ -354,6 +378,7 @@ impl Scene {
         }
         self.check_names()?;
         self.check_slices()?;
+        self.check_sheens()?;
         self.check_texels()?;
         self.check_probes()?;
         self.check_hypotheses()

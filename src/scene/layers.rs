@@ -89,6 +89,32 @@ impl TryFrom<BaseFile> for Base {
 
 from_file!(Base, BaseFile);
 
+/// What the lobe of a sheen is shadowed by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Visibility {
+    /// 1/(4 (mu + mu_l - mu mu_l)) of Neubelt and Pettineo (2013), which real-time renderers take.
+    #[default]
+    Neubelt,
+    /// The Lambda that the lobe's authors fitted (2017).
+    EstevezKulla,
+}
+
+impl Visibility {
+    /// Whether it is the one that is meant where none is stated.
+    pub fn is_default(&self) -> bool {
+        *self == Visibility::default()
+    }
+
+    /// Whose it is.
+    pub fn words(self) -> &'static str {
+        match self {
+            Visibility::Neubelt => "the visibility of Neubelt and Pettineo",
+            Visibility::EstevezKulla => "the shadowing of Estevez and Kulla",
+        }
+    }
+}
+
 /// A sheen layer: the lobe of Estevez and Kulla (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sheen {

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use crate::baked_support::{assert_promised, bake_scene, shared};
 use lobefit::approximate::Fit;
-use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::bake::{Baked, BakedTable, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::FitJob;
 use lobefit::emit::call::{Call, callers};
@@ -14,6 +14,7 @@ use lobefit::scene::Scene;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::sheen::albedo;
+use lobefit_truth::quantity::{EstevezKulla, Quantity, Variant};
 use serde_json::{Value, json};
 
 fn scene(material: &str) -> Scene {
@@ -147,32 +148,38 @@ fn a_sheen_is_fitted_certified_and_emitted_in_every_language() {
     assert!(page.contains("charlie_e_threejs") && page.contains("charlie_e_16"), "beside the published");
 }
 
+/// Holds every certificate beside the errors at points of a lattice from the least roughness.
+fn hold(baked: &Baked, least: f32, n: u8, albedo: impl Fn(f64, f64) -> f64) {
+    let at = |i: u8| f32::from(i) / f32::from(n);
+    let places: Vec<[f32; 2]> = (0..=n)
+        .flat_map(|i| (0..=n).map(move |j| [least + (1.0 - least) * at(i), 0.01 + 0.99 * at(j)]))
+        .map(|place| place.map(|x| x.min(1.0)))
+        .collect();
+    let truth = |[r, mu]: &[f32; 2]| albedo(f64::from(r * r), f64::from(*mu));
+    let truths: Vec<f64> = places.iter().map(truth).collect();
+    for fit in &baked.fits {
+        let column = |name: &String| {
+            let of = |[r, mu]: &[f32; 2]| match name.as_str() {
+                "roughness" => *r,
+                "alpha" => r * r,
+                _ => *mu,
+            };
+            places.iter().map(of).collect::<Vec<f32>>()
+        };
+        let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(column).collect();
+        let values = fit.hypothesis.tape().evaluate(&inputs, &fit.coefficients()).expect("finite");
+        let errors = values.iter().zip(&truths).map(|(value, truth)| (f64::from(*value) - truth).abs());
+        let (worst, stated) = (errors.fold(0.0, f64::max), fit.approximation.certificate.max_abs);
+        let name = &fit.approximation.name;
+        assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{name}: {worst} of {stated}");
+    }
+}
+
 /// The certificate bounds the error at points of a lattice, and a published formula has its own.
 #[test]
 fn certificates_of_the_sheen_hold() {
     let baked = &*SATIN_BAKED;
-    let error = |fit: &Fit, roughness: f32, mu: f32| {
-        let column = |name: &String| match name.as_str() {
-            "roughness" => vec![roughness],
-            "alpha" => vec![roughness * roughness],
-            _ => vec![mu],
-        };
-        let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(column).collect();
-        let value = fit.hypothesis.tape().evaluate(&inputs, &fit.coefficients()).expect("finite")[0];
-        (f64::from(value) - albedo(f64::from(roughness * roughness), f64::from(mu))).abs()
-    };
-    for fit in &baked.fits {
-        let mut worst = 0.0_f64;
-        for i in 0..=60 {
-            for j in 0..=60 {
-                let (r, mu) = (0.3 + 0.7 * i as f32 / 60.0, 0.01 + 0.99 * j as f32 / 60.0);
-                worst = worst.max(error(fit, r.min(1.0), mu.min(1.0)));
-            }
-        }
-        let stated = fit.approximation.certificate.max_abs;
-        let name = &fit.approximation.name;
-        assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{name}: {worst} of {stated}");
-    }
+    hold(baked, 0.3, 60, albedo);
     let sheens = baked.fits.iter().filter(|fit| fit.approximation.quantity == "sheen-charlie");
     assert_promised("tests/bake/sheen.rs::certificates_of_the_sheen_hold", sheens);
     let of = |name: &str| {
@@ -218,9 +225,13 @@ fn a_sheen_that_makes_no_sense_is_refused_with_its_field() {
             "sheen.tables[1]: it has the layout, size, format and use of tables[0]",
         ),
         (r#"0.5"#, "an object that describes a sheen layer"),
+        (
+            r#"{"roughness": 1, "tables": [{}, {"layout": "area-lights"}]}"#,
+            "sheen.tables[1].layout: this version fits transformed cosines to sheens of `neubelt`",
+        ),
     ] {
         let json = format!(
-            r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 1, "roughness": 1, "sheen": {sheen}}}]}}"#
+            r#"{{"schema_version": 1, "sheen_visibility": "estevez-kulla", "materials": [{{"name": "m", "kind": "metal", "f0": 1, "roughness": 1, "sheen": {sheen}}}]}}"#
         );
         let error = Scene::from_json(json.as_bytes(), "s.json").expect_err("refused").to_string();
         assert!(error.contains(expected) && error.contains("materials[0]"), "{sheen}: {error}");
@@ -241,6 +252,73 @@ fn a_promise_on_the_sheen_is_kept_or_told() {
     );
 }
 
+/// The bilinear lookup of a plain table, by hand.
+fn fetched(held: &BakedTable, [columns, rows]: [usize; 2], [u, v]: [f64; 2]) -> f64 {
+    let texels = &held.table().expect("a table").channels[0].texels;
+    let at = |u: f64, n: usize| {
+        let x = (u * n as f64 - 0.5).clamp(0.0, (n - 1) as f64);
+        (x.floor() as usize, (x.floor() as usize + 1).min(n - 1), x.fract())
+    };
+    let ((x0, x1, s), (y0, y1, t)) = (at(u, columns), at(v, rows));
+    let row = |y: usize| (1.0 - s) * texels[y * columns + x0] + s * texels[y * columns + x1];
+    (1.0 - t) * row(y0) + t * row(y1)
+}
+
+/// A renderer that shadows the lobe as its authors do gets fits and tables of that, under names of their own.
+#[test]
+fn the_visibility_is_the_renderer_s() {
+    let text = include_str!("../../examples/satin.json");
+    let of = |text: &str| self::of(&Scene::from_json(text.as_bytes(), "satin.json").expect("a scene"));
+    let baked = of(text);
+    let truth =
+        |alpha: f64, mu: f64| EstevezKulla.at(&Variant::default(), &[alpha, mu], 1e-5).expect("a truth")[0];
+    let known: Vec<[String; 2]> = baked
+        .fits
+        .iter()
+        .map(|fit| [&fit.approximation.quantity, &fit.approximation.name].map(Clone::clone))
+        .collect();
+    assert!(
+        known.len() == 6
+            && known
+                .iter()
+                .all(|[quantity, name]| quantity == "sheen-estevez-kulla"
+                    && name.starts_with("estevez_kulla_e_")),
+        "{known:?}"
+    );
+    hold(&baked, 0.1, 40, truth);
+    let test = "tests/bake/sheen.rs::the_visibility_is_the_renderer_s";
+    assert_promised(test, baked.fits.iter());
+    let [held] = &baked.tables[..] else { panic!("one table") };
+    let mut worst = 0.0_f64;
+    for i in 0..=45 {
+        for j in 0..=38 {
+            let (r, mu) = (0.1 + 0.02 * f64::from(i), 0.05 + 0.025 * f64::from(j));
+            worst = worst.max((fetched(held, [64, 64], [mu, r]) - truth(r * r, mu)).abs());
+        }
+    }
+    let stated = held.errors.lookup.max;
+    assert!(worst <= stated * 1.0001 && worst > 0.3 * stated, "{worst} of {stated}");
+    assert_eq!(manifest(&baked)["tables"][0]["quantity"], "sheen-estevez-kulla");
+    let code = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(code.contains("Charlie sheen lobe, the shadowing of Estevez and Kulla"), "{code}");
+    // The table of the other one is of the same name and size: what is kept of it is not taken for this.
+    let other = of(&text.replace(r#""sheen_visibility": "estevez-kulla","#, ""));
+    let [first, second] =
+        [&baked, &other].map(|baked| &baked.tables[0].table().expect("a table").channels[0].texels);
+    assert!(first.iter().zip(second).any(|(a, b)| (a - b).abs() > 0.1));
+    // Scenes that do not say it have the hash that they had.
+    assert!(!serde_json::to_string(&scene(SATIN)).expect("JSON").contains("visibility"));
+    let page = include_str!("../../docs/scene.md");
+    for fit in baked.fits.iter().map(|fit| &fit.approximation) {
+        let certificate = &fit.certificate;
+        let [max, rms] =
+            [certificate.max_abs, certificate.rms].map(|error| lobefit_shade::round_up(error, 4));
+        let row = format!("| `{}` | {} | {max} | {rms} |", fit.name, fit.cost.ops);
+        println!("{row}");
+        assert!(page.contains(&row), "docs/scene.md has no row {row}");
+    }
+}
+
 /// A plain table is what engines read today: texel centres, E itself. Its certificate bounds the
 /// lookup, read here by hand, and a limit that it does not keep names its field.
 #[test]
@@ -253,16 +331,7 @@ fn a_table_of_the_sheen_drops_in_with_its_certificate() {
     let table = r#"{"layout": "plain", "size": [16, 12], "format": "f32", "n_dot_v": [0.1, 1]"#;
     let baked = plain(&with(&format!(r#""max_ops": 9, "tables": [{table}}}]"#)));
     let [held] = &baked.tables[..] else { panic!("one table") };
-    let texels = &held.table().expect("a table").channels[0].texels;
-    let fetch = |roughness: f64, mu: f64| {
-        let at = |u: f64, n: usize| {
-            let x = (u * n as f64 - 0.5).clamp(0.0, (n - 1) as f64);
-            (x.floor() as usize, (x.floor() as usize + 1).min(n - 1), x.fract())
-        };
-        let ((x0, x1, s), (y0, y1, t)) = (at(mu, 16), at(roughness, 12));
-        let row = |y: usize| (1.0 - s) * texels[y * 16 + x0] + s * texels[y * 16 + x1];
-        (1.0 - t) * row(y0) + t * row(y1)
-    };
+    let fetch = |roughness: f64, mu: f64| fetched(held, [16, 12], [mu, roughness]);
     let mut worst = 0.0_f64;
     for i in 0..=80 {
         for j in 0..=90 {

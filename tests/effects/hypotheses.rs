@@ -20,7 +20,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
 /// both computed where E is their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 244] = [
+const COSTS: [(&str, u32); 250] = [
     ("ggx_dielectric_flat_6", 6),
     ("ggx_dielectric_flat_7", 7),
     ("ggx_dielectric_flat_8", 8),
@@ -119,6 +119,12 @@ const COSTS: [(&str, u32); 244] = [
     ("charlie_e_14", 14),
     ("charlie_e_15", 15),
     ("charlie_e_16", 16),
+    ("estevez_kulla_e_8", 8),
+    ("estevez_kulla_e_9", 9),
+    ("estevez_kulla_e_11", 11),
+    ("estevez_kulla_e_13", 13),
+    ("estevez_kulla_e_14", 14),
+    ("estevez_kulla_e_16", 16),
     ("ggx_norm_r1", 1),
     ("ggx_norm_r2", 2),
     ("ggx_norm_n1", 3),

@@ -15,5 +15,15 @@ pub const HYPOTHESES: [Entry; 9] = own![
     "charlie_e_exp",
 ];
 
+/// The same with the shadowing of Estevez and Kulla.
+pub const SHADOWED: [Entry; 6] = own![
+    "estevez_kulla_e_8",
+    "estevez_kulla_e_9",
+    "estevez_kulla_e_11",
+    "estevez_kulla_e_13",
+    "estevez_kulla_e_14",
+    "estevez_kulla_e_16",
+];
+
 /// E(roughness, mu) as engines ship it: measured and reported, not emitted.
 pub const PUBLISHED: [Entry; 1] = published!["charlie_e_threejs" by "three.js, IBLSheenBRDF, 2025"];

@@ -1,4 +1,5 @@
-//! The effect `sheen`: the rim of cloth. Quantity `sheen-charlie`.
+//! The effect `sheen`: the rim of cloth. Quantity `sheen-charlie`, or `sheen-estevez-kulla` where the scene
+//! says so.
 
 mod catalogue;
 
@@ -10,11 +11,11 @@ use super::value::{self, Functions, ValueFits};
 use super::who::{about, stay_smooth};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::{Fit, Formulas};
-use crate::scene::{Material, Scene, TableWant};
+use crate::scene::{Material, Scene, TableWant, Visibility};
 pub use catalogue::{HYPOTHESES, PUBLISHED};
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
-use lobefit_truth::quantity::SheenCharlie;
+use lobefit_truth::quantity::{EstevezKulla, SheenCharlie};
 
 /// The effect.
 pub struct Sheen;
@@ -45,8 +46,15 @@ const FITS: ValueFits = ValueFits {
     }),
 };
 
-/// Its tables, but for which are wanted.
-const TABLE: ValueTable = ValueTable::of(&SheenCharlie, "E", "sheen", "sheen_lookup");
+/// The same with the other visibility.
+const SHADOWED: ValueFits = ValueFits {
+    quantity: &EstevezKulla,
+    own: Formulas::of(&catalogue::SHADOWED),
+    published: &[],
+    caption: "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where the shadowing of its \
+              authors lets it return more than it receives: a value above 1 is the model's own, no error of its integral.",
+    ..FITS
+};
 
 /// What the base below keeps, in WGSL.
 const SCALE: &str = include_str!("sheen.wgsl");
@@ -65,10 +73,15 @@ fn wanted(scene: &Scene) -> Vec<(TableWant, String)> {
     wants(scene, "sheen", |m| m.sheen.as_ref().is_some_and(|sheen| sheen.rough_range(scene.alpha).is_some()))
 }
 
-/// The fits, and the tables that are wanted beside them.
-fn with(wants: &[(TableWant, String)]) -> ValueFits<'_> {
-    let table = (!wants.is_empty()).then_some(ValueTable { wants, ..TABLE });
-    ValueFits { table, ..FITS }
+/// The fits of a visibility, and the tables that are wanted beside them.
+fn with(visibility: Visibility, wants: &[(TableWant, String)]) -> ValueFits<'_> {
+    let fits = match visibility {
+        Visibility::Neubelt => FITS,
+        Visibility::EstevezKulla => SHADOWED,
+    };
+    let of = ValueTable::of(fits.quantity, fits.column, "sheen", "sheen_lookup");
+    let table = (!wants.is_empty()).then_some(ValueTable { wants, ..of });
+    ValueFits { table, ..fits }
 }
 
 impl Effect for Sheen {
@@ -76,13 +89,19 @@ impl Effect for Sheen {
         const {
             &Profile {
                 name: "sheen",
-                fits: &[FITS],
+                fits: &[FITS, SHADOWED],
                 functions: &[BASE_SCALE],
                 prefixes: &["sheen_albedo", "sheen_lookup"],
                 texts: &[SCALE],
-                lobe: |scene| format!("Charlie sheen lobe; alpha = {}", scene.alpha.name()),
+                lobe: |scene| {
+                    format!(
+                        "Charlie sheen lobe, {}; alpha = {}",
+                        scene.sheen_visibility.words(),
+                        scene.alpha.name()
+                    )
+                },
                 notes: &[(
-                    &["sheen_albedo", "charlie_"],
+                    &["sheen_albedo", "charlie_", "estevez_kulla_"],
                     &["`sheen_albedo` is E of the sheen lobe, by which the layers below it are dimmed."],
                 )],
                 is_explored: true,
@@ -112,7 +131,7 @@ impl Effect for Sheen {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        value::expects(&[with(&wanted(scene))], jobs)
+        value::expects(&[with(scene.sheen_visibility, &wanted(scene))], jobs)
     }
 
     fn stages(&self, scene: &Scene, jobs: &[Job]) -> usize {
@@ -120,6 +139,6 @@ impl Effect for Sheen {
     }
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        with(&wanted(context.scene)).bake(called, context)
+        with(context.scene.sheen_visibility, &wanted(context.scene)).bake(called, context)
     }
 }

@@ -167,7 +167,7 @@ pub(super) fn built(
     spec: &Spec,
     context: &Context,
 ) -> Result<(Vec<Table>, Made), BuildError> {
-    let key = Key::of("tables").with(family.prefix(spec.layout)).with(&format!("{spec:?}"));
+    let key = Key::of("tables").with(&family.identity()).with(&format!("{spec:?}"));
     context.memo.kept(key, || family.build(spec, &context.memo))
 }
 

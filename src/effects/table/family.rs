@@ -63,6 +63,11 @@ pub trait Family: Sync {
     /// `ggx_albedo`. It stays when size, format or warp do not.
     fn role(&self, layout: Layout, serves: Serves) -> &'static str;
 
+    /// What tells its tables from those of every other family, in a cache.
+    fn identity(&self) -> String {
+        format!("{} {}", self.prefix(Layout::Homogeneous), self.role(Layout::Homogeneous, Serves::Albedo))
+    }
+
     /// The layouts of one kind of table, of which a message names those that keep a limit; none
     /// where there is one alone.
     fn layouts(&self) -> &'static [Layout] {

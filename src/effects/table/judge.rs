@@ -8,7 +8,7 @@ use super::{
     BuildError, Family, Further, Judged, Lookup, LookupPoints, Made, Point, Region, Truth, Truths, error_map,
 };
 use crate::approximate::Memo;
-use crate::data::{AXES, Axis, Decode, Layout, Serves, Smith, Surface, Table};
+use crate::data::{AXES, Axis, Decode, Smith, Surface, Table};
 use crate::effects::{Albedo, BakeError};
 use crate::store::Key;
 use lobefit_math::sobol::Sobol;
@@ -72,8 +72,7 @@ impl Judge {
     /// What determines its truths.
     fn key(&self, family: &dyn Family, kind: &'static str) -> Key {
         let of = (self.smith, self.region, self.finer);
-        let names = [family.prefix(Layout::Homogeneous), family.role(Layout::Homogeneous, Serves::Albedo)];
-        names.iter().fold(Key::of(kind), |key, name| key.with(name)).with(&format!("{of:?}"))
+        Key::of(kind).with(&family.identity()).with(&format!("{of:?}"))
     }
 
     /// The truth of side `i` at further points.

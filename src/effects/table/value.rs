@@ -248,6 +248,10 @@ impl Family for ValueTable<'_> {
         self.role
     }
 
+    fn identity(&self) -> String {
+        format!("{} {} {} {:?}", self.name, self.quantity.name(), self.column, self.side)
+    }
+
     fn described(&self, _: &TableJob, _: Option<Side>) -> String {
         format!("of {}", self.column)
     }

@@ -2,7 +2,7 @@
 
 use lobefit::data::Smith;
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::sheen::EstevezKulla;
+use lobefit_truth::quantity::EstevezKulla;
 use lobefit_truth::quantity::{Choice, Quantity, SCHLICK_SMITH, Variant};
 
 /// A shadowing form: a line of [`FORMS`].

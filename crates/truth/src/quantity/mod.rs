@@ -33,7 +33,7 @@ pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
 pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
 pub use refracted::RefractedWidth;
-pub use sheen::SheenCharlie;
+pub use sheen::{EstevezKulla, SheenCharlie};
 pub use used::{Residual, Use};
 pub use variant::{Choice, Variant};
 pub use widened::{AVERAGED_WIDTH, COATED_WIDTH, LIGHT, LIT_WIDTH, Widened};
@@ -402,13 +402,14 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 16] = [
+pub static QUANTITIES: [&dyn Quantity; 17] = [
     GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
     GGX_GLASS,
     &GgxGlassAniso,
     &SheenCharlie,
+    &EstevezKulla,
     &DiffuseCoupling,
     &ParallaxAlpha,
     BECKMANN_REFLECTION,

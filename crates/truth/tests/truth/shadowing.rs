@@ -6,7 +6,7 @@ use lobefit_math::ops;
 use lobefit_truth::integrate::monte_carlo::{self, Draw, Run};
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::sheen::EstevezKulla;
+use lobefit_truth::quantity::EstevezKulla;
 use lobefit_truth::quantity::{Quantity, SCHLICK_SMITH, Variant};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -161,15 +161,47 @@ fn estevez_and_kulla_s_shadowing_has_a_truth_everywhere() {
     println!("{:e}", errors.into_iter().fold(0.0, f64::max));
 }
 
+/// Over every panel of the interpolant, and at its corners.
 #[test]
 fn many_points_of_estevez_and_kulla_s_are_those_of_one() {
-    let at = |i: usize, low: f64| ops::pow(low, i as f64 / 8.0);
-    let alphas: Vec<f64> = (0..9).map(|i| at(i, 1e-4)).collect();
-    let mus: Vec<f64> = (0..9).map(|i| at(i, 1e-6)).collect();
+    const N: usize = 73;
+    let at = |i: usize, low: f64| ops::pow(low, i as f64 / (N - 1) as f64);
+    let alphas: Vec<f64> = (0..N).map(|i| at(i, 1e-4)).collect();
+    let mus: Vec<f64> = (0..N).map(|i| at(i, 1e-6)).collect();
     let points = Points::product(&[("alpha", &alphas), ("mu", &mus)]);
     let many = EstevezKulla.truth(&Variant::default(), &points, &["E"], 1e-5).expect("truths");
-    for (k, value) in many.columns[0].iter().enumerate() {
-        let one = EstevezKulla.at(&Variant::default(), &[alphas[k % 9], mus[k / 9]], 1e-5).expect("a truth");
-        assert!((one[0] - value).abs() <= 1e-5, "{k}: {one:?} {value}");
+    let off = |k: usize| {
+        let x = [alphas[k % N], mus[k / N]];
+        let one = EstevezKulla
+            .at(&Variant::default(), &x, 1e-6)
+            .or_else(|_| EstevezKulla.at(&Variant::default(), &x, 1e-5));
+        (one.expect("a truth")[0] - many.columns[0][k]).abs()
+    };
+    let worst = (0..N * N).into_par_iter().map(off).reduce(|| 0.0, f64::max);
+    println!("{worst:e}");
+    assert!(worst <= 6e-6, "{worst:e}");
+}
+
+/// Facets drawn one by one, with Lambda itself at every cosine: the quadrature has it in a table.
+#[test]
+fn estevez_and_kulla_s_shadowing_is_what_samples_find() {
+    for x in [
+        [2e-4, 2e-6],
+        [1e-3, 5e-5],
+        [0.01, 0.01],
+        [0.05, 0.3],
+        [0.3, 1e-5],
+        [0.3, 0.499],
+        [1.0, 0.51],
+        [1.0, 0.99],
+    ] {
+        let exact = EstevezKulla.at(&Variant::default(), &x, 1e-5).expect("a truth");
+        let run =
+            Run { samples: 1 << 18, seed: 7, points: monte_carlo::Points::Sobol, draw: Draw::UniformLight };
+        let found = EstevezKulla.second_opinion(&Variant::default(), &x, run).expect("samples")[0];
+        let off = (found.value - exact[0]).abs();
+        println!("{x:?}: {exact:?} {found:?}");
+        assert!(off <= 4.5 * found.standard_error + exact[1], "{x:?}: {exact:?} {found:?}");
+        assert!(found.standard_error < 2e-3 * exact[0].max(0.1), "{x:?}: {found:?}");
     }
 }

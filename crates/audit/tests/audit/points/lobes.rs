@@ -3,7 +3,7 @@
 use lobefit::data::Smith;
 use lobefit_audit::audit::{Audit, AuditedTable, Column, Fit, Fixed, Form, Registration, Scale};
 use lobefit_math::ops;
-use lobefit_truth::quantity::sheen::EstevezKulla;
+use lobefit_truth::quantity::EstevezKulla;
 use lobefit_truth::quantity::{Quantity, SCHLICK_SMITH, Variant};
 
 use super::{N, at};

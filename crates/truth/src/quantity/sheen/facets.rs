@@ -104,8 +104,8 @@ impl<'a> View<'a> {
 
     /// The same with the shadowing of a Lambda, that of the width; mu > 0.
     pub(super) fn shadowed(lambda: &'a Lambda, mu: f64, rule: &'static Gauss) -> View<'a> {
-        let shadowing = Some(Shadowing { lambda, of_view: lambda.at(mu), rule });
-        View { shadowing, ..View::new(lambda.alpha, mu) }
+        let shadowing = Some(Shadowing { lambda, of_view: lambda.fitted.at(mu), rule });
+        View { shadowing, ..View::new(lambda.fitted.alpha, mu) }
     }
 
     /// -ln of the sine's power where it is largest.

@@ -1,4 +1,4 @@
-//! `sheen-charlie`: E of the sheen lobe.
+//! `sheen-charlie` and `sheen-estevez-kulla`: E of the sheen lobe, with one visibility or the other.
 
 mod facets;
 mod integral;
