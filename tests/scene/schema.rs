@@ -448,6 +448,7 @@ fn it_names_and_describes_every_field() {
             "seed",
             "serves",
             "sheen",
+            "sheen_visibility",
             "size",
             "smith",
             "specular",
