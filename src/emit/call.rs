@@ -34,7 +34,7 @@ pub struct Call {
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
     /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`,
-    /// `f0*A + B`, `f0*A + B or f/E`.
+    /// `f0*A + B`, `f0*A + B or f/E`, `f + c*eon_brdf`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// Functions of the include files about it: that take its value, or that call it.
@@ -106,6 +106,9 @@ pub const SPLIT_OVER: &str = "f0*A + B or f/E";
 
 /// What is made of a normalisation N and the lobe f: their product.
 pub const TIMES: &str = "f*N";
+
+/// What is made of the factor c of a rough base and the lobe f.
+pub const ROUGH_BASE: &str = "f + c*eon_brdf";
 
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.

@@ -25,7 +25,7 @@ pub struct Base {
     pub roughness: [f64; 2],
     /// What multiplies the specular lobe above it: the factor is what that leaves.
     pub specular: Specular,
-    /// What the fits of the factor must keep.
+    /// What the fits of the factor must keep, and of a rough base those of its own albedo.
     #[serde(flatten)]
     pub goals: Goals,
 }
@@ -49,7 +49,7 @@ fn is_smooth(roughness: &[f64; 2]) -> bool {
 /// The diffuse base of a dielectric. Lambert's lobe calls for fits of the factor that a white base
 /// is multiplied by so that base and specular lobe together send back exactly all light; an albedo
 /// below 1 scales the base's share alone, and its error as well. A rough base calls for fits of the
-/// albedo of its own lobe, and for no factor.
+/// albedo of its own lobe besides; its limits hold for those too.
 #[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Base")]
 #[serde(deny_unknown_fields, default, expecting = "an object that describes a diffuse base")]

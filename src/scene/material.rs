@@ -131,9 +131,14 @@ impl Material {
         }
     }
 
-    /// The diffuse base, where it sends back light and its lobe is Lambert's.
+    /// The diffuse base, where it sends back light.
     pub fn lit_base(&self) -> Option<&Base> {
-        self.base.as_ref().filter(|base| !base.is_black() && !base.is_rough())
+        self.base.as_ref().filter(|base| !base.is_black())
+    }
+
+    /// That base, where its lobe is another than Lambert's.
+    pub fn rough_base(&self) -> Option<&Base> {
+        self.lit_base().filter(|base| base.is_rough())
     }
 
     /// That base, where it lies below a lobe with the exact Fresnel term.
@@ -393,7 +398,7 @@ impl Material {
         let asked = [
             (self.anisotropy[1] > 0.0).then(|| "anisotropy".into()),
             self.coat.is_some().then(|| "coat".into()),
-            self.lit_base().map(|_| "base".into()),
+            self.lit_base().filter(|base| !base.is_rough()).map(|_| "base".into()),
             wants.exact_fresnel.as_ref().map(|_| "wants.exact_fresnel".into()),
             wants.refracted_width.as_ref().map(|_| "wants.refracted_width".into()),
             wants.widened.as_ref().map(|_| "wants.widened".into()),

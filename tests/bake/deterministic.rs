@@ -18,7 +18,7 @@ const SCENE: &str = include_str!("all_in_little.json");
 
 /// A fit and tables of two and of three axes, in a bake of half a second.
 const LITTLE: &str = r#"{"schema_version":1,"reports":false,"formats":["exr","raw"],"materials":[
-{"name":"plain","kind":"dielectric","f0":0.5,"roughness":[0.9,1],"base":{"roughness":[0.2,0.3],"max_ops":5},"wants":{"tables":[{"size":[16,8]}]}},
+{"name":"plain","kind":"dielectric","f0":0.5,"roughness":[0.9,1],"base":{"roughness":[0.2,0.3],"max_ops":7},"wants":{"tables":[{"size":[16,8]}]}},
 {"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[{"size":[8,6,4]}]}}]}"#;
 
 fn baked(threads: usize, cache: Option<&Cache>) -> Baked {

@@ -14,7 +14,8 @@ use crate::sliced_support::baked;
 /// Tables of two axes and of three, of one, two and four channels, in f16 and f32, in every container; a fit
 /// in every language; every kind of page.
 const SCENE: &str = r#"{"schema_version":1,"formats":["exr","dds","ktx2","npy","raw"],"materials":[
- {"name":"plain","kind":"dielectric","f0":1,"roughness":[0.9,1],"base":{"roughness":[0.2,0.3],"max_ops":5},
+ {"name":"clay","kind":"dielectric","f0":1,"roughness":0,"base":{"roughness":[0.2,0.3],"max_ops":5}},
+ {"name":"plain","kind":"dielectric","f0":1,"roughness":[0.9,1],
   "wants":{"tables":[{"size":[16,8],"serves":"split-sum"}]}},
  {"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[
   {"size":[8,6,4],"format":"f32"},{"layout":"azimuth","size":[8,6,4]}]}}]}"#;

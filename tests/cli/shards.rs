@@ -7,8 +7,8 @@ use crate::common::{bytes, lobefit, names, stderr};
 
 /// Three effects, one of them with a table.
 const SCENE: &str = r#"{"schema_version": 1, "languages": ["wgsl"], "materials": [
-    {"name": "velvet", "kind": "dielectric", "f0": 0.04, "roughness": [0.4, 1],
-     "base": {"roughness": [0.2, 0.5], "max_ops": 6}, "wants": {"tables": [{"size": [8, 8]}]}}
+    {"name": "clay", "kind": "dielectric", "f0": 0.04, "roughness": 0, "base": {"roughness": [0.2, 0.5], "max_ops": 6}},
+    {"name": "velvet", "kind": "dielectric", "f0": 0.04, "roughness": [0.4, 1], "wants": {"tables": [{"size": [8, 8]}]}}
   ], "probes": [{"name": "room", "roughness": [0.2, 1], "norms": ["max"], "max_ops": 9}]}"#;
 
 /// Runs the program; what it says on standard error, if it ends with this code.

@@ -125,18 +125,23 @@ fn materials_that_get_nothing_of_an_effect_of_others_are_named() {
         material("b", r#""base":{"albedo":0.5,"roughness":0.5}"#),
         material("c", r#""sheen":{"roughness":0}"#),
         material("d", r#""sheen":{"roughness":0.5}"#),
+        material("e", r#""distribution":"beckmann","base":{"roughness":0.5}"#),
     ];
     let plan_of = |materials: &[String]| {
         plan(&scene(&format!(r#"{{"schema_version":1,"materials":[{}]}}"#, materials.join(","))))
     };
     let both = plan_of(&all);
-    for (effect, why) in [
-        ("diffuse-coupling", "`b` has a rough base, for which this version has no factor"),
-        ("sheen", "the sheen of `c` stays below alpha 0.0001, which is smooth"),
-    ] {
-        assert!(both.effects.iter().any(|called| called.effect == effect));
-        assert_eq!(reason(&both, effect), why);
-    }
+    let of = |effect: &str| both.effects.iter().find(|called| called.effect == effect).expect("called");
+    assert_eq!((of("diffuse-coupling").because.len(), of("sheen").because.len()), (2, 1));
+    assert!(
+        of("diffuse-coupling")
+            .because
+            .iter()
+            .any(|why| why.starts_with("b: dielectric with a rough diffuse base"))
+    );
+    let why = "`e` has a rough base below Beckmann's lobe, for which this version has no factor";
+    assert_eq!(reason(&both, "diffuse-coupling"), why);
+    assert_eq!(reason(&both, "sheen"), "the sheen of `c` stays below alpha 0.0001, which is smooth");
     let served = plan_of(&[all[0].clone(), all[3].clone()]);
     assert!(served.left_out.iter().all(|left| !["diffuse-coupling", "sheen"].contains(&left.effect)));
 }

@@ -1,10 +1,11 @@
 //! The effect `clearcoat`: how a dielectric surface, smooth or rough, darkens the base below it by internal
 //! reflection: a coat, or a lobe with the exact Fresnel term. Quantity `ggx-coat`.
 
+use super::context::Context;
 use super::demand::{Demand, ROUGHNESS_WIDTH_MIN, Span};
 use super::effect::Profile;
-use super::value::{Functions, IOR_WIDTH_MIN, ValueFits};
-use super::{BakeError, Effect, ggx};
+use super::value::{self, Functions, IOR_WIDTH_MIN, ValueFits};
+use super::{BakeError, Called, Effect, Made, ggx};
 use crate::approximate::{Entry, Fit, Formulas, own, published};
 use crate::emit::call::{Around, How};
 use crate::emit::include::call;
@@ -33,7 +34,10 @@ const ALPHA_MIN: f64 = 4e-4;
 
 /// What is made of a fit's value, in WGSL, and its functions.
 const TEXT: &str = include_str!("coat.wgsl");
-const NAMES: [&str; 2] = ["coat_base_scale", "coat_diffuse"];
+const NAMES: [&str; 2] = ["coat_base_scale", DIFFUSE];
+
+/// The one that has Lambert's lobe.
+const DIFFUSE: &str = "coat_diffuse";
 
 const FITS: ValueFits = ValueFits {
     quantity: &GgxCoat,
@@ -71,14 +75,21 @@ const OF_BASES: ValueFits = ValueFits {
     ..FITS
 };
 
-/// What takes the albedo of a lobe with the exact Fresnel term above a base.
-pub(super) fn taking() -> impl Iterator<Item = Around> {
+/// What takes the albedo of a lobe with the exact Fresnel term above a base of a material.
+pub(super) fn taking(material: Option<&Material>) -> impl Iterator<Item = Around> {
+    let suits = serves(material);
     let around = |name: &str| {
         let declared = call(TEXT, name)?;
         let (function, value) = (name.into(), Some("e_v".into()));
         Some(Around { function, arguments: declared.arguments, value, how: How::TakesValue })
     };
-    NAMES.into_iter().filter_map(around)
+    NAMES.into_iter().filter(move |name| suits(name)).filter_map(around)
+}
+
+/// Which of the functions serve the base of a material: a rough one has a lobe of its own, which is scaled.
+fn serves(material: Option<&Material>) -> impl Fn(&str) -> bool + use<> {
+    let is_rough = material.is_some_and(|own| own.rough_base().is_some());
+    move |name| !(is_rough && name == DIFFUSE)
 }
 
 /// The functions about a fit, in a language.
@@ -129,6 +140,15 @@ impl Effect for Clearcoat {
             coat.into_iter().chain(exact)
         };
         scene.materials.iter().enumerate().flat_map(demand).collect()
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        let mut made = value::bake(self.profile().fits, called, context)?;
+        for call in &mut made.part.entries.calls {
+            let suits = serves(context.scene.materials.iter().find(|material| material.name == call.of));
+            call.around.retain(|around| suits(&around.function));
+        }
+        Ok(made)
     }
 
     fn left_out(&self, _: &Scene) -> String {

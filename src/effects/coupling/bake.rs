@@ -8,6 +8,7 @@ use crate::effects::demand::Job;
 use crate::effects::explore::Exploring;
 use crate::effects::page::smallest_error;
 use crate::effects::{BakeError, Called, Made};
+use crate::emit::call::ROUGH_BASE;
 use crate::emit::manifest::{AnyF0Entry, FitEntry};
 use crate::report::explore::Drawn;
 use lobefit_truth::quantity::{COUPLING, GGX_REFLECTION};
@@ -58,6 +59,11 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     for call in &mut made.part.entries.calls {
         let material = context.scene.materials.iter().find(|material| material.name == call.of);
         let times = material.map_or(1, evaluations);
+        if material.is_some_and(|own| own.rough_base().is_some()) {
+            // What calls it adds Lambert's lobe.
+            call.around.clear();
+            call.then = Some(ROUGH_BASE.into());
+        }
         call.cost.ops *= times;
         call.price = call.price.map(|price| price * f64::from(times));
         if times > 1 {

@@ -28,7 +28,7 @@ use crate::approximate::target::{Target, TargetSpec};
 use crate::approximate::{
     self, CallOps, Emission, Entry, FitSet, FitStageError, Formulas, Memo, Region, SafeRange, Wanted,
 };
-use crate::data::{AlphaMap, Norm, Smith};
+use crate::data::{AlphaMap, Ndf, Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, F0, Peak, anywhere};
 pub use catalogue::{entries, hypotheses};
@@ -40,12 +40,6 @@ pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
 
 /// The effect.
 pub struct DiffuseCoupling;
-
-/// Whether a dielectric's diffuse base is rough, and not black.
-fn has_rough_base(material: &Material) -> bool {
-    let is_rough = |base: &Base| base.is_rough() && !base.is_black();
-    material.kind == Kind::Dielectric && material.base.as_ref().is_some_and(is_rough)
-}
 
 /// Seconds of the truths of the fits and of their pictures on one core, and of one of the fits.
 const TRUTH_S: f64 = 0.9;
@@ -91,24 +85,28 @@ impl Effect for DiffuseCoupling {
         let black = about(&black, |m| {
             format!("{} {} a black base, which sends back nothing", named(m), verb(m, "have"))
         });
-        let (_, lit): (Vec<&Material>, Vec<&Material>) = lit.into_iter().partition(|m| has_rough_base(m));
-        let rough = self.unserved(scene);
-        let (exact, lit): (Vec<&Material>, Vec<&Material>) = lit.into_iter().partition(|m| m.is_exact());
+        let lit = lit.into_iter().filter(|m| m.distribution == Ndf::Ggx);
+        let (exact, lit): (Vec<&Material>, Vec<&Material>) = lit.partition(|m| m.is_exact());
         let exact = about(&exact, |m| {
             let (named, want) = (named(m), verb(m, "want"));
             format!("{named} {want} the exact Fresnel term, below which the base is of `clearcoat`")
         });
         let lit =
             about(&lit, |m| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(m)));
-        let why = reasons([black, rough, exact, lit]).unwrap_or_default();
+        let why = reasons([black, self.unserved(scene), exact, lit]).unwrap_or_default();
         format!("no dielectric with a diffuse base calls for it: {why}")
     }
 
     fn unserved(&self, scene: &Scene) -> Option<String> {
-        let rough: Vec<&Material> = scene.materials.iter().filter(|m| has_rough_base(m)).collect();
+        let other = |m: &&Material| m.rough_base().is_some() && m.distribution != Ndf::Ggx;
+        let rough: Vec<&Material> = scene.materials.iter().filter(other).collect();
         about(&rough, |m| {
             let of = if m.len() == 1 { "a rough base" } else { "rough bases" };
-            format!("{} {} {of}, for which this version has no factor", named(m), verb(m, "have"))
+            format!(
+                "{} {} {of} below Beckmann's lobe, for which this version has no factor",
+                named(m),
+                verb(m, "have")
+            )
         })
     }
 
@@ -156,11 +154,12 @@ impl Effect for DiffuseCoupling {
 
 /// What a dielectric with a base that sends back light wants, if its lobe is rough.
 fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]) -> Option<Demand> {
-    let base = material.lit_base().filter(|_| !material.is_exact())?;
+    let base = material.lit_base().filter(|_| !material.is_exact() && material.distribution == Ndf::Ggx)?;
     let [first, rest @ ..] = material.f0?.map(twelve);
     let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
     let roughness = Span::roughness(roughness, scene.alpha).or_one(false);
     let (name, kind, specular) = (&material.name, material.kind.name(), base.specular.name());
+    let rough = if base.is_rough() { "rough " } else { "" };
     let ignored = anisotropy(material).map_or("", |_| "; its anisotropy is left out of them");
     Some(Demand {
         job: format!("coupling-{specular}").into(),
@@ -169,7 +168,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         name: name.clone(),
         field: format!("materials[{of}].base"),
         because: format!(
-            "{name}: {kind} with a diffuse base under a {specular} lobe (roughness {}) wants fits{ignored}",
+            "{name}: {kind} with a {rough}diffuse base under a {specular} lobe (roughness {}) wants fits{ignored}",
             roughness.text()
         ),
         // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two

@@ -11,7 +11,6 @@ use super::value::{self, IOR_WIDTH_MIN, ValueFits};
 use super::who::{about, named, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, clearcoat, ggx};
 use crate::approximate::{Entry, Formulas, own, published};
-use crate::emit::call::Call;
 use crate::scene::limits::{EXACT_IOR, SLICED_ALPHA};
 use crate::scene::{EXACT_FRESNEL, Goals, Kind, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
@@ -176,13 +175,12 @@ impl Effect for Dielectric {
 
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         let mut made = with(&wanted(context.scene)).bake(called, context)?;
-        let above_base = |call: &&mut Call| {
+        for call in &mut made.part.entries.calls {
             let material = context.scene.materials.iter().find(|material| material.name == call.of);
-            call.layer.is_some() || material.is_some_and(|own| own.exact_base().is_some())
-        };
-        for call in made.part.entries.calls.iter_mut().filter(above_base) {
-            call.around.extend(clearcoat::taking());
-            call.then = call.around.first().map(|around| around.function.clone());
+            if call.layer.is_some() || material.is_some_and(|own| own.exact_base().is_some()) {
+                call.around.extend(clearcoat::taking(material));
+                call.then = call.around.first().map(|around| around.function.clone());
+            }
         }
         Ok(made)
     }

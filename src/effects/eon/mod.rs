@@ -48,8 +48,7 @@ const FITS: ValueFits = ValueFits {
 
 /// The base's roughness, if it is rough and sends back light.
 fn rough(material: &Material) -> Option<[f64; 2]> {
-    let base = material.base.as_ref().filter(|base| base.is_rough() && !base.is_black())?;
-    Some(base.roughness)
+    material.rough_base().map(|base| base.roughness)
 }
 
 impl Effect for Eon {
