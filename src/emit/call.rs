@@ -112,7 +112,7 @@ pub const ROUGH_BASE: &str = "f + c*eon_brdf";
 
 /// How functions name the argument that takes the value of a call, the first that is there: a coat's share
 /// stands beside the albedo of its lobe.
-const VALUES: [&str; 5] = ["escape", "e_avg", "e", "e_v", "matrix"];
+const VALUES: [&str; 6] = ["escape", "e_avg", "e", "e_v", "matrix", "n"];
 
 /// What a function does with another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

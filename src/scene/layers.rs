@@ -184,6 +184,52 @@ impl TryFrom<SheenFile> for Sheen {
 
 from_file!(Sheen, SheenFile);
 
+/// The dielectric that a metal is mixed with, as a texture of metalness does.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mixed {
+    /// Range of the share of the metal in [0, 1], lo <= hi.
+    pub metalness: [f64; 2],
+    /// Reflectance of the dielectric at normal incidence, per colour channel, in [0, 1].
+    pub f0: [f64; 3],
+    /// What multiplies the dielectric's lobe.
+    pub specular: Specular,
+}
+
+/// Reflectance of a dielectric that does not say: of an index of refraction of 1.5.
+const MIXED_F0: f64 = 0.04;
+
+/// The dielectric that a metal is mixed with where a texture of metalness lies between 0 and 1. Energy
+/// compensation is not linear in f0, so that the finished lobes are mixed and not f0: a function of both
+/// is emitted, with what the shortcut is off by.
+#[derive(Default, Deserialize, JsonSchema)]
+#[schemars(rename = "Mixed")]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes a mixed dielectric")]
+struct MixedFile {
+    /// Share of the metal: a number, or the range [lo, hi] that the material's texture spans; default
+    /// [0, 1].
+    metalness: Maybe<Span<Unit, true>>,
+    /// Reflectance of the dielectric at normal incidence: a number, or one for red, green and blue;
+    /// default 0.04.
+    f0: Maybe<Numbers<In<Unit>, 3, true>>,
+    /// What the renderer multiplies the dielectric's lobe by, as in `base`: `normalised` (the default),
+    /// `compensated` or `single`.
+    specular: Maybe<Word<Specular>>,
+}
+
+impl TryFrom<MixedFile> for Mixed {
+    type Error = String;
+
+    fn try_from(file: MixedFile) -> Result<Self, String> {
+        Ok(Mixed {
+            metalness: file.metalness.0.map_or([0.0, 1.0], |range| range.0),
+            f0: file.f0.0.map_or([MIXED_F0; 3], |Numbers([r, g, b])| [r.0, g.0, b.0]),
+            specular: file.specular.0.map_or_else(Specular::default, |w| w.0),
+        })
+    }
+}
+
+from_file!(Mixed, MixedFile);
+
 /// A dielectric coat above all else but the sheen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Coat {

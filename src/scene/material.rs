@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::goals::Goals;
-use super::layers::{Base, Coat, Sheen};
+use super::layers::{Base, Coat, Mixed, Sheen};
 use super::limits::{EXACT_IOR, GLASS_IOR, PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
@@ -101,6 +101,10 @@ pub struct Material {
     // Absent where there is none, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base: Option<Base>,
+    /// The dielectric that it is mixed with: of metals.
+    // Absent where there is none, for the same reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mixed: Option<Mixed>,
     /// What is wanted of its specular lobe.
     pub wants: Wants,
 }
@@ -218,16 +222,16 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "required": ["f0"], "properties": {
-            "kind": { "const": "dielectric" },
+            "kind": { "const": "dielectric" }, "mixed": false,
             "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "properties": {
-            "kind": { "const": "dielectric" },
+            "kind": { "const": "dielectric" }, "mixed": false,
             "ior": { "type": "number", "exclusiveMinimum": 1.0 },
             "wants": { "properties": { "exact_fresnel": false, "refracted_width": false } },
         } },
         { "required": ["ior"], "properties": {
-            "kind": { "const": "dielectric" },
+            "kind": { "const": "dielectric" }, "mixed": false,
             "ior": { "type": "number", "exclusiveMinimum": 1.0, "maximum": EXACT_IOR },
             "wants": { "properties": {
                 "refracted_width": false,
@@ -245,6 +249,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "ior": { "maximum": GLASS_IOR, "items": { "maximum": GLASS_IOR } },
                 "base": false,
                 "coat": false,
+                "mixed": false,
                 "wants": { "properties": { "exact_fresnel": false } },
             },
             "anyOf": [
@@ -263,7 +268,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
     "allOf" = [{ "anyOf": [
         { "properties": { "distribution": { "const": "ggx" } } },
         { "properties": {
-            "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "coat": false,
+            "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "coat": false, "mixed": false,
             "base": { "anyOf": [{ "required": ["roughness"] }, { "required": ["albedo"], "properties": { "albedo": { "maximum": 0.0, "items": { "maximum": 0.0 } } } }] },
             "wants": { "properties": {
                 "exact_fresnel": false, "refracted_width": false, "widened": false,
@@ -274,6 +279,9 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
     ] }, { "anyOf": [
         { "required": ["coat"] },
         { "properties": { "wants": { "properties": { "widened": { "properties": { "coat": { "const": false } } } } } } },
+    ] }, { "anyOf": [
+        { "properties": { "mixed": false } },
+        { "properties": { "wants": { "required": ["fit"] } } },
     ] }, {
         "anyOf": [
             { "required": ["anisotropy"], "properties": { "wants": { "properties": { "exact_fresnel": false, "tables": { "items": {
@@ -336,6 +344,9 @@ struct MaterialFile {
     /// The diffuse base of a dielectric; without it, none.
     #[serde(default)]
     base: Maybe<Base>,
+    /// The dielectric that a metal is mixed with; without it, none.
+    #[serde(default)]
+    mixed: Maybe<Mixed>,
     /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a
     /// table with a third axis, with their defaults.
     #[serde(default)]
@@ -373,15 +384,33 @@ impl TryFrom<MaterialFile> for Material {
             return Err(about("wants.widened.coat", "it is of a coat with an `ior` of 1.05 to 2"));
         }
         let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
-        let (coat, base) = (file.coat.0, file.base.0);
+        let (coat, base, mixed) = (file.coat.0, file.base.0, file.mixed.0);
         for (layer, is_there) in [("base", base.is_some()), ("coat", coat.is_some())] {
             if is_there && kind != Kind::Dielectric {
                 return Err(format!("`{layer}` is for dielectrics; leave it out of {}", of_kind(kind)));
             }
         }
+        if mixed.is_some() && kind != Kind::Metal {
+            return Err(format!("`mixed` is for metals; leave it out of {}", of_kind(kind)));
+        }
+        if mixed.is_some() && wants.fit.is_none() {
+            return Err(about("mixed", "what mixes takes the value of a function; ask for `fit` in `wants`"));
+        }
         let distribution = file.distribution.0.map_or_else(Ndf::default, |word| word.0);
-        let material =
-            Material { name, kind, f0, ior, roughness, distribution, anisotropy, sheen, coat, base, wants };
+        let material = Material {
+            name,
+            kind,
+            f0,
+            ior,
+            roughness,
+            distribution,
+            anisotropy,
+            sheen,
+            coat,
+            base,
+            mixed,
+            wants,
+        };
         match distribution {
             Ndf::Ggx => Ok(material),
             Ndf::Beckmann => material.of_beckmann(),
@@ -398,6 +427,7 @@ impl Material {
         let asked = [
             (self.anisotropy[1] > 0.0).then(|| "anisotropy".into()),
             self.coat.is_some().then(|| "coat".into()),
+            self.mixed.is_some().then(|| "mixed".into()),
             self.lit_base().filter(|base| !base.is_rough()).map(|_| "base".into()),
             wants.exact_fresnel.as_ref().map(|_| "wants.exact_fresnel".into()),
             wants.refracted_width.as_ref().map(|_| "wants.refracted_width".into()),

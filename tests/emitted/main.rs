@@ -34,6 +34,7 @@ mod lookup_hit;
 mod lookup_pictures;
 mod lookups;
 mod ltc;
+mod mixed;
 mod multiscatter;
 mod parallax;
 mod sliced;

@@ -65,6 +65,8 @@ fn textures_span_from_zero_to_their_factor() {
         ("m (metal)", Kind::Metal, Some([1.0, 0.5, 0.25]))
     );
     assert_eq!((dielectric.name.as_str(), dielectric.ior), ("m (dielectric)", Some([1.5, 1.5])));
+    let mixed = metal.mixed.as_ref().expect("both at once");
+    assert_eq!((mixed.metalness, mixed.f0, dielectric.mixed.is_some()), ([0.0, 1.0], [0.04; 3], false));
     assert!(scene.materials.iter().all(|m| m.roughness == [0.0, 0.8]));
     assert_eq!(dielectric.base.as_ref().map(|base| base.albedo), Some([1.0, 0.5, 0.25]));
     assert!(notes[0].starts_with("m: metalness between 0 and 1"), "{notes:?}");

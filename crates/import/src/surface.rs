@@ -67,7 +67,9 @@ impl Surface {
         let mut parts = Vec::new();
         let mut add = |kind, fields| parts.push(Part { kind, fields });
         if self.metalness[1] > 0.0 {
-            add("metal", self.shaped(vec![("f0", json!(self.f0.map(tidy)))]));
+            let mut own = self.shaped(vec![("f0", json!(self.f0.map(tidy)))]);
+            own.extend(self.mixed(&mut said));
+            add("metal", own);
         }
         if self.metalness[0] < 1.0 {
             let is_clear = self.transmission[1] > 0.0;
@@ -126,6 +128,24 @@ impl Surface {
             }
         }
         Parts { parts, said }
+    }
+
+    /// The dielectric that the metal is mixed with, where it has the same lobe but for its Fresnel term.
+    fn mixed(&self, said: &mut Said) -> Option<(&'static str, Value)> {
+        let of = self.reflectance.as_ref().filter(|_| self.metalness[0] < 1.0)?;
+        let part = "metalness between 0 and 1: mix the finished lobes, each with its own compensation, and scale the base by what is no metal";
+        if self.shape.anisotropy[1] > 0.0 {
+            said.reading(part);
+            return None;
+        }
+        said.reading(format!(
+            "{part}; mixing f0 first loses light: the comment of `ggx_mixed_normalised` says how much"
+        ));
+        let f0 = match *of {
+            Reflectance::Ior(ior) => json!(tidy(f0_of(ior))),
+            Reflectance::F0(f0) => json!(f0.map(tidy)),
+        };
+        Some(("mixed", json!({ "metalness": span(self.metalness), "f0": f0 })))
     }
 
     fn base(&self) -> Value {

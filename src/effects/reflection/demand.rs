@@ -100,6 +100,8 @@ pub struct FitJob {
     pub blend: bool,
     /// Whether a material's compensation has a colour, as a metal's.
     pub coloured: bool,
+    /// What multiplies the dielectrics that its metals are mixed with, each once.
+    pub mixed: Vec<Specular>,
     /// The user's hypothesis files, relative to the scene file, each once.
     pub hypotheses: Vec<String>,
 }
@@ -203,8 +205,9 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
     }
 }
 
-fn is_coloured(material: &Material) -> bool {
-    material.specular() == Specular::Compensated
+/// Whether its call is the form for three channels; that of one that is mixed is N itself.
+pub(super) fn is_coloured(material: &Material) -> bool {
+    material.specular() == Specular::Compensated && material.mixed.is_none()
 }
 
 impl FitJob {
@@ -212,8 +215,14 @@ impl FitJob {
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
         let materials = job.demands.iter().filter_map(|demand| scene.materials.get(demand.of));
-        let coloured = materials.into_iter().any(is_coloured);
-        let mut fits = FitJob { coloured, ..FitJob::default() };
+        let (mut coloured, mut mixed) = (false, Vec::new());
+        for material in materials {
+            coloured |= is_coloured(material);
+            mixed.extend(material.mixed.as_ref().map(|own| own.specular));
+        }
+        mixed.sort();
+        mixed.dedup();
+        let mut fits = FitJob { coloured, mixed, ..FitJob::default() };
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
             fits.multiscatter |= want.multiscatter;

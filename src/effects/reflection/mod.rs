@@ -6,6 +6,7 @@ pub mod bake;
 mod catalogue;
 mod demand;
 mod fits;
+mod mixed;
 mod published;
 mod table;
 
@@ -63,7 +64,10 @@ pub static GGX: Reflection = Reflection {
             "ggx_energy_compensation",
             "ggx_average_albedo",
             "ggx_directional_albedo",
+            "ggx_mixed",
         ],
+        functions: &mixed::NAMES,
+        texts: &[mixed::TEXT],
         lobe: super::ggx,
         notes: &[
             super::NOTE_F0,

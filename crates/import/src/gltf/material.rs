@@ -41,18 +41,12 @@ pub(super) fn parts(material: &Material, images: Option<&mut Images>) -> Result<
     Ok(surface.parts(look.said))
 }
 
-/// Metallic-roughness: between the metal and the dielectric lies what mixes both f0, for which the functions
-/// of the metal take the mixed one.
+/// Metallic-roughness.
 fn of_metalness(of: &Metallic, with: &Extensions, look: &mut Look) -> Result<Surface, Wrong> {
     let both = &of.metallic_roughness_texture;
     let metalness = look.range("metalness", number(&of.metallic_factor, 1.0), both, B)?;
     let roughness = look.range("roughness", number(&of.roughness_factor, 1.0), both, G)?;
     let colour = look.colour(rgba(&of.base_color_factor), &of.base_color_texture)?;
-    if metalness[0] < 1.0 && metalness[1] > 0.0 {
-        look.said.reading(
-            "metalness between 0 and 1: mix f0 as glTF does and give it to the compensation that the metal calls, whose relative error holds at every f0; the factor of its base takes the f0 of the dielectric",
-        );
-    }
     let ior = with.ior.0.as_ref().map_or(IOR, |own| number(&own.ior, IOR));
     let transmission = match &with.transmission.0 {
         Some(own) => {

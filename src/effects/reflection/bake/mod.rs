@@ -4,7 +4,8 @@ mod explore;
 pub mod findings;
 mod pictures;
 
-use super::demand::parted;
+use super::demand::{is_coloured, parted};
+use super::mixed::{self, Shortcut};
 use super::{FitJob, FitSpec, Reflection, fit_all};
 use crate::approximate::{Emission, Fit, FitSet, FitStageError};
 use crate::data::{Use, Vendor};
@@ -15,7 +16,7 @@ use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
-use crate::scene::Lobe;
+use crate::scene::{Lobe, Material, Mixed};
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::Specular;
@@ -69,11 +70,18 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
     }
     let (measured, metric) = findings::measured(&tables, &fits);
     made.part.finding = called.finding(measured, metric);
-    let FitJob { coloured, multiscatter, .. } =
-        fit.map(|job| FitJob::of(context.scene, job)).unwrap_or_default();
+    let wants = fit.map(|job| FitJob::of(context.scene, job)).unwrap_or_default();
+    let coloured = wants.coloured;
+    let mixes = fit.map(|job| mixes(of, job, &wants.mixed, context)).transpose()?.unwrap_or_default();
     made.code(context, |language| {
-        let lobe = if multiscatter { printed(language)? } else { String::new() };
-        Ok(functions(language, &fits, coloured)? + &lobe)
+        let mut text = functions(language, &fits, coloured)?;
+        if wants.multiscatter {
+            text += &printed(language)?;
+        }
+        for (specular, shortcut) in &mixes {
+            text += &mixed::printed(language, *specular, (of.roles[0], shortcut))?;
+        }
+        Ok(text)
     })?;
     made.tables(context, tables)?;
     if context.reports(called.effect) {
@@ -88,6 +96,24 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
     }
     made.fits(context, (fits, dropped), |_, fit, entry| FitEntry { rgb: rgb(fit, coloured), ..entry })?;
     Ok(made)
+}
+
+/// What mixing f0 first is off by for the metals of a job whose dielectric is multiplied so.
+fn mixes(
+    of: &Reflection,
+    job: &Job,
+    all: &[Specular],
+    context: &Context,
+) -> Result<Vec<(Specular, Shortcut)>, BakeError> {
+    let region = job.region(context.scene.alpha)?;
+    let metals = job.demands.iter().filter_map(|demand| context.scene.materials.get(demand.of));
+    let metals: Vec<(&Material, &Mixed)> = metals.filter_map(|m| Some((m, m.mixed.as_ref()?))).collect();
+    let one = |specular: &Specular| {
+        let own: Vec<(&Material, &Mixed)> =
+            metals.iter().filter(|(_, mixed)| mixed.specular == *specular).copied().collect();
+        Ok((*specular, mixed::shortcut(of.lobe, &context.scene.smith.into(), (&region, &own))?))
+    };
+    all.iter().map(one).collect()
 }
 
 /// Notes which of the emitted fits the materials call: a metal, and a dielectric whose base is made for
@@ -111,7 +137,7 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
             let mut price = vendor.map(|_| fit.price);
             let function = match a.used_as {
                 Use::NORMALISATION if material.specular() == Specular::Single => continue,
-                Use::NORMALISATION if material.specular() == Specular::Compensated => {
+                Use::NORMALISATION if is_coloured(material) => {
                     a.cost.ops += compensation::coloured_ops().map_err(CodeError::from)?;
                     price = vendor.map(|v| Ok::<_, BakeError>(fit.price + coloured_price(v)?)).transpose()?;
                     format!("{name}_rgb")
@@ -125,6 +151,9 @@ fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> R
             if let Some(call) = made.part.entries.calls.last_mut() {
                 let is_average = a.used_as == Use::VALUE && want.is_some_and(|want| want.multiscatter);
                 call.then = call.then.take().or_else(|| is_average.then(|| MULTISCATTER[4].into()));
+                if let Some(mixed) = material.mixed.as_ref().filter(|_| a.used_as == Use::NORMALISATION) {
+                    call.then = Some(mixed::name(mixed.specular).into());
+                }
             }
         }
     }
