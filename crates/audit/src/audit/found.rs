@@ -151,6 +151,8 @@ pub struct Audit {
     pub encoding: Option<&'static Encoding>,
     /// Of a function: the published formula whose values it has.
     pub published: Option<Published>,
+    /// Which known file it is, in a sentence.
+    pub shipped: Option<String>,
     /// What else is to be said of it, in sentences.
     pub remarks: Vec<String>,
 }

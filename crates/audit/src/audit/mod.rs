@@ -441,6 +441,7 @@ fn finish(
         beyond: sample::beyond(truth, &sample, &best.axes, best.lobe),
         truth_error: truth.specs[best.lobe].bound,
         published: None,
+        shipped: None,
         encoding: fixed.encoding,
         remarks: Vec::new(),
     })

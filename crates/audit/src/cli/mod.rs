@@ -4,6 +4,7 @@ mod furnace;
 mod judged;
 mod ltc;
 mod origin;
+mod shipped;
 mod sidecar;
 mod source;
 mod stated;
@@ -245,6 +246,7 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
             break;
         }
     }
+    done.shipped = shipped::shipped(&bytes, done.quantity)?;
     done.remarks.extend(lacking.map(|lacking| format!("{lacking}.")));
     let priced = function.filter(|_| options.isa);
     let price = |function| options.threads.install(|| cost::cost(&function, &done, &progress));

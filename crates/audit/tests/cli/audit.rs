@@ -371,3 +371,23 @@ fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
     let arguments = declared["arguments"].as_array().unwrap();
     assert!(arguments.iter().any(|own| own["long"] == "samples" && own["value"].is_string()), "{declared}");
 }
+
+/// A file whose audit the docs hold is named, by its bytes alone, as the quantity that it was audited as.
+#[test]
+fn a_shipped_file_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = include_str!("../../../../fits/hypotheses/published/ggx_blend_karis.wgsl");
+    let audited = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).expect("written");
+        let output = lobefit(folder.path(), &["audit", name, "--as", "ggx-reflection", "--json"], b"");
+        let found: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        found["verdict"]["convention"].as_str().expect("a sentence").to_string()
+    };
+    let known = audited("fit.wgsl", text);
+    assert!(
+        known.contains("It is a file of Unreal Engine (") && known.contains("Karis' fit; docs/audits.md"),
+        "{known}"
+    );
+    let other = audited("other.wgsl", &format!("{text}\n"));
+    assert!(!other.contains("It is a file"), "{other}");
+}

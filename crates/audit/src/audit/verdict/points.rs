@@ -46,7 +46,8 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     let named = audit.published.iter().map(|known| {
         format!("It has the values of a published formula, `{}`: {}.", known.name, known.publication)
     });
-    let convention: Vec<String> = [opening(audit)].into_iter().chain(named).chain(idle(audit)).collect();
+    let convention: Vec<String> =
+        [opening(audit)].into_iter().chain(audit.shipped.clone()).chain(named).chain(idle(audit)).collect();
     Verdict {
         grade,
         headline: headline(audit, limit),
