@@ -5,8 +5,9 @@
 //! Below this package: `lobefit-math` (quadrature rules, sums, lanes), `lobefit-truth` (optics, and
 //! quantities integrated to a value with an error), `lobefit-shade` (the shader language: parse,
 //! evaluate, bound, count, print), `lobefit-fit` (solver, search, texels), `lobefit-ltc` (linearly
-//! transformed cosines), `lobefit-figures` (values that draw themselves), `lobefit-strict` (a user's
-//! files, read strictly) and `lobefit-import` (glTF and MaterialX to scenes). `math` is a package of
+//! transformed cosines), `lobefit-surface` (whole materials in a furnace), `lobefit-figures` (values
+//! that draw themselves), `lobefit-strict` (a user's files, read strictly) and `lobefit-import` (glTF
+//! and MaterialX to scenes). `math` is a package of
 //! its own so that neither `shade` nor `fit` can reach optics through it.
 //!
 //! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's

@@ -100,7 +100,7 @@ fn compilers_take_the_files() {
     compiled(&CLAY);
 }
 
-/// A lobe and the rough base below it, multiplied by the factor or scaled by what the exact Fresnel term leaves,
+/// A lobe and the rough base below it, multiplied by the factor or scaled by what the exact term leaves,
 /// send back all light, within what the functions state.
 #[test]
 fn a_rough_base_below_a_rough_lobe_is_white() {

@@ -1,4 +1,4 @@
-//! Metals in part: the emitted mix is that of the finished lobes, and mixing f0 first is off by what is stated.
+//! Metals in part: the emitted mix is that of the finished lobes; mixing f0 first is off by what is stated.
 
 use std::sync::LazyLock;
 

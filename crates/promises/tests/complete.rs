@@ -74,7 +74,7 @@ fn is_numeric(signature: &Signature) -> bool {
 
 fn all_functions() -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    for name in ["math", "truth", "shade", "fit", "ltc", "occlusion"] {
+    for name in ["math", "truth", "shade", "fit", "ltc", "occlusion", "surface"] {
         let folder = root().join("crates").join(name).join("src");
         functions(name, &folder.join("lib.rs"), &folder, &mut found);
     }

@@ -16,7 +16,6 @@ mod published;
 mod reciprocity;
 mod results;
 mod rule;
-pub mod surface;
 mod table;
 
 use super::context::Context;
@@ -35,8 +34,15 @@ pub use catalogue::{entries, hypotheses};
 use catalogue::{published, sources};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
+pub use lobefit_surface as surface;
 use lobefit_truth::quantity::{self, COUPLING, Specular, Variant};
 pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
+
+impl From<surface::SurfaceError> for BakeError {
+    fn from(error: surface::SurfaceError) -> BakeError {
+        BakeError::Effect(Box::new(error))
+    }
+}
 
 /// The effect.
 pub struct DiffuseCoupling;

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::cost::cost;
-use super::measure::{self, Pair, Rules};
-pub use super::row::{ExchangeAt, FurnaceRow, ReciprocityRow};
-use super::{Albedos, Base, Coupling, Lobe, Material, Surface, SurfaceError};
-use crate::data::{AlphaMap, Smith};
+use crate::cost::cost;
+use crate::measure::{self, Pair, Rules};
+pub use crate::row::{ExchangeAt, FurnaceRow, ReciprocityRow};
+use crate::{Albedos, Base, Coupling, Lobe, Material, Surface, SurfaceError};
 use lobefit_truth::integrate::Estimate;
+use lobefit_truth::optics::{AlphaMap, Smith};
 
 /// Where surfaces are measured.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-use super::albedos::FIRST_PANEL;
-use super::{Facet, Parts, Surface, SurfaceError};
+use crate::albedos::FIRST_PANEL;
+use crate::{Facet, Parts, Surface, SurfaceError};
 use lobefit_math::gauss::Gauss;
 use lobefit_math::{ops, panels};
 use lobefit_truth::integrate::Estimate;

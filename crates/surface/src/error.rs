@@ -1,6 +1,5 @@
 //! What can go wrong with a surface.
 
-use crate::effects::BakeError;
 use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
 
@@ -39,10 +38,4 @@ pub enum SurfaceError {
     /// A truth that a measure compares with cannot be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
-}
-
-impl From<SurfaceError> for BakeError {
-    fn from(error: SurfaceError) -> BakeError {
-        BakeError::Effect(Box::new(error))
-    }
 }

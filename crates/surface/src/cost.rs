@@ -4,11 +4,19 @@
 //! of the facet, rho/pi, f0, the cosines, roughness, constants of the material) and from texels of
 //! A and B, beyond the bare sum specular + diffuse.
 
-use super::SurfaceError;
-use super::material::{Coupling, Factor, Lobe};
-use crate::data::Cost;
+use crate::SurfaceError;
+use crate::material::{Coupling, Factor, Lobe};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::ShadeError;
+
+/// What a shader takes beyond the bare sum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cost {
+    /// Operations of one channel.
+    pub ops: u32,
+    /// Texels read.
+    pub fetches: u32,
+}
 
 /// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are
 /// texels of A and B at l and v, `series` the colour of the second lobe, `second` that over pi
@@ -39,7 +47,7 @@ const HELPERS: [(&str, &str); 3] = [
 pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceError> {
     let whole = formula(lobe, coupling)?.tape().cost_ops();
     let bare = u32::from(coupling.is_some());
-    Ok(Cost { ops: whole - bare + extra(coupling)?, fetches: texels(lobe, coupling), bytes: 0 })
+    Ok(Cost { ops: whole - bare + extra(coupling)?, fetches: texels(lobe, coupling) })
 }
 
 /// The formula that is counted: f(l, v) of one channel. The value of a [`Coupling::Factor`] is its

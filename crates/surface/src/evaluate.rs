@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
 
-use super::SurfaceError;
-use super::albedos::{Albedos, Column};
-use super::material::{Base, Coupling, FactorAt, Lobe, Material};
+use crate::SurfaceError;
+use crate::albedos::{Albedos, Column};
+use crate::material::{Base, Coupling, FactorAt, Lobe, Material};
 use lobefit_math::vector::dot;
 use lobefit_truth::optics::ggx::{self, Vec3};
 use lobefit_truth::optics::multiscatter::{self, Bounces};

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
-use crate::data::Smith;
 use lobefit_shade::Hypothesis;
+use lobefit_truth::optics::Smith;
 
-use super::SurfaceError;
-use super::albedos::{ALPHA, check};
+use crate::SurfaceError;
+use crate::albedos::{ALPHA, check};
 
 /// What becomes of the specular lobe of single scattering. E is the lobe's albedo for F = 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -329,7 +329,7 @@ impl Material {
         Material { smith: Smith::Correlated, alpha, f0: [f0; 3], lobe, base }
     }
 
-    pub(super) fn check(&self) -> Result<(), SurfaceError> {
+    pub(crate) fn check(&self) -> Result<(), SurfaceError> {
         check("alpha", self.alpha, ALPHA)?;
         self.f0.iter().try_for_each(|f0| check("f0", *f0, [0.0, 1.0]))?;
         let albedo = self.base.iter().flat_map(|base| &base.albedo);

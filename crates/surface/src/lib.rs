@@ -18,7 +18,7 @@ mod row;
 pub mod table;
 
 pub use albedos::{ALPHA, Albedos, Column};
-pub use cost::{cost, formula, source};
+pub use cost::{Cost, cost, formula, source};
 pub use error::SurfaceError;
 pub use evaluate::{Facet, Parts, Side, Surface};
 pub use material::{Base, Coupling, Factor, FactorAt, Lobe, Material};

@@ -3,12 +3,12 @@
 
 use rayon::prelude::*;
 
-use super::SurfaceError;
-use crate::data::Smith;
+use crate::SurfaceError;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::panels;
 use lobefit_math::piecewise::{self, Piecewise};
 use lobefit_truth::integrate::reflection::{self, Effort};
+use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::fresnel;
 
 /// Range of alpha of a surface. At 0 the lobe is a mirror, which has no BRDF.
@@ -16,7 +16,7 @@ pub const ALPHA: [f64; 2] = [1e-4, 1.0];
 
 /// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less
 /// than 1e-7 alpha.
-pub(super) const FIRST_PANEL: f64 = 1e-6;
+pub(crate) const FIRST_PANEL: f64 = 1e-6;
 
 /// Directional albedos over mu in [0, 1] of one lobe, to 1e-7 (the loss: relative, for mu >= 1e-5
 /// alpha), and their averages.
@@ -100,7 +100,7 @@ fn average<const N: usize>(columns: &Piecewise<3>, f: impl Fn(f64, [f64; 3]) -> 
     total
 }
 
-pub(super) fn check(input: &'static str, value: f64, range: [f64; 2]) -> Result<(), SurfaceError> {
+pub(crate) fn check(input: &'static str, value: f64, range: [f64; 2]) -> Result<(), SurfaceError> {
     if (range[0]..=range[1]).contains(&value) {
         return Ok(());
     }
