@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::columns::{self, Side::Left, Side::Right};
 use crate::data::{Cost, Vendor, natural};
 use crate::emit::call::{
-    Around, Call, Callers, How, NAMED, OVER, ROUGH_BASE, SPLIT, SPLIT_OVER, TIMES, Uses, arounds, callers,
+    Around, Call, Callers, How, INVERSE, NAMED, OVER, ROUGH_BASE, SPLIT, SPLIT_OVER, TIMES, Uses, arounds,
+    callers,
 };
 use crate::emit::header::short;
 use crate::report::sections::words;
@@ -102,15 +103,21 @@ fn around(calls: &[Call]) -> Vec<[String; 2]> {
         [format!("  {}", around.signature()), by_value.into_iter().map(does).collect::<Vec<_>>().join(", ")]
     };
     // What no function does is written out: f is the lobe.
-    let values =
-        [(OVER, "E"), (SPLIT, "A and B"), (SPLIT_OVER, "E, A and B"), (TIMES, "N"), (ROUGH_BASE, "c")];
+    let values = [
+        (OVER, "E"),
+        (SPLIT, "A and B"),
+        (SPLIT_OVER, "E, A and B"),
+        (TIMES, "N"),
+        (ROUGH_BASE, "c"),
+        (INVERSE, "E"),
+    ];
     let written = values.into_iter().filter_map(|(how, value)| {
         let of: BTreeSet<&str> =
             calls.iter().filter(|c| c.then.as_deref() == Some(how)).map(|c| &*c.function).collect();
         let mut of: Vec<&str> = of.into_iter().collect();
         of.sort_by(|a, b| natural(a, b));
         (!of.is_empty()).then(|| {
-            let lobe = if how == SPLIT { "" } else { ", f the lobe" };
+            let lobe = if [SPLIT, INVERSE].contains(&how) { "" } else { ", f the lobe" };
             [format!("  {how}{lobe}"), format!("{value} from {}", any_of(&of))]
         })
     });

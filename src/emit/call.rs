@@ -34,7 +34,8 @@ pub struct Call {
     /// What it is made of: the name of the fit or of the table.
     pub name: String,
     /// The function that takes its value, or what is made of it and the lobe f: `f/E`, `f*N`,
-    /// `f0*A + B`, `f0*A + B or f/E`, `f + c*eon_brdf`.
+    /// `f0*A + B`, `f0*A + B or f/E`, `f + c*eon_brdf`,
+    /// `n = 1/E`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub then: Option<String>,
     /// Functions of the include files about it: that take its value, or that call it.
@@ -106,6 +107,9 @@ pub const SPLIT_OVER: &str = "f0*A + B or f/E";
 
 /// What is made of a normalisation N and the lobe f: their product.
 pub const TIMES: &str = "f*N";
+
+/// What is made of an albedo E for a metal in part: the n of `ggx_mixed_*`.
+pub const INVERSE: &str = "n = 1/E";
 
 /// What is made of the factor c of a rough base and the lobe f.
 pub const ROUGH_BASE: &str = "f + c*eon_brdf";

@@ -96,7 +96,8 @@ pub enum Visibility {
     /// 1/(4 (mu + mu_l - mu mu_l)) of Neubelt and Pettineo (2013), which real-time renderers take.
     #[default]
     Neubelt,
-    /// The Lambda that the lobe's authors fitted (2017).
+    /// The Lambda that the lobe's authors fitted (2017), without their softer terminator; the whole is not
+    /// clamped.
     EstevezKulla,
 }
 

@@ -281,7 +281,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
         { "properties": { "wants": { "properties": { "widened": { "properties": { "coat": { "const": false } } } } } } },
     ] }, { "anyOf": [
         { "properties": { "mixed": false } },
-        { "properties": { "wants": { "required": ["fit"] } } },
+        { "properties": { "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } }, "wants": { "required": ["fit"] } } },
     ] }, {
         "anyOf": [
             { "required": ["anisotropy"], "properties": { "wants": { "properties": { "exact_fresnel": false, "tables": { "items": {
@@ -392,6 +392,9 @@ impl TryFrom<MaterialFile> for Material {
         }
         if mixed.is_some() && kind != Kind::Metal {
             return Err(format!("`mixed` is for metals; leave it out of {}", of_kind(kind)));
+        }
+        if mixed.is_some() && lobe == Lobe::Anisotropic {
+            return Err(about("mixed", "its functions are of isotropic lobes; leave it or `anisotropy` out"));
         }
         if mixed.is_some() && wants.fit.is_none() {
             return Err(about("mixed", "what mixes takes the value of a function; ask for `fit` in `wants`"));

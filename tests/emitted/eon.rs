@@ -108,6 +108,7 @@ fn a_rough_base_below_a_rough_lobe_is_white() {
     let source = Source::parse("lobefit.wgsl", &text(&plastered, Language::Wgsl)).expect("it parses");
     let of = |name: &str| function(&source, name);
     let (factor, albedo) = (of("diffuse_coupling"), of("ggx_dielectric_albedo"));
+    let compensation = of("ggx_energy_compensation");
     let (share, scale) = (of("coat_escape"), of("coat_base_scale"));
     let call = |of: &str, function: &str| -> &Call {
         let own = |call: &&Call| call.of == of && call.function == function;
@@ -116,6 +117,7 @@ fn a_rough_base_below_a_rough_lobe_is_white() {
     let (lobe, base) = (lobe(&plastered), of_a_white_base(&plastered));
     let by_factor = call("wall", "diffuse_coupling");
     let by_scale = call("varnished wall", "ggx_dielectric_albedo");
+    let of_lobe = call("wall", "ggx_energy_compensation").max_error;
     let outside = Variant { side: Some(Side::Outside), ..Smith::Correlated.into() };
     let mut worst = [0.0_f64; 2];
     for (roughness, of_base) in [(0.1, 1.0), (0.3, 0.2), (0.55, 0.6), (0.8, 0.4), (1.0, 1.0)] {
@@ -127,6 +129,9 @@ fn a_rough_base_below_a_rough_lobe_is_white() {
             let sent = (0.04 * truth.a + truth.b) / truth.e;
             let all = sent + factor(&[&given[..], &[("f0", 0.04)]].concat()) * rough;
             assert!((all - 1.0).abs() <= by_factor.max_error + base, "{roughness} {of_base} {mu}: {all}");
+            let emitted = (0.04 * truth.a + truth.b) * compensation(&given) + (all - sent);
+            let within = of_lobe + by_factor.max_error + base;
+            assert!((emitted - 1.0).abs() <= within, "{roughness} {of_base} {mu}: {emitted}");
             let e_v = albedo(&[&given[..], &[("ior", 1.5)]].concat());
             let x = [roughness * roughness, mu, 1.5];
             let exact = GGX_GLASS.at(&outside, &x, 1e-7).expect("a truth")[0];

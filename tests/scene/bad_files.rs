@@ -745,7 +745,7 @@ fn other_files() {
         (
             "a.json",
             scene(r#""kind":"metal","f0":1,"roughness":0.5,"emission":1"#),
-            "a.json:1:93: materials[0].emission: unknown field `emission`, expected one of `name`, `kind`, `f0`, `ior`, `roughness`, `distribution`, `anisotropy`, `sheen`, `coat`, `base`, `wants`",
+            "a.json:1:93: materials[0].emission: unknown field `emission`, expected one of `name`, `kind`, `f0`, `ior`, `roughness`, `distribution`, `anisotropy`, `sheen`, `coat`, `base`, `mixed`, `wants`",
         ),
         (
             "a.json",

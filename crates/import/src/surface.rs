@@ -132,12 +132,15 @@ impl Surface {
 
     /// The dielectric that the metal is mixed with, where it has the same lobe but for its Fresnel term.
     fn mixed(&self, said: &mut Said) -> Option<(&'static str, Value)> {
-        let of = self.reflectance.as_ref().filter(|_| self.metalness[0] < 1.0)?;
-        let part = "metalness between 0 and 1: mix the finished lobes, each with its own compensation, and scale the base by what is no metal";
-        if self.shape.anisotropy[1] > 0.0 {
-            said.reading(part);
+        if self.metalness[0] == 1.0 {
             return None;
         }
+        let part = "metalness between 0 and 1: mix the finished lobes, each with its own compensation, and scale the base by what is no metal";
+        let is_isotropic = self.shape.anisotropy[1] == 0.0;
+        let Some(of) = self.reflectance.as_ref().filter(|_| is_isotropic) else {
+            said.reading(part);
+            return None;
+        };
         said.reading(format!(
             "{part}; mixing f0 first loses light: the comment of `ggx_mixed_normalised` says how much"
         ));

@@ -66,7 +66,8 @@ impl Effect for Eon {
                 notes: &[(
                     &["eon_"],
                     &[
-                        "`eon_albedo` is E of the single-scattering lobe of a rough diffuse base, `eon_brdf` the whole base.",
+                        "`eon_albedo` is E of the single-scattering lobe of a rough diffuse base, `eon_brdf` the whole base. Below a rough lobe",
+                        "multiply it by `diffuse_coupling`: `diffuse_coupled_*` has Lambert's lobe in its place.",
                     ],
                 )],
                 is_explored: true,

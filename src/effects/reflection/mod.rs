@@ -72,6 +72,10 @@ pub static GGX: Reflection = Reflection {
         notes: &[
             super::NOTE_F0,
             (&["ggx_energy_compensation", "ggx_norm_"], &COMPENSATION),
+            (
+                &["ggx_mixed_"],
+                &["A metal that is a dielectric in part takes N in `ggx_mixed_*`, and not `_rgb`."],
+            ),
             super::NOTE_LOOKUP,
         ],
         is_explored: true,

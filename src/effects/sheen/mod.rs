@@ -51,6 +51,7 @@ const SHADOWED: ValueFits = ValueFits {
     quantity: &EstevezKulla,
     own: Formulas::of(&catalogue::SHADOWED),
     published: &[],
+    seconds: [7.0, 0.3],
     caption: "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where the shadowing of its \
               authors lets it return more than it receives: a value above 1 is the model's own, no error of its integral.",
     ..FITS

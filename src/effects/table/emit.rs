@@ -8,7 +8,7 @@ use crate::data::{Table, lookup_features};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
-use crate::emit::call::{OVER, SPLIT, SPLIT_OVER};
+use crate::emit::call::{INVERSE, OVER, SPLIT, SPLIT_OVER};
 use crate::emit::compensation::Compensation;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
@@ -64,6 +64,9 @@ impl Made {
 /// or the lobe f over it.
 fn then(material: &Material, quantity: &str, [is_there, is_split]: [bool; 2]) -> Option<&'static str> {
     let compensation = Compensation::of_quantity(quantity).filter(|_| is_there)?;
+    if material.mixed.is_some() {
+        return Some(INVERSE);
+    }
     match (compensation, material.specular()) {
         (Compensation::Glass, _) | (_, Specular::Compensated) => Some(compensation.of_colours()),
         (_, Specular::Normalised) => Some(if is_split { SPLIT_OVER } else { OVER }),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{SCREEN, figures, index::some, words};
 use crate::data::Use;
-use crate::emit::call::{Call, How, ROUGH_BASE, SPLIT, SPLIT_OVER, TIMES};
+use crate::emit::call::{Call, How, INVERSE, ROUGH_BASE, SPLIT, SPLIT_OVER, TIMES};
 use crate::emit::include::{Called, Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
@@ -268,6 +268,7 @@ fn with_value((then, of): (&str, &Call), text: &str, value: &str) -> String {
             SPLIT => format!("then {then}: A and B are components of this"),
             SPLIT_OVER => format!("then {then}: E, A and B are the components of this, f the lobe"),
             TIMES => format!("then {then}: N is {value}, f the lobe"),
+            INVERSE => format!("then {then}: E is {value}, n that of ggx_mixed_*"),
             ROUGH_BASE => format!("then {then}: c is {value}, f the lobe as it is compensated"),
             _ => format!("then {then}: E is {value}, f the lobe"),
         };

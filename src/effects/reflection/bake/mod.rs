@@ -16,7 +16,7 @@ use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
-use crate::scene::{Lobe, Material, Mixed};
+use crate::scene::Lobe;
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_truth::quantity::Specular;
@@ -79,7 +79,7 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
             text += &printed(language)?;
         }
         for (specular, shortcut) in &mixes {
-            text += &mixed::printed(language, *specular, (of.roles[0], shortcut))?;
+            text += &mixed::printed(language, *specular, shortcut)?;
         }
         Ok(text)
     })?;
@@ -98,7 +98,7 @@ pub(super) fn bake(of: &Reflection, called: &Called, context: &Context) -> Resul
     Ok(made)
 }
 
-/// What mixing f0 first is off by for the metals of a job whose dielectric is multiplied so.
+/// What mixing f0 first loses for the metals of a job whose dielectric is multiplied so.
 fn mixes(
     of: &Reflection,
     job: &Job,
@@ -106,14 +106,15 @@ fn mixes(
     context: &Context,
 ) -> Result<Vec<(Specular, Shortcut)>, BakeError> {
     let region = job.region(context.scene.alpha)?;
-    let metals = job.demands.iter().filter_map(|demand| context.scene.materials.get(demand.of));
-    let metals: Vec<(&Material, &Mixed)> = metals.filter_map(|m| Some((m, m.mixed.as_ref()?))).collect();
-    let one = |specular: &Specular| {
-        let own: Vec<(&Material, &Mixed)> =
-            metals.iter().filter(|(_, mixed)| mixed.specular == *specular).copied().collect();
-        Ok((*specular, mixed::shortcut(of.lobe, &context.scene.smith.into(), (&region, &own))?))
-    };
-    all.iter().map(one).collect()
+    let mut mixes: Vec<(Specular, Shortcut)> = all.iter().map(|own| (*own, Shortcut::default())).collect();
+    for material in job.demands.iter().filter_map(|demand| context.scene.materials.get(demand.of)) {
+        let Some(mixed) = &material.mixed else { continue };
+        let own = mixed::shortcut(of.lobe, &context.scene.smith.into(), (&region, material, mixed))?;
+        let known =
+            mixes.iter_mut().filter(|(specular, known)| *specular == mixed.specular && known.lost < own.lost);
+        known.for_each(|(_, known)| *known = own);
+    }
+    Ok(mixes)
 }
 
 /// Notes which of the emitted fits the materials call: a metal, and a dielectric whose base is made for
