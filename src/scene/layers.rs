@@ -102,7 +102,7 @@ pub enum Visibility {
 }
 
 impl Visibility {
-    /// Whether it is the one that is meant where none is stated.
+    /// Whether it is the default.
     pub fn is_default(&self) -> bool {
         *self == Visibility::default()
     }
