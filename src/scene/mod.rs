@@ -4,6 +4,7 @@
 //! fields, `null`, negative zero and anything out of range are refused with file, line, column and
 //! field. Nothing here opens a file.
 
+mod beckmann;
 mod culling;
 mod file;
 mod goals;
@@ -16,6 +17,7 @@ mod name;
 mod number;
 mod output;
 mod probe;
+mod slices;
 mod table;
 mod wants;
 
