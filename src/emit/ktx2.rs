@@ -78,13 +78,14 @@ fn pairs(texture: &Texture) -> Vec<u8> {
     bytes
 }
 
-/// The numbers after the identifier, up to and with the descriptor, and the key/value data.
-fn header(texture: &Texture) -> (Vec<Field>, Vec<u8>) {
+/// The numbers after the identifier, up to and with the descriptor, and the key/value data; of 0 layers for a
+/// texture that is no array.
+fn header(texture: &Texture, layers: u32) -> (Vec<Field>, Vec<u8>) {
     let Texture { size: [width, height, depth], solid, texel, .. } = *texture;
     let (descriptor, pairs) = (descriptor(texel), pairs(texture));
     let described = 4 * descriptor.len() as u32;
     let keyed = pairs.len() as u32;
-    let length = u64::from(texture.pitch) * u64::from(height) * u64::from(depth);
+    let length = u64::from(texture.pitch) * u64::from(height) * u64::from(depth) * u64::from(layers.max(1));
     let [low, high] = [length as u32, (length >> 32) as u32];
     let mut fields = vec![
         ("vkFormat", format(texel).1),
@@ -92,7 +93,7 @@ fn header(texture: &Texture) -> (Vec<Field>, Vec<u8>) {
         ("pixelWidth", width),
         ("pixelHeight", height),
         ("pixelDepth", if solid { depth } else { 0 }),
-        ("layerCount", 0),
+        ("layerCount", layers),
         ("faceCount", 1),
         ("levelCount", 1),
         ("supercompressionScheme", 0),
@@ -121,8 +122,26 @@ fn alignment(texel: Texel) -> u32 {
 /// # Errors
 /// More channels than four, an axis longer than 2^32 - 1 or a row of as many bytes.
 pub fn packed(table: &Table) -> Result<Packed, TextureError> {
+    in_layers(table, 0)
+}
+
+/// The file of tables of one shape and format, each a layer of an array.
+///
+/// # Errors
+/// As [`packed`].
+pub fn layers(tables: &[&Table]) -> Result<Vec<u8>, TextureError> {
+    let mut bytes = Vec::new();
+    for table in tables {
+        let file = in_layers(table, tables.len() as u32)?;
+        let texels = file.header.len();
+        bytes.extend(&file.file(table)[if bytes.is_empty() { 0 } else { texels }..]);
+    }
+    Ok(bytes)
+}
+
+fn in_layers(table: &Table, layers: u32) -> Result<Packed, TextureError> {
     let texture = Texture::new(table, Container::Ktx2)?;
-    let (fields, pairs) = header(&texture);
+    let (fields, pairs) = header(&texture, layers);
     let mut packed = texture.packed(IDENTIFIER, fields, &pairs);
     let first = packed.header.len().next_multiple_of(alignment(texture.texel) as usize);
     packed.header.resize(first, 0);

@@ -288,6 +288,22 @@ impl Scene {
         }
     }
 
+    /// Engines fetch a pair of area lights by the roughness of glTF.
+    fn check_engines(&self) -> Result<(), (String, String)> {
+        let wanted = self.materials.iter().enumerate().flat_map(|(i, m)| m.tables().map(move |t| (i, t)));
+        let mut wanted = wanted.filter(|(_, (.., table))| !table.engines.is_empty());
+        match wanted.next().filter(|_| self.alpha != AlphaMap::default()) {
+            Some((i, (part, j, _))) => Err((
+                format!("materials[{i}].{part}.tables[{j}].engines"),
+                format!(
+                    "engines read alpha = roughness^2, and the scene has `{}`; leave the field out",
+                    self.alpha.name()
+                ),
+            )),
+            None => Ok(()),
+        }
+    }
+
     /// The scene that is compiled in, which every verb uses by default.
     pub fn built_in() -> Result<Scene, SceneError> {
         Scene::from_json(include_bytes!("default.json"), "the built-in scene")
@@ -323,6 +339,7 @@ impl Scene {
         self.check_names()?;
         self.check_slices()?;
         self.check_sheens()?;
+        self.check_engines()?;
         self.check_texels()?;
         self.check_probes()?;
         self.check_hypotheses()

@@ -9,8 +9,8 @@ use super::limits::{
 };
 use super::material::Lobe;
 use super::number::{AxisSize, Cosine, ErrorLimit, In, Span, Whole};
-use super::value::{List, Maybe, Word, about, from_file};
-use crate::data::{AXES, TexelFormat};
+use super::value::{List, Maybe, Word, about, distinct, from_file};
+use crate::data::{AXES, Engine, TexelFormat};
 pub use crate::data::{Layout, Serves};
 use lobefit_math::ops;
 
@@ -78,14 +78,27 @@ pub struct TableWant {
     // Absent at its default: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "is_usual")]
     pub n_dot_v: [f64; 2],
+    /// Engines whose file of a pair of area lights is written too.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub engines: Vec<Engine>,
 }
 
 impl TableWant {
     /// A table of two axes without a limit.
     pub fn flat(layout: Layout, size: [usize; 2], format: TexelFormat) -> TableWant {
         let (serves, size) = (Serves::Albedo, Some(size.to_vec()));
-        let (max_error, max_bytes, n_dot_v) = (None, None, TABLE_MU);
-        TableWant { layout, size, has_open_slices: false, format, serves, max_error, max_bytes, n_dot_v }
+        let (max_error, max_bytes, n_dot_v, engines) = (None, None, TABLE_MU, Vec::new());
+        TableWant {
+            layout,
+            size,
+            has_open_slices: false,
+            format,
+            serves,
+            max_error,
+            max_bytes,
+            n_dot_v,
+            engines,
+        }
     }
 
     /// Whether the other is the same table, whatever limits there are.
@@ -147,6 +160,7 @@ pub(super) struct OpenTable {
     serves: Option<Serves>,
     max_error: Option<f64>,
     n_dot_v: [f64; 2],
+    engines: Option<List<Word<Engine>, { Engine::ALL.len() }>>,
 }
 
 /// A table of the albedo: over mu and roughness; with the anisotropy as a third axis, as the mean
@@ -211,6 +225,10 @@ struct TableFile {
     /// Range [lo, hi] of the cosine of the view over which the error is measured and texels are
     /// optimised; default [0.001, 1]. A plain layout cannot follow the lobe at grazing views.
     n_dot_v: Maybe<Span<Cosine, false>>,
+    /// Of `area-lights`: engines that read the pair from one file, which is written beside the `formats`:
+    /// `babylon`, `bevy`, `three`. They take 64x64 texels of f16, and alpha = roughness^2.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    engines: Maybe<List<Word<Engine>, { Engine::ALL.len() }>>,
 }
 
 impl TryFrom<TableFile> for OpenTable {
@@ -224,6 +242,7 @@ impl TryFrom<TableFile> for OpenTable {
             serves: file.serves.0.map(|w| w.0),
             max_error: file.max_error.0.map(|e| e.0),
             n_dot_v: file.n_dot_v.0.map_or(TABLE_MU, |s| s.0),
+            engines: file.engines.0,
         })
     }
 }
@@ -316,7 +335,22 @@ impl OpenTable {
         let has_open_slices = size.is_none() && layout.axes() == 3 && layout != Layout::PathTracer;
         let size = size.or_else(|| default_size(lobe, layout));
         let (format, n_dot_v) = (self.format, self.n_dot_v);
-        Ok(TableWant { layout, size, has_open_slices, format, serves, max_error, max_bytes: None, n_dot_v })
+        let engines = self.engines.map_or(Ok(Vec::new()), |List(words)| {
+            let engines = distinct(words.into_iter().map(|Word(engine)| engine), Engine::name)?;
+            check_engines(&engines, layout, size.as_deref(), format).map(|()| engines)
+        });
+        let engines = engines.map_err(|e| about("engines", e))?;
+        Ok(TableWant {
+            layout,
+            size,
+            has_open_slices,
+            format,
+            serves,
+            max_error,
+            max_bytes: None,
+            n_dot_v,
+            engines,
+        })
     }
 }
 
@@ -400,6 +434,25 @@ fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
             "{columns} columns x {slices} slices of the {name} layout are more than {SLICED_LINES}; rows cost less"
         );
         return Err(about("size", message));
+    }
+    Ok(())
+}
+
+/// Holds the engines of a table to what they read.
+fn check_engines(
+    engines: &[Engine],
+    layout: Layout,
+    size: Option<&[usize]>,
+    format: TexelFormat,
+) -> Result<(), String> {
+    if engines.is_empty() {
+        return Err("the list is empty; leave the field out".into());
+    }
+    if layout != Layout::AreaLights {
+        return Err(format!("`{}` is of no engine; give `area-lights`", layout.name()));
+    }
+    if size != Some(&[64, 64]) || format != TexelFormat::F16 {
+        return Err("engines read 64x64 texels of f16; leave `size` and `format` out".into());
     }
     Ok(())
 }

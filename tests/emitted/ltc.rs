@@ -188,3 +188,79 @@ fn a_limit_is_kept_or_the_bake_fails() {
     let left = plan(&scene).left_out.into_iter().find(|left| left.effect == "ltc").expect("left out");
     assert_eq!(left.reason, "no material wants tables in the `area-lights` layout");
 }
+
+/// Every file for an engine has the halves of the two tables, read here as the engine does.
+#[test]
+fn engines_read_the_pair_from_one_file() {
+    let scene = SCENE
+        .replacen(r#""size": [9, 9], "format": "f32""#, r#""engines": ["three", "babylon", "bevy"]"#, 1)
+        .replace(r#""size": [9, 9], "#, "")
+        .replacen('{', r#"{ "reports": false, "languages": ["wgsl"],"#, 1);
+    // Of two materials with one pair the second asks for the engines.
+    let steel = scene.find(r#"{ "name": "steel""#).expect("a material");
+    let other = r#"{ "name": "tin", "kind": "metal", "f0": 0.5, "roughness": 1, "wants": { "tables": [{ "layout": "area-lights" }] } },"#;
+    let baked = baked(&format!("{}{other}{}", &scene[..steel], &scene[steel..]));
+    let name = "ggx-ltc-correlated-64x64";
+    let raw = |name: &str| -> Vec<[f32; 4]> {
+        let numbers: Vec<f32> =
+            baked.files[name].as_chunks().0.iter().map(|b| f32::from_le_bytes(*b)).collect();
+        numbers.as_chunks().0.to_vec()
+    };
+    let [matrices, lights] = [raw(&format!("tables/{name}.raw")), raw(&format!("tables/{name}-light.raw"))];
+    assert_eq!((matrices.len(), lights.len()), (64 * 64, 64 * 64));
+    let halves = |bytes: &[u8]| -> Vec<[f32; 4]> {
+        let numbers: Vec<f32> =
+            bytes.as_chunks().0.iter().map(|b| half::f16::from_le_bytes(*b).to_f32()).collect();
+        numbers.as_chunks().0.to_vec()
+    };
+
+    // ltc1[i] is the first four of eight, ltc2[i] the others.
+    let babylon = halves(&baked.files[&format!("tables/{name}.babylon.bin")]);
+    let turns: Vec<[f32; 4]> = matrices.iter().zip(&lights).flat_map(|(m, l)| [*m, *l]).collect();
+    assert!(babylon == turns);
+
+    let bevy = &baked.files[&format!("tables/{name}.bevy.ktx2")];
+    let word = |at: usize| u32::from_le_bytes(bevy[at..at + 4].try_into().expect("four bytes"));
+    // VK_FORMAT_R16G16B16A16_SFLOAT, width, height, depth, layers, faces, levels, supercompression.
+    let header: Vec<u32> = [12, 20, 24, 28, 32, 36, 40, 44].map(word).to_vec();
+    assert_eq!(header, [97, 64, 64, 0, 2, 1, 1, 0]);
+    let [first, length] = [word(80) as usize, word(88) as usize];
+    assert_eq!((first + length, word(88)), (bevy.len(), word(96)));
+    let both = halves(&bevy[first..]);
+    assert!(both == [&matrices[..], &lights[..]].concat());
+
+    let three = String::from_utf8(baked.files[&format!("tables/{name}.three.js")].clone()).expect("text");
+    for (array, texels) in [("LTC_MAT_1", &matrices), ("LTC_MAT_2", &lights)] {
+        let (_, after) = three.split_once(&format!("export const {array} = [")).expect("an array");
+        let (list, _) = after.split_once("];").expect("its end");
+        let numbers = list.split(',').map(str::trim).filter(|word| !word.is_empty());
+        let numbers: Vec<f32> = numbers.map(|word| word.parse().expect("a number")).collect();
+        assert!(numbers == texels.concat(), "{array}");
+    }
+    assert!(three.starts_with("// ") && three.contains("roughness"), "{}", &three[..400]);
+    assert!(!baked.files.keys().any(|file| file.contains("sheen") && file.ends_with(".bin")));
+}
+
+#[test]
+fn engines_are_refused_what_they_do_not_read() {
+    for (scene, table, message) in [
+        ("", r#""layout": "plain", "engines": ["bevy"]"#, "tables[0].engines: `plain` is of no engine"),
+        ("", r#""layout": "area-lights", "engines": []"#, "engines: the list is empty"),
+        ("", r#""layout": "area-lights", "engines": ["bevy", "bevy"]"#, "`bevy` is there twice"),
+        ("", r#""layout": "area-lights", "engines": ["unity"]"#, "`babylon`, `bevy`, `three`"),
+        ("", r#""layout": "area-lights", "engines": ["bevy"], "format": "f32""#, "64x64 texels of f16"),
+        ("", r#""layout": "area-lights", "engines": ["bevy"], "size": [32, 32]"#, "64x64 texels of f16"),
+        (
+            r#""alpha": "roughness","#,
+            r#""layout": "area-lights", "engines": ["bevy"]"#,
+            "the scene has `roughness`",
+        ),
+    ] {
+        let json = format!(
+            r#"{{"schema_version": 1, {scene} "materials": [{{"name": "m", "kind": "metal", "f0": 1, "roughness": 0.5,
+                "wants": {{"tables": [{{{table}}}]}}}}]}}"#
+        );
+        let refused = Scene::from_json(json.as_bytes(), "scene.json").expect_err("refused").to_string();
+        assert!(refused.contains(message), "{refused}");
+    }
+}

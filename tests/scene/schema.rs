@@ -376,6 +376,7 @@ fn it_names_and_describes_every_field() {
             "culling",
             "distribution",
             "edges",
+            "engines",
             "exact_fresnel",
             "f0",
             "f0",

@@ -53,8 +53,8 @@ pub struct LtcError {
     pub is_limited: bool,
 }
 
-/// The pair of some tables: matrices in the first four channels of the first, E and B in the second,
-/// or in the second slice of the first; none of E where there is no second.
+/// The pair of some tables: matrices in the first four channels of the first, E and B in the second, in the
+/// second slice of the first or in four more channels of it; none of E where there is no second.
 ///
 /// # Errors
 /// Tables that are not square, or of other sizes and channels.
@@ -71,17 +71,19 @@ pub fn pair(tables: &[ForeignTable]) -> Result<(Pair, bool), AuditError> {
         if columns != rows || columns < 2 || (side > 0 && columns != side) {
             return Err(refused(format!("size {size:?}: the tables of a pair are square and of one size")));
         }
-        if channels.len() != CHANNELS {
-            let found = channels.len();
+        let found = channels.len();
+        if found != CHANNELS && found != 2 * CHANNELS {
             return Err(refused(format!(
-                "{found} channels, where a matrix has m11, m31, m13 and m33; give --channels 4"
+                "{found} channels, where a matrix has m11, m31, m13 and m33, and beside E and B 8; give --channels 4 or 8"
             )));
         }
         side = columns;
-        let order = by_name(channels);
-        let texel = |i: usize| order.map(|c| channels[c].values.get(i).copied().unwrap_or(f64::NAN));
-        let texels: Vec<[f64; CHANNELS]> = (0..table.texels()).map(texel).collect();
-        layers.extend(texels.chunks(side * side).map(<[_]>::to_vec));
+        for channels in channels.chunks(CHANNELS) {
+            let order = by_name(channels);
+            let texel = |i: usize| order.map(|c| channels[c].values.get(i).copied().unwrap_or(f64::NAN));
+            let texels: Vec<[f64; CHANNELS]> = (0..table.texels()).map(texel).collect();
+            layers.extend(texels.chunks(side * side).map(<[_]>::to_vec));
+        }
     }
     if layers.len() > 2 {
         let reason = format!(

@@ -1,6 +1,6 @@
 //! A pair of tables, measured, and what a bake writes of it.
 
-use super::{METRIC, side};
+use super::{METRIC, engines, side};
 use crate::approximate::FitStageError;
 use crate::data::{
     Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Half, HalfError, Source, Table, Use, Warp,
@@ -11,11 +11,13 @@ use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::{BakeError, Made};
 use crate::emit::call::{Around, How};
+use crate::emit::container::ContainerError;
 use crate::emit::header;
 use crate::emit::lookup::{Readable, TableNames};
 use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
 use crate::report::{Measured as Listed, Offer, Purpose, Role};
 use crate::scene::TableWant;
+use crate::store::Files;
 use lobefit_ltc::{Deviation, Lobe, Measured, Pair, QUAD, Setting, measured};
 use lobefit_shade::code::Language;
 use lobefit_shade::round_up;
@@ -157,6 +159,9 @@ impl Baked {
             let part = &mut made.part;
             let files =
                 contained(table, *decode, &approximation.certificate, Some(note), context, &mut part.files)?;
+            if *decode == Decode::Light {
+                self.shared(job, context, &mut part.files)?;
+            }
             let entry =
                 TableEntry::new(part.by.name(), approximation, table, decode.formulas(), error.clone());
             let inputs = self.readable(context, table, *decode, names, &[]).inputs()?;
@@ -176,6 +181,22 @@ impl Baked {
             offers.push(self.purpose(approximation, &names.lookup));
         }
         made.purposes.extend(offers);
+        Ok(())
+    }
+
+    /// Adds the files that engines read both tables from.
+    fn shared(&self, job: &Job, context: &Context, files: &mut Files) -> Result<(), BakeError> {
+        let [matrices, lights] = &self.tables;
+        let (Form::Table(one), Form::Table(other)) = (&matrices.0.form, &lights.0.form) else {
+            return Ok(());
+        };
+        let mut header = context.recipe.lines();
+        header.extend(header::table_lines(one, matrices.1, &matrices.0.certificate));
+        header.extend(self.measured.notes());
+        for engine in engines(context.scene, job) {
+            let bytes = engines::file(engine, [one, other], &header).map_err(ContainerError::from)?;
+            files.insert(format!("tables/{}.{}", one.name, engine.extension()), bytes);
+        }
         Ok(())
     }
 

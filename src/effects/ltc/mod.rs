@@ -2,6 +2,7 @@
 //! tables of a lobe: matrices, and what their shares of a light are scaled by.
 
 mod bake;
+mod engines;
 mod page;
 
 use super::context::Context;
@@ -10,7 +11,7 @@ use super::effect::Profile;
 use super::who::{self, about, anisotropy, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made, ggx};
 use crate::approximate::CallOps;
-use crate::data::Layout;
+use crate::data::{Engine, Layout};
 use crate::scene::{Goals, Material, Scene, TableWant};
 use bake::Baked;
 use lobefit_ltc::{FUNCTIONS, Lobe, LtcError, QUAD, Quad, TEXT};
@@ -60,14 +61,25 @@ fn field(lobe: Lobe) -> (&'static str, Option<&'static str>) {
     if lobe == Lobe::Charlie { ("sheen", Some("sheen")) } else { ("wants", None) }
 }
 
+/// The lobe and the want of a demand.
+fn of_demand<'a>(scene: &'a Scene, demand: &Demand) -> Option<(Lobe, &'a TableWant)> {
+    let mut all = wanted(scene, scene.materials.get(demand.of)?);
+    let own = all.find(|(lobe, _, item, _)| (field(*lobe).1, *item) == (demand.layer, demand.item));
+    own.map(|(lobe, _, _, want)| (lobe, want))
+}
+
 /// The lobe and the want of a job.
 fn of_job<'a>(scene: &'a Scene, job: &Job) -> Result<(Lobe, &'a TableWant), BakeError> {
-    let found = job.demands.first().and_then(|demand| {
-        let all = wanted(scene, scene.materials.get(demand.of)?);
-        all.filter(|(lobe, ..)| field(*lobe).1 == demand.layer).find(|(.., item, _)| *item == demand.item)
-    });
+    let found = job.demands.first().and_then(|demand| of_demand(scene, demand));
     let lacks = || BakeError::Internal(format!("{}: no pair is wanted", job.name));
-    found.map(|(lobe, _, _, want)| (lobe, want)).ok_or_else(lacks)
+    found.ok_or_else(lacks)
+}
+
+/// The engines whose files the demands of a job ask for.
+fn engines(scene: &Scene, job: &Job) -> Vec<Engine> {
+    let wants = || job.demands.iter().filter_map(|demand| of_demand(scene, demand));
+    let asked = |engine: &Engine| wants().any(|(_, want)| want.engines.contains(engine));
+    Engine::ALL.into_iter().filter(asked).collect()
 }
 
 /// Texels along both axes.

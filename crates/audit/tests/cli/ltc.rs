@@ -37,6 +37,14 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     assert!(text.starts_with("PASS with --limit 0.15: matrices.raw:"), "{text}");
     assert!(text.contains("GGX, correlated Smith") && text.contains("worst at roughness"), "{text}");
     assert!(text.contains("  E: 0.0"), "{text}");
+    // Both in one file, the eight of a texel together, as Babylon.js reads them.
+    let both = pair.matrices.iter().zip(&pair.amplitudes).flat_map(|(matrix, light)| [*matrix, *light]);
+    write("both.raw", &raw(&both.collect::<Vec<_>>()));
+    let words = ["audit", "both.raw", "--as=ltc", "--size", "8x8", "--channels", "8", "--raw-format", "f32"];
+    let domain = ["--domain", "roughness=0.4..1,mu=0.2..1", "--limit", "0.15"];
+    let of_both = lobefit(folder.path(), &[&words[..], &domain].concat(), b"");
+    assert_eq!(of_both.status.code(), Some(0), "{}", stderr(&of_both));
+    assert_eq!(String::from_utf8(of_both.stdout).unwrap(), text.replace("matrices.raw", "both.raw"));
     let alone = run("matrices.raw", &["--limit", "0.15"]);
     assert_eq!(alone.status.code(), Some(1), "{}", stderr(&alone));
     let text = String::from_utf8(alone.stdout).unwrap();
