@@ -61,6 +61,9 @@ struct Planned<'a> {
     notes: &'a [Note],
 }
 
+/// Most characters of a list of effects that reasons are aligned after.
+const COLUMN: usize = 32;
+
 /// The plan for people.
 fn text(plan: &Plan, notes: &[Note]) -> String {
     let named = plan.scene != UNNAMED;
@@ -76,7 +79,8 @@ fn text(plan: &Plan, notes: &[Note]) -> String {
         (all.iter().map(|left| left.effect).collect::<Vec<_>>().join(", "), visible(&all[0].reason))
     });
     let left_out: Vec<_> = of_one_reason.collect();
-    let width = left_out.iter().map(|(effects, _)| effects.len()).max().unwrap_or(0);
+    let widths = left_out.iter().map(|(effects, _)| effects.len());
+    let width = widths.filter(|width| *width <= COLUMN).max().unwrap_or(0);
     for (effects, reason) in left_out {
         // Writing to a string cannot fail.
         let _ = writeln!(out, "  {effects:<width$}  {reason}");

@@ -48,13 +48,15 @@ pub use notes::{PATH_TRACER, PATH_TRACER_CONVENTIONS};
 
 /// Every effect of this version, in the order of plans, include files and manifests.
 pub fn catalogue() -> &'static [&'static dyn Effect] {
-    static ALL: [&dyn Effect; 17] = [
+    static ALL: [&dyn Effect; 19] = [
         &reflection::GGX,
         &anisotropy::Anisotropy,
         &glass::GGX,
         &aniso_glass::AnisoGlass,
         &reflection::BECKMANN,
         &glass::BECKMANN,
+        &glass::compensation::BECKMANN_OUTSIDE,
+        &glass::compensation::BECKMANN_INSIDE,
         &glass::compensation::OUTSIDE,
         &glass::compensation::INSIDE,
         &dielectric::Dielectric,

@@ -34,6 +34,12 @@ pub(super) fn no_distribution(ndf: Ndf, noun: &str) -> String {
     }
 }
 
+/// Why a scene leaves out glass of Beckmann's distribution.
+pub(super) fn no_beckmann_glass(scene: &Scene) -> String {
+    let has = |material: &Material| material.distribution == Ndf::Beckmann;
+    no_distribution(Ndf::Beckmann, if scene.materials.iter().any(has) { "glass" } else { "material" })
+}
+
 /// What an isotropic approximation leaves out of a material's lobe.
 pub(super) fn anisotropy(material: &Material) -> Option<&'static str> {
     matches!(material.lobe(), Lobe::Anisotropic | Lobe::AnisotropicGlass).then_some("anisotropy")

@@ -19,7 +19,6 @@ impl Material {
             wants.refracted_width.as_ref().map(|_| "wants.refracted_width".into()),
             wants.widened.as_ref().map(|_| "wants.widened".into()),
             wants.fit.as_ref().filter(|fit| fit.multiscatter).map(|_| "wants.fit.multiscatter".into()),
-            wants.fit.as_ref().filter(|_| self.lobe().is_glass()).map(|_| "wants.fit".into()),
             wants.fit.as_ref().filter(|fit| fit.average).map(|_| "wants.fit.average".into()),
             of_table(Layout::AreaLights),
             of_table(Layout::PathTracer),
@@ -27,7 +26,7 @@ impl Material {
         match asked.into_iter().flatten().next() {
             Some(field) => Err(about(
                 field,
-                "it is of the distribution `ggx`; with `beckmann` ask for tables of isotropic lobes and of glass, and for fits of what reflects",
+                "it is of the distribution `ggx`; with `beckmann` ask for tables and fits of isotropic lobes and of glass",
             )),
             None => Ok(self),
         }

@@ -255,7 +255,6 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
             "anyOf": [
                 { "properties": { "wants": { "properties": { "fit": false } } } },
                 { "properties": {
-                    "distribution": { "const": "ggx" },
                     "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
                     "wants": { "properties": { "fit": { "properties": {
                         "average": { "const": false }, "multiscatter": { "const": false }, "blend": { "const": false },
@@ -327,7 +326,7 @@ struct MaterialFile {
     /// below 0.0001 the surface counts as smooth and calls for no rough specular.
     roughness: Span<Unit, true>,
     /// The distribution of the normals of its facets: `ggx` (the default) or `beckmann`, which has tables
-    /// and fits of isotropic lobes that reflect, and tables of glass.
+    /// and fits of isotropic lobes and of glass.
     #[serde(default)]
     distribution: Maybe<Word<Ndf>>,
     /// Anisotropy: a number, or the range [lo, hi] that the material's

@@ -119,6 +119,8 @@ fn plan_prints_the_keys_of_the_contract() {
             "aniso-glass",
             "beckmann",
             "beckmann-glass",
+            "beckmann-glass-outside",
+            "beckmann-glass-inside",
             "glass-outside",
             "glass-inside",
             "dielectric",

@@ -752,7 +752,7 @@ fn other_files() {
             scene(
                 r#""kind":"metal","f0":1,"roughness":0.5,"distribution":"beckmann","wants":{"tables":[{"layout":"area-lights"}]}"#,
             ),
-            "a.json:1:151: materials[0].wants.tables[0].layout: it is of the distribution `ggx`; with `beckmann` ask for tables of isotropic lobes and of glass, and for fits of what reflects",
+            "a.json:1:151: materials[0].wants.tables[0].layout: it is of the distribution `ggx`; with `beckmann` ask for tables and fits of isotropic lobes and of glass",
         ),
         (
             "a.json",

@@ -223,7 +223,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"wants\":{\"tables\":[{\"format\":\"f32\"}]", "\"anisotropy\":0.5,\"wants\":{\"fit\":{}"),
                 (
                     "\"wants\":{\"tables\":[{\"format\":\"f32\"}]",
-                    "\"distribution\":\"beckmann\",\"wants\":{\"fit\":{}",
+                    "\"distribution\":\"beckmann\",\"wants\":{\"refracted_width\":{}",
                 ),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"tables\":[{\"layout\":\"plain\"}]"),
                 ("[{\"format\":\"f32\"}]", "[]"),

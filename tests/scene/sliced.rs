@@ -333,7 +333,7 @@ fn the_json_of_a_plan_has_the_fields_of_the_contract() {
     assert!(effect["seconds"].as_f64().unwrap() > 0.0);
     assert!(effect["approximation"].as_str().unwrap().contains("table 64x64x32 f16, optimised layout"));
     let left = plan["left_out"].as_array().unwrap();
-    assert_eq!((left.len(), &left[0]["effect"]), (16, &json!("reflection")));
+    assert_eq!((left.len(), &left[0]["effect"]), (18, &json!("reflection")));
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::effect::{Note, Profile};
 use super::table::{
     BuildError, Family, Further, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob, Truths,
 };
-use super::who::{NO_GLASS, about, no_distribution, stay_smooth};
+use super::who::{NO_GLASS, about, no_beckmann_glass, no_distribution, stay_smooth};
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, beckmann, ggx};
 use crate::approximate::Memo;
 use crate::data::{Layout, Ndf, Serves, Smith, Table};
@@ -168,7 +168,7 @@ impl Sliced for Glass {
         let all = || scene.materials.iter().filter(|m| m.lobe() == Lobe::Glass);
         let glass = || all().filter(|m| m.distribution == self.ndf);
         match (glass().next(), self.unserved(scene)) {
-            (None, _) if self.ndf == Ndf::Beckmann => no_distribution(self.ndf, "material"),
+            (None, _) if self.ndf == Ndf::Beckmann => no_beckmann_glass(scene),
             (None, _) if all().next().is_some() => no_distribution(self.ndf, "glass"),
             (None, _) if scene.materials.iter().any(|m| m.lobe().is_glass()) => {
                 "every glass has anisotropy".into()

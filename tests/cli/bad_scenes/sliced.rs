@@ -39,8 +39,8 @@ fn not_a_sliced_table() -> Vec<Case> {
             "materials[0].wants.fit: of anisotropic glass there are tables alone",
         ),
         case(
-            of(&format!("{GLASS},\"distribution\":\"beckmann\""), "\"fit\":{}"),
-            "materials[0].wants.fit: it is of the distribution `ggx`",
+            of(&format!("{GLASS},\"distribution\":\"beckmann\""), "\"fit\":{\"blend\":true}"),
+            "materials[0].wants.fit.blend: it is of lobes that only reflect",
         ),
         case(
             tables(GLASS, "[{},{\"layout\":\"azimuth\"}]"),
