@@ -1,5 +1,6 @@
 //! `lobefit cost`: what accuracy costs in time.
 
+mod effects;
 mod from;
 mod limited;
 mod page;
@@ -206,10 +207,11 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     let progress = Bar::new(options.quiet || options.json, (&input.scene, &plan), 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
+        let effects = effects::timed(options, &plan, &progress)?;
         progress.stage("timings");
         let measured = timings(
-            &input.scene,
-            &baked,
+            (&input.scene, &baked),
+            effects,
             origin(&input, &plan, COMMAND)?,
             device(rayon::current_num_threads()),
         )?;
@@ -235,6 +237,7 @@ fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, Cli
             origin,
             device: device(rayon::current_num_threads()),
             tables: None,
+            effects: None,
             evaluations: Vec::new(),
             lookups: Vec::new(),
         };

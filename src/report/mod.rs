@@ -44,7 +44,10 @@ pub use lobefit_math::numbers;
 pub use offline::{OfflineRecord, OfflineStudy};
 pub use page::{Block, Card, Choice, Names, Page, Section, TextTable, figures_of, place_of};
 pub use sections::{figures, words};
-pub use timings::{TimedApproximation, TimedEstimator, TimedLookup, TimedTableRun, TimedTables, Timings};
+pub use timings::{
+    TimedApproximation, TimedEffect, TimedEffects, TimedEstimator, TimedLookup, TimedTableRun, TimedTables,
+    Timings,
+};
 
 /// A file to be written: path relative to the bake's folder, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]

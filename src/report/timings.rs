@@ -17,11 +17,32 @@ pub struct Timings {
     /// table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tables: Option<TimedTables>,
+    /// Bakes of each effect by itself; none of a scene of one effect.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effects: Option<TimedEffects>,
     /// Time per evaluation of each approximation.
     pub evaluations: Vec<TimedApproximation>,
     /// The lookups of the scene's probes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lookups: Vec<TimedLookup>,
+}
+
+/// Bakes of each effect by itself beside that of all.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedEffects {
+    /// Each effect of the plan.
+    pub alone: Vec<TimedEffect>,
+    /// Seconds of a bake of all.
+    pub all: f64,
+}
+
+/// What a bake of one effect takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedEffect {
+    /// Its name.
+    pub effect: String,
+    /// Seconds of the whole process.
+    pub seconds: f64,
 }
 
 /// What the lookup of a probe takes at a pixel, without its fetches.

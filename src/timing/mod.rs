@@ -22,7 +22,7 @@ use crate::data::{Approximation, Source};
 use crate::effects::demand::hull;
 use crate::effects::table::Lookup;
 use crate::effects::{Effect, catalogue};
-use crate::report::{Origin, TimedApproximation, Timings};
+use crate::report::{Origin, TimedApproximation, TimedEffects, Timings};
 use crate::scene::Scene;
 use lobefit_truth::points::Points;
 
@@ -42,8 +42,13 @@ const SHORTEST: f64 = 2e-3;
 /// 2^15 uniform points and half as many again: what formulas are evaluated at.
 const LOG2_POINTS: u32 = 15;
 
-/// Measures every formula and table of a bake.
-pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
+/// Measures every formula and table of a bake; `effects` is what bakes took.
+pub fn timings(
+    (scene, baked): (&Scene, &Baked),
+    effects: Option<TimedEffects>,
+    origin: Origin,
+    device: String,
+) -> Result<Timings, BakeError> {
     // One thread: a time per evaluation is that of one core.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
@@ -53,7 +58,7 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let tables = if sliced { Some(tables::tables()?) } else { None };
     let timed = |effect: &&dyn Effect| effect.timed(scene, &|work| seconds(work));
     let lookups = pool.install(|| catalogue().iter().flat_map(timed).collect());
-    Ok(Timings { origin, device, tables, evaluations, lookups })
+    Ok(Timings { origin, device, tables, effects, evaluations, lookups })
 }
 
 /// Seconds of one execution.

@@ -48,6 +48,14 @@ fn it_writes_positive_times_beside_a_bake_and_nothing_else() {
         positive(&serde_json::json!([one["nanoseconds"], one["max_error"]]));
     }
 
+    // Each effect has a bake by itself beside that of both.
+    let alone = times["effects"]["alone"].as_array().expect("a list");
+    let effects: Vec<&str> = alone.iter().filter_map(|one| one["effect"].as_str()).collect();
+    assert_eq!(effects, ["reflection", "parallax"]);
+    positive(
+        &alone.iter().map(|one| one["seconds"].clone()).chain([times["effects"]["all"].clone()]).collect(),
+    );
+
     let lookups = times["lookups"].as_array().expect("a list");
     assert_eq!(
         lookups.iter().filter(|one| one["lookup"].to_string().contains("of the fitted lobe")).count(),

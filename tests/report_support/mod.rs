@@ -303,6 +303,12 @@ pub fn timings() -> Timings {
         origin: Origin { command: "lobefit cost".into(), ..findings.origin.clone() },
         device: "an imaginary processor, 2 cores".into(),
         tables: Some(timed_tables()),
+        effects: Some(TimedEffects {
+            alone: [("reflection", 6.1), ("glass", 2.4)]
+                .map(|(effect, seconds)| TimedEffect { effect: effect.into(), seconds })
+                .to_vec(),
+            all: 8.0,
+        }),
         evaluations: findings.approximations.iter().map(timed).collect(),
         lookups: vec![TimedLookup {
             lookup: "a box with smooth edges, 1 fetch".into(),

@@ -2,11 +2,14 @@
 
 use super::{figures, time_against_error, words};
 use crate::report::{
-    Bar, Bars, Block, Dot, Page, ReportError, Section, TimedApproximation, TimedLookup, Timings,
+    Bar, Bars, Block, Dot, Page, ReportError, Section, TimedApproximation, TimedEffects, TimedLookup, Timings,
 };
 
 pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
     let mut sections = Vec::new();
+    if let Some(effects) = &timings.effects {
+        sections.push(alone(effects)?);
+    }
     if let Some(tables) = &timings.tables {
         sections.push(super::timed_tables::section(tables)?);
     }
@@ -25,6 +28,32 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
             timings.device
         ),
         sections,
+    ))
+}
+
+fn alone(effects: &TimedEffects) -> Result<Section, ReportError> {
+    let TimedEffects { alone, all } = effects;
+    let bar = |name: &str, value: f64, published| Bar { name: name.into(), value, published };
+    let each = alone.iter().map(|one| bar(&one.effect, one.seconds, false));
+    let bars = each.chain([bar("all effects", *all, true)]).collect();
+    let bars = Bars { title: "bake".into(), unit: "s".into(), bars };
+    let longest = alone.iter().max_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let longest = longest.map_or_else(String::new, |one| {
+        let share = (100.0 * one.seconds / all).round();
+        format!(
+            "The longest, {}, takes {} s by itself, {share} % of the bake of all. ",
+            one.effect,
+            words::mean(one.seconds)
+        )
+    });
+    Ok(Section::new(
+        "effects",
+        "A bake of one effect, and of all",
+        format!(
+            "{longest}Each bar is a process of its own without the cache, as `lobefit bake --only EFFECT --no-cache`: what a scene \
+             with this effect alone would take. What two effects share is in the bars of both."
+        ),
+        vec![figures(&[bars], "Seconds of whole processes; all effects in grey.")?],
     ))
 }
 
