@@ -30,6 +30,7 @@ pub mod parallax;
 pub mod reflection;
 mod selection;
 pub mod sheen;
+mod sky;
 pub mod table;
 pub mod value;
 mod who;

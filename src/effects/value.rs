@@ -10,7 +10,7 @@ use super::explore::Exploring;
 use super::grid::{self, Grid, at_text};
 use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
-use super::{BakeError, Called, JobSummary, Made, code, page};
+use super::{BakeError, Called, JobSummary, Made, code, page, sky};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Dropped, Emission, Entry, Fit, FitSet, Formulas, Region, Wanted};
 use crate::data::{Arguments, Use};
@@ -310,6 +310,12 @@ impl ValueFits<'_> {
         }
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
+        let is_width = self.quantity.outputs()[0] == self.column;
+        let spheres = if is_width {
+            sky::spheres(self.quantity, (region, shown), fits, (self.of, context))?
+        } else {
+            None
+        };
         let residual = self.used_as().residual;
         let [shown_as, error_of, _] = self.words();
         let along: Vec<f64> = along.iter().map(|truth| residual.ideal(*truth)).collect();
@@ -323,6 +329,7 @@ impl ValueFits<'_> {
             truths: vec![map.field(self.column, false, truth.iter().copied())],
             tables: made.tables.iter().filter_map(|t| table::finding(t, &made.part, Vec::new())).collect(),
             fits: chosen.iter().map(finding).collect::<Result<_, BakeError>>()?,
+            spheres: spheres.into_iter().collect(),
             ..found
         })
     }

@@ -29,7 +29,7 @@ pub use cost::{CostJob, CostPoint, CostSearch, CostUnit, Costs};
 pub use findings::{
     Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
     Findings, FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Measured, Offer, Origin, Purpose, Role,
-    SCHEMA_VERSION, TableFinding,
+    SCHEMA_VERSION, SkySpheres, TableFinding,
 };
 pub use fold::{folded, folded_after};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};

@@ -231,3 +231,23 @@ fn the_page_states_the_truth() {
         assert!(page.contains(&row), "docs/scene.md has no row {row}");
     }
 }
+
+/// The page has spheres by the lobe, by ours and by the rules in use, which are off by more.
+#[test]
+fn the_page_has_spheres_beside_the_rules_in_use() {
+    let scene =
+        Scene::from_json(SCENE.replacen('{', r#"{ "languages": ["wgsl"],"#, 1).as_bytes(), "panes.json");
+    let scene = scene.expect("a scene");
+    let selection = Selection { only: vec!["width".into()], ..shared() };
+    let baked = bake(&scene, &plan(&scene), &[], selection, &Silent).expect("a bake");
+    let page = String::from_utf8(baked.files["reports/width.html"].clone()).expect("text");
+    let (_, caption) = page.split_once("Off from the lobe itself").expect("the caption of the spheres");
+    // Names may break at their underscores.
+    let caption = caption.replace("<wbr>", "");
+    let off = |name: &str| -> f64 {
+        let (_, after) = caption.split_once(name).unwrap_or_else(|| panic!("no {name}"));
+        after.get(1..6).expect("a number").parse().expect("a number")
+    };
+    let [ours, khronos] = ["refracted_width_14", "refracted_width_khronos"].map(off);
+    assert!(khronos > 2.0 * ours && ours > 0.0, "{ours} {khronos}");
+}

@@ -99,7 +99,7 @@ fn the_timings_page_names_its_machine() -> Outcome {
     assert!(html.contains("n_rational_13"));
     assert!(html.contains("texels of the three tables on 2 threads"));
     assert!(
-        html.contains("The longest, reflection, takes 6.1 s by itself, 76 % of the bake of all."),
+        html.contains("The longest, reflection, takes 6.100 s by itself, 76 % of the bake of all."),
         "no effect by itself"
     );
     assert!(html.contains("a box with smooth edges, 1 fetch") && html.contains("ns per pixel"));

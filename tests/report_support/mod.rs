@@ -281,6 +281,7 @@ pub fn findings() -> Findings {
         fits: FITS.map(fit).to_vec(),
         averages: Some(averages()),
         furnace: Some(furnace()),
+        spheres: Vec::new(),
     }
 }
 

@@ -4,6 +4,7 @@
 mod answer;
 mod approximation;
 mod furnace;
+mod spheres;
 mod table;
 
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,7 @@ pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use answer::{Answer, Measured, Offer, Purpose, Role};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow};
+pub use spheres::SkySpheres;
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
 /// Version of the shape of the reports' JSON files.
@@ -97,6 +99,9 @@ pub struct Findings {
     /// Spheres in a white environment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<Furnace>,
+    /// Spheres under a sky, of each value a picture.
+    #[serde(skip)]
+    pub spheres: Vec<SkySpheres>,
 }
 
 impl Findings {
@@ -108,6 +113,7 @@ impl Findings {
         self.caption = format!("{} {}", self.caption, more.caption);
         self.approximations.extend(more.approximations);
         self.fits.extend(more.fits);
+        self.spheres.extend(more.spheres);
     }
 
     /// Nothing yet.
@@ -123,6 +129,7 @@ impl Findings {
             fits: Vec::new(),
             averages: None,
             furnace: None,
+            spheres: Vec::new(),
         }
     }
 }

@@ -12,6 +12,7 @@ mod gpu;
 mod index;
 pub mod offline;
 mod selection;
+mod sky;
 pub(crate) mod tables;
 mod timed_tables;
 mod timings;
@@ -38,6 +39,7 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     let shown: Vec<&str> = tables.chain(findings.fits.iter().map(|fit| fit.name.as_str())).collect();
     sections.extend(approximations::section(&findings.approximations, &shown, &mut BTreeSet::new())?);
     sections.extend(furnace::section(findings)?);
+    sections.extend(sky::section(findings)?);
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(&findings.tables)?);
     sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);

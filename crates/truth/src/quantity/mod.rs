@@ -16,6 +16,7 @@ mod over_f0;
 mod parallax;
 mod reflection;
 mod refracted;
+mod seen;
 pub mod sheen;
 mod used;
 mod variant;
@@ -33,6 +34,7 @@ pub use over_f0::{F0Form, OverF0, Parts};
 pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
 pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, SCHLICK_SMITH, TRUTH_ERROR};
 pub use refracted::RefractedWidth;
+pub use seen::{Seen, Sky};
 pub use sheen::{EstevezKulla, SheenCharlie};
 pub use used::{Residual, Use};
 pub use variant::{Choice, Variant};
@@ -231,6 +233,11 @@ pub trait Quantity: Sync {
     /// This output by a random walk over facets; `None` where there is no walk.
     fn walked(&self, x: &[f64], walks: Walks) -> Option<Result<Sampled, IntegrateError>> {
         let _ = (x, walks);
+        None
+    }
+
+    /// A sky by its lobe and by the one in its place; `None` of what is no roughness.
+    fn seen(&self) -> Option<&dyn Seen> {
         None
     }
 

@@ -10,5 +10,6 @@ mod eon;
 mod error;
 mod many;
 mod refracted;
+mod seen;
 mod shadowing;
 mod widened;

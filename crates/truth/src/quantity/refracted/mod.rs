@@ -27,7 +27,9 @@ use std::sync::LazyLock;
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Asked, Choice, Facts, Input, MU, Quantity, Truth, Variant, check_domain, check_unit};
+use super::{
+    ALPHA, Asked, Choice, Facts, Input, MU, Quantity, Seen, Truth, Variant, check_domain, check_unit,
+};
 use crate::integrate::monte_carlo::{
     Draws, Run, Sampled, check_positive, check_samples, column, of_replicas, refract, shadowing,
 };
@@ -216,6 +218,10 @@ impl Quantity for RefractedWidth {
                 ..Facts::NONE
             }
         }
+    }
+
+    fn seen(&self) -> Option<&dyn Seen> {
+        Some(self)
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

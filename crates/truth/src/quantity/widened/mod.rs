@@ -29,7 +29,7 @@ pub use averaged::AVERAGED_WIDTH;
 pub use coated::COATED_WIDTH;
 pub use lit::{LIGHT, LIT_WIDTH};
 
-use super::{Asked, Facts, Input, Quantity, Truth, Use, Variant};
+use super::{Asked, Facts, Input, Quantity, Seen, Truth, Use, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::count;
 use crate::integrate::monte_carlo::shadowing;
@@ -46,7 +46,7 @@ const ALPHA: Input = Input { domain: [1e-4, 1.0], usual: [1e-4, 1.0], ..super::A
 const MU: Input = Input { domain: [0.01, 1.0], ..super::MU };
 
 /// Numbers that a light is drawn with.
-const DIMENSIONS: usize = 6;
+pub(super) const DIMENSIONS: usize = 6;
 type Draw = [f64; DIMENSIONS];
 
 /// A light and its energy; none where it is lost.
@@ -115,12 +115,12 @@ const NARROWEST: f64 = 1e-7;
 const BIN: f64 = 2e-3;
 
 /// The view of a cosine.
-fn view(mu: f64) -> Vec3 {
+pub(super) fn view(mu: f64) -> Vec3 {
     [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]
 }
 
 /// The light of a facet that mirrors a view, drawn by two numbers, with its energy.
-fn mirrored(alpha: f64, view: Vec3, u: f64, v: f64) -> Light {
+pub(super) fn mirrored(alpha: f64, view: Vec3, u: f64, v: f64) -> Light {
     let light = ggx::mirror(view, ggx::visible_normal([alpha; 2], view, u, v)).0;
     (light[2] > 0.0).then(|| (light, shadowing(SMITH, [alpha; 2], view, light).0))
 }
@@ -307,10 +307,15 @@ fn tabulated<const N: usize>(
 }
 
 impl Widened {
+    /// The lights of the lobe of inputs, each by the numbers that it is drawn with.
+    pub(super) fn lights(&self, x: &[f64]) -> Lights {
+        (self.lights)(view(x[1]), x)
+    }
+
     /// The lobe of inputs.
     fn spread(&self, x: &[f64], drawn: usize, shift: &Draw) -> Spread {
         let view = view(x[1]);
-        Spread::new([-view[0], 0.0, view[2]], drawn, shift, (self.lights)(view, x))
+        Spread::new([-view[0], 0.0, view[2]], drawn, shift, self.lights(x))
     }
 
     /// Roughness, radius, and the value beside them, by one sequence.
@@ -365,6 +370,10 @@ impl Widened {
 impl Quantity for Widened {
     fn facts(&self) -> &Facts {
         &self.facts
+    }
+
+    fn seen(&self) -> Option<&dyn Seen> {
+        Some(self)
     }
 
     fn uses(&self, column: &str) -> &'static [Use] {
