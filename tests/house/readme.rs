@@ -95,6 +95,11 @@ fn recipes_bake_and_their_calls_compile() {
     assert_eq!(recipes.len(), 3);
     for recipe in recipes {
         let title = recipe.lines().next().expect("a title");
+        let code = ["json", "sh", "wgsl", "c"].iter().flat_map(|language| blocks(recipe, language));
+        assert!(
+            code.map(|block| block.trim().lines().count()).sum::<usize>() <= 10,
+            "{title}: more than ten lines"
+        );
         let folder = tempfile::tempdir().expect("a folder");
         std::fs::write(folder.path().join("scene.json"), blocks(recipe, "json")[0]).expect("a file");
         let (command, comment) = blocks(recipe, "sh")[0].split_once('#').expect("what comes of it");
