@@ -14,7 +14,7 @@ use super::output::{Outcome, files, print, say, say_broken, say_each};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, Shard, changed, previous, recipe, sign};
-use crate::data::natural;
+use crate::data::{Engine, natural};
 use crate::effects::{PATH_TRACER, PATH_TRACER_CONVENTIONS, rule};
 use crate::emit::call::Call;
 use crate::emit::container::SIDECAR;
@@ -273,11 +273,16 @@ fn recommended(calls: &[Call]) -> Option<String> {
     (!rules.is_empty()).then(|| format!("{MARK} is recommended: {}", rules.join("; ")))
 }
 
+/// The engine that a file of a pair of area lights is for; none of all others.
+fn engine_of(file: &str) -> Option<Engine> {
+    Engine::ALL.into_iter().find(|engine| file.ends_with(&format!(".{}", engine.extension())))
+}
+
 /// The files that an engine reads, without what describes tables: include files and tables, as a
 /// shell would write them.
 fn read_by_engines(baked: &Baked, out: &Path) -> Option<String> {
     let of = |verb: &str, start: &str| {
-        let read = baked.files.keys().filter(|file| !file.ends_with(SIDECAR));
+        let read = baked.files.keys().filter(|file| !file.ends_with(SIDECAR) && engine_of(file).is_none());
         let mut ends: Vec<&str> = read.filter_map(|file| file.strip_prefix(start)).collect();
         ends.sort_by(|a, b| natural(a, b));
         let at = out.join(start).display().to_string();
@@ -287,7 +292,10 @@ fn read_by_engines(baked: &Baked, out: &Path) -> Option<String> {
             _ => Some(format!("{verb} {at}{{{}}}", ends.join(","))),
         }
     };
-    let parts: Vec<String> =
+    let mut parts: Vec<String> =
         [of("include", "fits/lobefit."), of("load", "tables/")].into_iter().flatten().collect();
+    for (file, engine) in baked.files.keys().filter_map(|file| Some((file, engine_of(file)?))) {
+        parts.push(format!("for {} load {}", engine.name(), out.join(file).display()));
+    }
     (!parts.is_empty()).then(|| parts.join("; "))
 }

@@ -204,7 +204,8 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     if plan.is_empty() {
         return nothing(options, &input, &plan);
     }
-    let progress = Bar::new(options.quiet || options.json, (&input.scene, &plan), 1);
+    let more = 1 + effects::stages(options, &plan);
+    let progress = Bar::new(options.quiet || options.json, (&input.scene, &plan), more);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let effects = effects::timed(options, &plan, &progress)?;

@@ -93,6 +93,14 @@ pub enum CliError {
         /// The system's message.
         reason: io::Error,
     },
+    /// A bake that was to be timed ended early.
+    #[error("the bake of {effects} alone failed: {}", visible(said))]
+    Alone {
+        /// The effect, or all.
+        effects: String,
+        /// What it said.
+        said: String,
+    },
     /// A page could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),

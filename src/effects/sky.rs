@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use super::BakeError;
-use super::context::Context;
 use super::grid::{self, at_text};
 use super::page::best;
 use crate::approximate::{Fit, FitStageError, Region};
@@ -14,7 +13,7 @@ use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{Quantity, Seen};
 use rayon::prelude::*;
 
-/// Roughness of the columns, as far as a region has it.
+/// Roughness of the columns, as far as a region has it; of a region without any of these, its middle.
 const ROUGHNESS: [f64; 3] = [0.2, 0.4, 0.7];
 
 /// Pixels along a side, and lights of each.
@@ -67,17 +66,20 @@ fn turned([x, y, z]: Vec3) -> impl Fn(Vec3) -> f64 {
 }
 
 /// The pictures of the lobe itself, of the most accurate fit and of what is published; `None` of a quantity
-/// that is no roughness, or of a region without any of the columns.
+/// that is no roughness.
 pub(super) fn spheres(
     quantity: &dyn Quantity,
     (region, shown): (&Region, &[(&'static str, f64)]),
     fits: &[Fit],
-    (of, context): (&str, &Context),
+    of: &str,
 ) -> Result<Option<SkySpheres>, BakeError> {
     let [low, high] = region.roughness;
-    let roughness: Vec<f64> = ROUGHNESS.into_iter().filter(|r| (low..=high).contains(r)).collect();
-    let (Some(seen), false) = (quantity.seen(), roughness.is_empty()) else { return Ok(None) };
-    context.progress.stage(&format!("spheres of {of}"));
+    let inside = ROUGHNESS.into_iter().filter(|r| (low..=high).contains(r));
+    let mut roughness: Vec<f64> = inside.collect();
+    if roughness.is_empty() {
+        roughness.push(0.5 * (low + high));
+    }
+    let Some(seen) = quantity.seen() else { return Ok(None) };
     let normals = normals();
     let published = fits.iter().filter(|fit| fit.norm() == "published");
     let chosen: Vec<&Fit> = best(fits).into_iter().chain(published).collect();
@@ -94,7 +96,11 @@ pub(super) fn spheres(
         let inside = roughness.len() * normals.iter().flatten().count();
         let rms = (sum::pairwise(&off.collect::<Vec<f64>>()) / inside as f64).sqrt();
         errors.push(format!("{} {rms:.3}", fit.approximation.name));
-        rows.push((fit.approximation.name.clone(), pictures));
+        // At some indices of refraction a rule is no rule.
+        match rows[1..].iter_mut().find(|(_, known)| *known == pictures) {
+            Some((name, _)) => *name += &format!(", {}", fit.approximation.name),
+            None => rows.push((fit.approximation.name.clone(), pictures)),
+        }
     }
     let image = |values: &Vec<f64>| Image::of(SIDE, SIDE, |x, y| [values[y * SIDE + x]; 3]);
     let (names, pictures): (Vec<String>, Vec<Vec<Image>>) =

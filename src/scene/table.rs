@@ -449,7 +449,10 @@ fn check_engines(
         return Err("the list is empty; leave the field out".into());
     }
     if layout != Layout::AreaLights {
-        return Err(format!("`{}` is of no engine; give `area-lights`", layout.name()));
+        return Err(format!(
+            "no engine reads a table in the `{}` layout; engines read `area-lights`",
+            layout.name()
+        ));
     }
     if size != Some(&[64, 64]) || format != TexelFormat::F16 {
         return Err("engines read 64x64 texels of f16; leave `size` and `format` out".into());

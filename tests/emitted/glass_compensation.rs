@@ -64,7 +64,7 @@ fn sent_on(ndf: Ndf, side: Side, [roughness, mu, ior]: [f64; 3], points: usize) 
     let at = [roughness * roughness, mu, ratio];
     match ndf {
         Ndf::Ggx => energies(Smith::Correlated, at, points).iter().sum(),
-        Ndf::Beckmann => of_beckmann(at, 16 * points),
+        Ndf::Beckmann => of_beckmann(at, 8 * points),
     }
 }
 
@@ -78,6 +78,7 @@ fn of_beckmann([alpha, mu, ratio]: [f64; 3], points: usize) -> f64 {
         0.5 * ((-a * a).exp() / (a * std::f64::consts::PI.sqrt()) - erfc(a))
     };
     let golden = 0.618_033_988_749_894_9;
+    let of_view = lambda(mu);
     let mut sum = 0.0;
     for i in 0..points {
         let (u, turn) = ((i as f64 + 0.5) / points as f64, std::f64::consts::TAU * golden * i as f64);
@@ -92,7 +93,7 @@ fn of_beckmann([alpha, mu, ratio]: [f64; 3], points: usize) -> f64 {
         let back = fresnel(cosine, ratio);
         for (part, height) in [(back, mirrored), (1.0 - back, refracted)] {
             if height > 0.0 && part > 0.0 {
-                sum += part / (1.0 + lambda(mu) + lambda(height)) * cosine / (mu * upright);
+                sum += part / (1.0 + of_view + lambda(height)) * cosine / (mu * upright);
             }
         }
     }

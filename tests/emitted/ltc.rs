@@ -214,6 +214,13 @@ fn engines_read_the_pair_from_one_file() {
         numbers.as_chunks().0.to_vec()
     };
 
+    // What a manifest lists is removed with it, and missed where it is gone.
+    let manifest = Manifest::read(&baked.files["manifest.json"]).expect("a manifest");
+    let files = &manifest.entries.tables.iter().find(|table| table.name == name).expect("the matrices").files;
+    for extension in ["raw", "babylon.bin", "bevy.ktx2", "three.js"] {
+        assert!(files.contains(&format!("tables/{name}.{extension}")), "{files:?}");
+    }
+
     // ltc1[i] is the first four of eight, ltc2[i] the others.
     let babylon = halves(&baked.files[&format!("tables/{name}.babylon.bin")]);
     let turns: Vec<[f32; 4]> = matrices.iter().zip(&lights).flat_map(|(m, l)| [*m, *l]).collect();
@@ -244,7 +251,11 @@ fn engines_read_the_pair_from_one_file() {
 #[test]
 fn engines_are_refused_what_they_do_not_read() {
     for (scene, table, message) in [
-        ("", r#""layout": "plain", "engines": ["bevy"]"#, "tables[0].engines: `plain` is of no engine"),
+        (
+            "",
+            r#""layout": "plain", "engines": ["bevy"]"#,
+            "tables[0].engines: no engine reads a table in the `plain` layout",
+        ),
         ("", r#""layout": "area-lights", "engines": []"#, "engines: the list is empty"),
         ("", r#""layout": "area-lights", "engines": ["bevy", "bevy"]"#, "`bevy` is there twice"),
         ("", r#""layout": "area-lights", "engines": ["unity"]"#, "`babylon`, `bevy`, `three`"),

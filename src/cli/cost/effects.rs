@@ -2,7 +2,6 @@
 
 use std::env;
 use std::ffi::OsStr;
-use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
@@ -14,6 +13,12 @@ use crate::plan::Plan;
 use crate::report::{TimedEffect, TimedEffects};
 use crate::store;
 
+/// How many bakes [`timed`] makes.
+pub(super) fn stages(options: &Options, plan: &Plan) -> usize {
+    let from_input = options.scene.scene.as_deref() == Some(Path::new("-"));
+    if plan.effects.len() < 2 || from_input { 0 } else { plan.effects.len() + 1 }
+}
+
 /// Seconds of a bake of each effect by itself, and of all. Each is a process of its own without the cache,
 /// so that none finds what another has integrated. None of a scene of one effect, or from standard input,
 /// which can be read once.
@@ -22,8 +27,7 @@ pub(super) fn timed(
     plan: &Plan,
     progress: &dyn Progress,
 ) -> Result<Option<TimedEffects>, CliError> {
-    let from_input = options.scene.scene.as_deref() == Some(Path::new("-"));
-    if plan.effects.len() < 2 || from_input {
+    if stages(options, plan) == 0 {
         return Ok(None);
     }
     let one = |effect: &'static str| {
@@ -57,11 +61,15 @@ fn seconds(options: &Options, only: Option<&str>) -> Result<f64, CliError> {
     for (name, value) in numbers.iter().filter_map(|(name, value)| Some((name, value.as_ref()?))) {
         command.args([OsStr::new(name), OsStr::new(value)]);
     }
+    // Last, for its name may begin as an option does.
+    command.arg("--").args(&options.scene.scene);
     let start = Instant::now();
     let output = command.stdin(Stdio::null()).output().map_err(|reason| failed(&program, reason))?;
     let seconds = start.elapsed().as_secs_f64();
     if output.status.success() {
         return Ok(seconds);
     }
-    Err(failed(&program, io::Error::other(String::from_utf8_lossy(&output.stderr).trim().to_owned())))
+    let said = String::from_utf8_lossy(&output.stderr);
+    let said = said.trim().trim_start_matches("error: ").to_owned();
+    Err(CliError::Alone { effects: only.unwrap_or("all effects").into(), said })
 }

@@ -159,8 +159,9 @@ impl Baked {
             let part = &mut made.part;
             let files =
                 contained(table, *decode, &approximation.certificate, Some(note), context, &mut part.files)?;
-            if *decode == Decode::Light {
-                self.shared(job, context, &mut part.files)?;
+            let mut files = files;
+            if *decode == Decode::Transform {
+                files.extend(self.shared(job, context, &mut part.files)?);
             }
             let entry =
                 TableEntry::new(part.by.name(), approximation, table, decode.formulas(), error.clone());
@@ -184,20 +185,23 @@ impl Baked {
         Ok(())
     }
 
-    /// Adds the files that engines read both tables from.
-    fn shared(&self, job: &Job, context: &Context, files: &mut Files) -> Result<(), BakeError> {
+    /// Adds the files that engines read both tables from; their paths.
+    fn shared(&self, job: &Job, context: &Context, files: &mut Files) -> Result<Vec<String>, BakeError> {
         let [matrices, lights] = &self.tables;
         let (Form::Table(one), Form::Table(other)) = (&matrices.0.form, &lights.0.form) else {
-            return Ok(());
+            return Ok(Vec::new());
         };
+        let mut paths = Vec::new();
         let mut header = context.recipe.lines();
         header.extend(header::table_lines(one, matrices.1, &matrices.0.certificate));
         header.extend(self.measured.notes());
         for engine in engines(context.scene, job) {
             let bytes = engines::file(engine, [one, other], &header).map_err(ContainerError::from)?;
-            files.insert(format!("tables/{}.{}", one.name, engine.extension()), bytes);
+            let path = format!("tables/{}.{}", one.name, engine.extension());
+            files.insert(path.clone(), bytes);
+            paths.push(path);
         }
-        Ok(())
+        Ok(paths)
     }
 
     fn purpose(&self, a: &Approximation, function: &str) -> Purpose {

@@ -27,7 +27,7 @@ fn babylon([matrices, lights]: [&Table; 2]) -> Vec<u8> {
     bytes
 }
 
-/// Arrays under the names of `RectAreaLightTexturesLib`, whose own are replaced by these.
+/// The arrays that `RectAreaLightTexturesLib` makes its textures from, under the names that it has for them.
 fn three(pair: [&Table; 2], header: &[String]) -> String {
     let mut text: String = header.iter().map(|line| format!("// {line}\n")).collect();
     for (table, name) in pair.into_iter().zip(["LTC_MAT_1", "LTC_MAT_2"]) {

@@ -82,6 +82,12 @@ fn engines(scene: &Scene, job: &Job) -> Vec<Engine> {
     Engine::ALL.into_iter().filter(asked).collect()
 }
 
+/// The files for engines beside the tables, in a plan.
+fn for_engines(scene: &Scene, job: &Job) -> String {
+    let names: Vec<&str> = engines(scene, job).into_iter().map(Engine::name).collect();
+    if names.is_empty() { String::new() } else { format!(", and the files of {}", names.join(", ")) }
+}
+
 /// Texels along both axes.
 fn side(want: &TableWant) -> usize {
     let stated = want.size.as_ref().and_then(|size| size.first()).copied().unwrap_or(lobefit_ltc::SIDE);
@@ -179,8 +185,9 @@ impl Effect for Ltc {
             Some(JobSummary {
                 name: job.name.clone(),
                 approximation: format!(
-                    "two tables {n}x{n} {} of a linearly transformed cosine",
-                    want.format.name()
+                    "two tables {n}x{n} {} of a linearly transformed cosine{}",
+                    want.format.name(),
+                    for_engines(scene, job)
                 ),
                 ranges: job.ranges.clone(),
                 bytes: lobefit_ltc::bytes(n, want.format.bytes()),

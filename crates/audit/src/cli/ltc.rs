@@ -87,6 +87,10 @@ pub(super) fn run(words: Vec<OsString>) -> ExitCode {
 fn verb(options: Options) -> Result<Outcome, CliError> {
     let mut tables = read(&options, &options.file)?;
     if let Some(scales) = &options.scales {
+        if tables.first().is_some_and(|table| table.channels.len() > 4) {
+            let message = "--scales: a file of 8 channels has E and B itself; leave --scales out";
+            return Err(CliError::Usage(message.into()));
+        }
         tables.truncate(1);
         tables.extend(read(&options, scales)?);
     }

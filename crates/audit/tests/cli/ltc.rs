@@ -45,6 +45,9 @@ fn a_pair_is_measured_and_one_that_is_off_fails() {
     let of_both = lobefit(folder.path(), &[&words[..], &domain].concat(), b"");
     assert_eq!(of_both.status.code(), Some(0), "{}", stderr(&of_both));
     assert_eq!(String::from_utf8(of_both.stdout).unwrap(), text.replace("matrices.raw", "both.raw"));
+    let twice = lobefit(folder.path(), &[&words[..], &["--scales", "scales.raw"]].concat(), b"");
+    assert_eq!(twice.status.code(), Some(2), "{}", stderr(&twice));
+    assert!(stderr(&twice).contains("leave --scales out"), "{}", stderr(&twice));
     let alone = run("matrices.raw", &["--limit", "0.15"]);
     assert_eq!(alone.status.code(), Some(1), "{}", stderr(&alone));
     let text = String::from_utf8(alone.stdout).unwrap();
