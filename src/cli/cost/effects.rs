@@ -45,11 +45,7 @@ fn seconds(options: &Options, only: Option<&str>) -> Result<f64, CliError> {
     let failed = |program: &Path, reason| CliError::NotRun { program: program.display().to_string(), reason };
     let program = env::current_exe().map_err(|reason| failed(Path::new("lobefit"), reason))?;
     let mut command = Command::new(&program);
-    command
-        .arg("bake")
-        .args(&options.scene.scene)
-        .args(["--no-cache", "--quiet", "--out"])
-        .arg(folder.path());
+    command.args(["bake", "--no-cache", "--quiet", "--out"]).arg(folder.path());
     if options.scene.textures.textures {
         command.arg("--textures");
     }
