@@ -88,7 +88,7 @@ pub(super) fn feeds(
         let values: Vec<Option<f32>> = feeds.iter().map(value).collect();
         for i in free(&feeds) {
             // Of a structure a function may read a few members alone.
-            let idle = role(&arguments[i]).is_none() && function.is_idle(i, &values);
+            let idle = role(&arguments[i]).is_none() && function.is_idle(i, &values, &[]);
             feeds[i] = idle.then_some(Feed::Value(0.5));
         }
     }

@@ -91,7 +91,8 @@ impl<'a> Search<'a> {
     /// The conventions of others' shadowings.
     fn others(&self, table: &AuditedTable) -> Result<Sieved, AuditError> {
         let Search { quantity, forms, fixed, .. } = self;
-        let rough = Truth::new(spec_of(table, *quantity)?, forms, &sides(fixed), true)?.within(&fixed.domain);
+        let spec = spec_of(table, *quantity, fixed)?;
+        let rough = Truth::new(spec, forms, &sides(fixed), true)?.within(&fixed.domain);
         let foreign = |lobe: &usize| rough.lobes[*lobe].form.integrand.is_some();
         let lobes: Vec<usize> = (0..rough.lobes.len()).filter(foreign).collect();
         screen::screen(&rough, &self.few, fixed, &lobes)
@@ -183,7 +184,7 @@ pub(super) fn truth_of<'a>(
     fixed: &Fixed,
     forms: &[&'static Form],
 ) -> Result<Truth<'a>, AuditError> {
-    Ok(Truth::new(spec_of(table, quantity)?, forms, &sides(fixed), false)?.within(&fixed.domain))
+    Ok(Truth::new(spec_of(table, quantity, fixed)?, forms, &sides(fixed), false)?.within(&fixed.domain))
 }
 
 /// The sides that may be meant.
@@ -191,10 +192,17 @@ fn sides(fixed: &Fixed) -> Vec<Side> {
     fixed.side.map_or(vec![Side::Outside, Side::Inside], |side| vec![side])
 }
 
-/// What is known of a quantity, or of its averages: a table without an axis for the cosine may be of
-/// those.
-fn spec_of<'a>(table: &AuditedTable, quantity: &'a dyn Quantity) -> Result<truth::Spec<'a>, AuditError> {
+/// What is known of a quantity, of a slice of it, or of its averages: a table without an axis for the cosine
+/// may be of those.
+fn spec_of<'a>(
+    table: &AuditedTable,
+    quantity: &'a dyn Quantity,
+    fixed: &Fixed,
+) -> Result<truth::Spec<'a>, AuditError> {
     let own = truth::spec(quantity);
+    if let (Some(own), Some(at)) = (own, fixed.at) {
+        return own.slice(at);
+    }
     let mean = truth::averaged(quantity).filter(|spec| spec.inputs.len() == table.size.len());
     mean.or(own).ok_or_else(|| AuditError::Option {
         option: "--as",

@@ -11,9 +11,10 @@ use super::sample::{Candidate, Fitted, Sample};
 use super::truth::Truth;
 use super::{AuditError, CLEAR};
 
-/// Least values that tables clamp alpha and mu to; the last two are the first centre of 16 texels, which
-/// a table keeps that was made larger, and the least alpha of a sheen that Khronos ships.
-const FLOORS: [f64; 9] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2];
+/// Least values that tables clamp alpha and mu to; the last three are the first centre of 16 texels, which
+/// a table keeps that was made larger, the least alpha of a sheen that Khronos ships, and that of a roughness
+/// of 1/16, which Dassault ships.
+const FLOORS: [f64; 10] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2, 1.0 / 256.0];
 
 /// Lines are the same that differ by no more than this share of what the table spans.
 const SAME: f64 = 1e-6;
@@ -241,6 +242,9 @@ impl Search<'_> {
         }
         // Of those between two lines that explain something the nearest is taken, and looked about, and so is
         // one of the list.
+        let is_noisy = seen.is_empty();
+        let seen =
+            if is_noisy { self.lines.about(axis, &self.bare.axes[axis], at.axes[axis].floor) } else { seen };
         let mut width = seen.get(1).map_or(0.0, |next| next - seen[0]);
         let is_between =
             |floor: &f64| seen.first().is_some_and(|last| (*last..last + 8.0 * width).contains(floor));
@@ -263,7 +267,7 @@ impl Search<'_> {
             }
         }
         // Lines that hold what the next one has of its own are copies of it.
-        if let Some(floor) = nearest.filter(|floor| self.is_at_a_line(axis, *floor)) {
+        if let Some(floor) = nearest.filter(|floor| !is_noisy && self.is_at_a_line(axis, *floor)) {
             let beside = raised(&at, floor + seen[1] - seen[0])?;
             // Samples do not tell a clamp from another.
             if beside.is_none_or(|beside| beside.fitted.rank > CLEAR * at.fitted.rank) {
@@ -395,9 +399,34 @@ impl<'a> Clampable<'a> {
         let is_same =
             |n: &usize| self.difference(&self.sample.values, axis, &lines[..*n], |all| rms(all)) < SAME;
         let Some(same) = (2..lines.len()).take_while(is_same).last() else { return Vec::new() };
-        let [last, next] = [nodes[lines[same - 1]], nodes[lines[same]]];
-        (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()
+        eighths([nodes[lines[same - 1]], nodes[lines[same]]])
     }
+
+    /// What an input may have been clamped to by a floor that makes several lines one but for noise, which has
+    /// no sign: between the last of them and the next.
+    fn about(&self, axis: usize, reading: &AxisReading, floor: f64) -> Vec<f64> {
+        let nodes = self.sample.nodes(axis, reading);
+        let (lines, all) = (self.below(axis, reading, floor), self.below(axis, reading, f64::INFINITY));
+        let [mean, rms]: [Norm; 2] = [|all| mean(all).abs(), |all| rms(all)];
+        let by = |norm| self.difference(&self.sample.values, axis, &lines, norm);
+        match (&lines[..], all.get(lines.len())) {
+            ([_, .., last], Some(next)) if by(mean) < NO_SIGN * by(rms) => {
+                eighths([nodes[*last], nodes[*next]])
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// The mean of some differences; 0 of none.
+fn mean(all: &mut dyn Iterator<Item = f64>) -> f64 {
+    let (count, sum) = all.fold((0, 0.0), |(count, sum), x| (count + 1, sum + x));
+    sum / f64::from(count.max(1))
+}
+
+/// A value, and the seven evenly between it and the next.
+fn eighths([last, next]: [f64; 2]) -> Vec<f64> {
+    (0..8).map(|k| last + (next - last) * f64::from(k) / 8.0).collect()
 }
 
 /// Whether a number has two digits at most.
@@ -410,11 +439,14 @@ fn is_round(x: f64) -> bool {
 const AGAIN: usize = 3;
 
 /// A clamp of the list is taken for one that is within this share of it, and leaves this share of its rank.
-const ROUND: f64 = 0.01;
+const ROUND: f64 = 0.05;
 const WORTH: f64 = 0.8;
 
 /// Share of a clamp to which it is looked for between two lines.
 const NARROW: f64 = 1e-4;
+
+/// Share of the root mean square of differences below which their mean is that of noise.
+const NO_SIGN: f64 = 0.5;
 
 /// Share of the way from a line to the next within which a clamp stands at that line.
 const AT_A_LINE: f64 = 5e-3;

@@ -48,6 +48,8 @@ pub struct Fixed {
     pub column: Option<Column>,
     /// Least values that inputs were clamped to.
     pub floors: Vec<(Input, f64)>,
+    /// Of a slice of a table: the input that does not run along an axis of it, and its value.
+    pub at: Option<(Input, f64)>,
     /// What the values are decoded from.
     pub encoding: Option<&'static Encoding>,
     /// Samples that each texel is the mean of.
@@ -70,7 +72,8 @@ pub struct Fixed {
 impl Fixed {
     /// Whether nothing but the column, and where and how strictly it is judged, is given.
     pub fn is_free(&self) -> bool {
-        let free = Fixed { swapped: false, inverse: false, samples: None, points: 0, ..self.clone() };
+        let free =
+            Fixed { swapped: false, inverse: false, at: None, samples: None, points: 0, ..self.clone() };
         Fixed { column: None, domain: Vec::new(), ..free } == Fixed::default()
     }
 
@@ -81,8 +84,8 @@ impl Fixed {
         let are_named = matches!(roles[..], [first, second] if first != second);
         let of_function = table.source == Source::Function && self.axes.is_none() && are_named;
         let own = || self.clone();
-        let free =
-            Fixed { inverse: self.inverse, samples: self.samples, points: self.points, ..Fixed::default() };
+        let Fixed { inverse, at, samples, points, .. } = *self;
+        let free = Fixed { inverse, at, samples, points, ..Fixed::default() };
         let all = [
             ("--smith", Fixed { form: None, ..own() }),
             ("--side", Fixed { side: None, ..own() }),

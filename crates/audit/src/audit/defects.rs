@@ -222,7 +222,7 @@ pub(super) fn defects(
 ) -> Vec<Defect> {
     let step = grain.step;
     let is_alone = alone.is_some();
-    let other = || clamped(r).into_iter().chain(missing_loss(r, grain, alpha));
+    let other = || clamped(r).into_iter().chain(missing_loss(r, grain, 1.0, alpha));
     let mut found: Vec<Defect> = alone.map_or_else(|| other().collect(), |alone| vec![alone]);
     if found.is_empty() {
         let spikes = || spikes(r, grain).map(|spikes| spikes.part(r));
@@ -457,7 +457,13 @@ fn bias(r: &Residuals, rms: f64) -> Option<Defect> {
     told.then_some(Defect::Bias { mean })
 }
 
-fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
+/// A loss without its tail, of values that a format rounds by so many steps each.
+pub(super) fn missing_loss(
+    r: &Residuals,
+    grain: Grain,
+    steps: f64,
+    alpha: impl Fn(&[usize]) -> Option<f64>,
+) -> Option<Defect> {
     let loss = |value: f64| r.column.albedo(value).map(|e| 1.0 - e);
     let mut shares = Vec::new();
     for i in &r.judged {
@@ -466,15 +472,17 @@ fn missing_loss(r: &Residuals, grain: Grain, alpha: impl Fn(&[usize]) -> Option<
         let (Some(stored), Some(truth)) = (loss(r.values[*i]), loss(r.truth(*i))) else { continue };
         // Below a few steps the format cannot hold a loss, nor do few samples come by it.
         let rare = grain.samples.map_or(0.0, |n| 16.0 / f64::from(n));
-        if truth > (8.0 * grain.rounding(r.values[*i])).max(rare).max(3e-4) {
+        if truth > (8.0 * steps * grain.rounding(r.values[*i])).max(rare).max(3e-4) {
             shares.push((stored / truth, alpha, [stored, truth], texel));
         }
     }
     let mut stored: Vec<f64> = shares.iter().map(|s| s.0).collect();
     stored.sort_by(f64::total_cmp);
-    let quarter = stored.get(stored.len() / 4).copied().unwrap_or(1.0);
-    // What is off the other way by as much misses no tail.
-    if shares.len() < 8 || !(-1.0..=0.7).contains(&quarter) {
+    let [quarter, upper] =
+        [1, 3].map(|quarters| stored.get(quarters * stored.len() / 4).copied().unwrap_or(1.0));
+    // What is off the other way by as much misses no tail, nor does what is too much as often.
+    let is_noise = upper - 1.0 > 0.5 * (1.0 - quarter);
+    if shares.len() < 8 || !(-1.0..=0.7).contains(&quarter) || is_noise {
         return None;
     }
     let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 use super::block::ONE_SIGN;
 use super::column::Column;
 use super::convention::Convention;
-use super::defects::{Defect, Grain, is_of_rounding, noise};
+use super::defects::{Defect, Grain, is_of_rounding, missing_loss, noise};
 use super::errors::Residuals;
 use super::found::Furnace;
 use super::inputs_at;
@@ -79,11 +79,23 @@ const LEAST_GAIN: f64 = 1e-4;
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects. A loss that is missing
-/// is part of the gain.
-pub(super) fn gains(r: &Residuals, sum: Option<&Sum>, grain: Grain, defects: &mut Vec<Defect>) {
+/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects, and of the sum a loss
+/// that is missing, of which a part that stands out comes. Where there is a gain that is part of it.
+pub(super) fn gains(
+    r: &Residuals,
+    sum: Option<&Sum>,
+    grain: Grain,
+    alpha: impl Fn(&[usize]) -> Option<f64>,
+    defects: &mut Vec<Defect>,
+) {
     let whole = sum.map(|sum| Residuals::new(r.sample, r.judgement, sum.column, &sum.values));
     let steps = if whole.is_some() { 2.0 } else { 1.0 };
+    let is_other = |d: &Defect| matches!(d, Defect::Factor { .. } | Defect::Flipped { .. });
+    let whole_loss = whole.as_ref().filter(|_| !defects.iter().any(is_other));
+    if let Some(missing) = whole_loss.and_then(|whole| missing_loss(whole, grain, steps, alpha)) {
+        defects.retain(|defect| !matches!(defect, Defect::Part { .. }));
+        defects.push(missing);
+    }
     if let Some(gain) = gain(whole.as_ref().unwrap_or(r), grain, steps) {
         defects.retain(|defect| !matches!(defect, Defect::MissingLoss { .. }));
         defects.push(gain);

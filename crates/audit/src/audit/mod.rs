@@ -199,14 +199,25 @@ pub fn audit(
         && let Some(meant) = published::meant(&table, quantity.name())
     {
         let meant = Fixed { axes: Some(meant), ..fixed.clone() };
+        progress("a published formula");
         return Ok(Audit { fixed: done.fixed, ..audit(audited, quantity, &meant, progress)? });
     }
-    if let Some(known) = done.published.as_ref().filter(|_| done.fit == Fit::None && fixed.form.is_none()) {
-        let of = |form| {
-            let fixed = Fixed { form: Some(form), ..fixed.clone() };
-            audit(audited, quantity, &fixed, progress).map(|audit| audit.worst())
-        };
-        done.remarks.extend(published::held(known, quantity, of)?);
+    let is_used = done.fit != Fit::None;
+    let others = |known: &&Published| !is_used || known.columns != done.best().columns;
+    if let Some(known) = done.published.as_ref().filter(others) {
+        // It is judged as what it is known to hold, and where it fits no lobe by that of its use.
+        let usual = if is_used { None } else { Some(Form::of(quantity)[0]) };
+        let used = known.used(fixed, done.best(), usual);
+        if used != *fixed {
+            let Audit { fixed: is_fixed, excused, .. } = done;
+            let used = audit(audited, quantity, &used, progress)?;
+            return Ok(Audit { fixed: is_fixed, excused, form: fixed.form, ..used });
+        }
+        if let Some(own) = known.made_for.filter(|own| fixed.form != Some(*own)) {
+            let of_its_own = Fixed { form: Some(own), ..fixed.clone() };
+            let remark = published::held(own, audit(audited, quantity, &of_its_own, progress)?.worst());
+            done.remarks.push(remark);
+        }
     }
     let done = apart::with_others(done, &case, quantity, &sieved)?;
     apart::with_half(done, &case, quantity)
@@ -220,6 +231,7 @@ fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
     let advice = match (axes, inputs) {
         (1, _) => "a table over roughness alone may be meant --as ggx-average".into(),
         (2, 1) => "a table over mu and roughness may be meant --as ggx-reflection".into(),
+        (2, 3) => "--at says which input is the same throughout, as --at anisotropy=0.5".into(),
         (3, 2) => format!("--layer takes one of its slices, 0 to {}", table.size[2] - 1),
         _ => "give --size WxHxD as the table is laid out".into(),
     };
@@ -388,7 +400,8 @@ fn finish(
         };
         optimised::mend(&residuals, &defects, &mut mended.channels[k].values);
         if two_lobes.is_none() && table.source == Source::Table {
-            energy::gains(&residuals, sum.as_ref().filter(|sum| sum.channel == k), grain, &mut defects);
+            let sum = sum.as_ref().filter(|sum| sum.channel == k);
+            energy::gains(&residuals, sum, grain, alpha, &mut defects);
         }
         let left = defects::left(&residuals, &defects);
         channels.push(ChannelAudit {

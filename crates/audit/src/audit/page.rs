@@ -7,7 +7,7 @@ use super::verdict::{number, passed, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Tried};
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
-    AuditHeld, AuditPlain,
+    AuditHeld, AuditPlain, AuditPublished,
 };
 use lobefit::report::{Field, Origin, Ruler};
 
@@ -34,6 +34,11 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
             options: p.options.clone(),
         }),
         encoding: audit.encoding.map(|encoding| encoding.name.into()),
+        published: audit.published.as_ref().map(|known| AuditPublished {
+            name: known.name,
+            publication: known.publication,
+            made_for: known.made_for.map(|form| form.word),
+        }),
         limit,
         passed: passed(limit, audit.passes(limit)),
         margin: Some(audit.margin).filter(|m| m.is_finite()),

@@ -7,11 +7,10 @@ use super::column::{Base, Column};
 use super::lobe::Form;
 use super::table::{AuditedTable, Source, place};
 use super::verdict::number;
-use super::{Audit, AuditError, Input};
+use super::{Audit, Convention, Fixed, Input};
 use lobefit::approximate::Entry;
 use lobefit::effects::{eon, reflection, sheen};
 use lobefit_shade::Hypothesis;
-use lobefit_truth::quantity::Quantity;
 
 /// Largest difference from a published formula, or from what of it is above 0, or in [0, 1]: those who
 /// ship one round its constants and order its operations in their own way, and clamp what it gives.
@@ -29,6 +28,22 @@ pub struct Published {
     pub publication: &'static str,
     /// The shadowing that it was fitted to, if that is none of the quantity's own.
     pub made_for: Option<&'static Form>,
+    /// What its channels hold; none of one that is constant and no value of it.
+    pub columns: Vec<Option<Column>>,
+}
+
+impl Published {
+    /// What is fixed of its use, beside what the user fixes; with the shadowing where none is stated.
+    pub(super) fn used(&self, fixed: &Fixed, read: &Convention, usual: Option<&'static Form>) -> Fixed {
+        let axes = || read.axes.iter().map(|axis| (axis.scale, axis.reversed)).collect();
+        let columns = Some(&self.columns).filter(|_| fixed.column.is_none()).cloned();
+        Fixed {
+            form: fixed.form.or(usual),
+            axes: Some(fixed.axes.clone().unwrap_or_else(axes)),
+            meanings: fixed.meanings.clone().or(columns),
+            ..fixed.clone()
+        }
+    }
 }
 
 /// One point in so many is compared.
@@ -40,15 +55,14 @@ pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<Published> {
     of_axes(table, done.quantity, &done.best().axes)
 }
 
-/// The inputs that arguments are given whose names say nothing, under which a function is a published
-/// formula: roughness or alpha, rising or falling, before mu or behind it.
+/// The inputs, within what the names of its arguments say, under which a function is a published formula:
+/// roughness or alpha, rising or falling, before mu or behind it.
 pub(super) fn meant(table: &AuditedTable, quantity: &str) -> Option<Vec<(Scale, bool)>> {
     if table.size.len() != 2 {
         return None;
     }
-    let is_open = |(name, (scale, _)): (&String, &(Scale, bool))| {
-        role(name).is_none_or(|said| said == Input::Mu && *scale == Scale::Mu)
-    };
+    let is_open =
+        |(name, (scale, _)): (&String, &(Scale, bool))| role(name).is_none_or(|said| said == scale.input());
     let readings = [Scale::Roughness, Scale::Alpha].into_iter().flat_map(|scale| {
         let rough = [false, true].map(|falls| (scale, falls));
         rough.into_iter().flat_map(|rough| [vec![rough, (Scale::Mu, false)], vec![(Scale::Mu, false), rough]])
@@ -71,25 +85,17 @@ fn of_axes(table: &AuditedTable, quantity: &str, axes: &[AxisReading]) -> Option
         _ => Vec::new(),
     };
     let points = points(table, axes);
-    let entry = known.into_iter().find(|entry| is_same(entry, table, &points))?;
+    let (entry, columns) =
+        known.into_iter().find_map(|entry| Some((entry, columns(entry, table, &points)?)))?;
     let (name, publication) = (entry.name(), entry.publication?);
     let made_for = MADE_FOR.iter().find(|(known, _)| *known == name);
-    Some(Published { name, publication, made_for: made_for.and_then(|(_, form)| Form::find(form)) })
+    Some(Published { name, publication, made_for: made_for.and_then(|(_, form)| Form::find(form)), columns })
 }
 
-/// What is said of a formula for a lobe that is not the quantity's: how far it is from either.
-pub(super) fn held(
-    known: &Published,
-    quantity: &dyn Quantity,
-    worst: impl Fn(&'static Form) -> Result<f64, AuditError>,
-) -> Result<Option<String>, AuditError> {
-    let Some(made_for) = known.made_for else { return Ok(None) };
-    let [own, usual] = [made_for, Form::of(quantity)[0]];
-    let (near, far) = (number(worst(own)?), number(worst(usual)?));
-    Ok(Some(format!(
-        "It was made for {}: held against that it is off by at most {near}, against {} by {far}.",
-        own.words, usual.words
-    )))
+/// What is said of a formula that is held against another lobe than that which it was made for: how far it is
+/// from its own.
+pub(super) fn held(made_for: &Form, worst: f64) -> String {
+    format!("It was made for {}: held against that it is off by at most {}.", made_for.words, number(worst))
 }
 
 /// Places of the points that are compared, with alpha and mu there; mu of an average is 1.
@@ -109,9 +115,9 @@ fn points(table: &AuditedTable, axes: &[AxisReading]) -> Vec<(usize, [f64; 2])> 
     (0..count).step_by(STRIDE).map(at).collect()
 }
 
-/// Whether every channel is a column of a formula: of f0 A + B, of N, or of E.
-fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) -> bool {
-    let Ok(formula) = Hypothesis::parse(entry.file, entry.source) else { return false };
+/// Which column of a formula every channel is, where each is one: of f0 A + B, of N, or of E.
+fn columns(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) -> Option<Vec<Option<Column>>> {
+    let formula = Hypothesis::parse(entry.file, entry.source).ok()?;
     let at = |f0: f64| {
         let column = |name: &String| -> Vec<f64> {
             let input = |[alpha, mu]: [f64; 2]| match name.as_str() {
@@ -129,7 +135,7 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
     let blend = formula.inputs().iter().any(|name| name == "f0");
     let [zero, one] = [0.0, 1.0].map(at);
     if zero.len() != points.len() || one.len() != points.len() {
-        return false;
+        return None;
     }
     let inverse = entry.name().contains("_norm_");
     let bases: Vec<Base> = zero
@@ -146,7 +152,13 @@ fn is_same(entry: &Entry, table: &AuditedTable, points: &[(usize, [f64; 2])]) ->
         };
         points.iter().zip(&bases).map(off).all(|off| off <= SAME)
     };
-    let mut channels = table.channels.iter().filter(|channel| channel.varies()).peekable();
-    channels.peek().is_some()
-        && channels.all(|channel| COLUMNS.iter().any(|column| holds(&channel.values, column)))
+    let mut found = Vec::new();
+    for channel in &table.channels {
+        let column = COLUMNS.into_iter().find(|column| holds(&channel.values, column));
+        if column.is_none() && channel.varies() {
+            return None;
+        }
+        found.push(column);
+    }
+    found.iter().any(Option::is_some).then_some(found)
 }

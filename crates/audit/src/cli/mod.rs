@@ -34,7 +34,8 @@ use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
 use source::{SourceOptions, say_left_out};
 use words::{
-    Ranged, Size, axis, column, encoding, floor, form, range, raw_format, registration, side, size, wanted,
+    Ranged, Size, at, axis, column, encoding, floor, form, range, raw_format, registration, side, size,
+    wanted,
 };
 
 const EXAMPLES: &str = "\
@@ -120,6 +121,9 @@ struct Options {
     /// Name of the layer of an EXR file, or number of the slice of any table of three axes, from 0
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
+    /// Of a table of two axes of a quantity of three: which input is the same throughout, as `ior=1.5`
+    #[arg(long, value_name = "INPUT=X", value_parser = at)]
+    pub at: Option<(Input, f64)>,
     #[command(flatten)]
     pub source: SourceOptions,
     /// Ranges in which a function is judged: `mu=0.01..1,alpha=0.02..1`, or of roughness, alpha =
@@ -228,9 +232,11 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
         for (without, fixed) in own.without(&audited) {
             progress.stage(&format!("the same without {without}"));
             let other = judge(&fixed)?;
-            let follows = other.fit == audit::Fit::Whole || fixed.swapped && other.published.is_some();
-            // Of names nothing is said where they do not matter.
-            if follows || !fixed.swapped {
+            // What is known as it is needs no other names, nor is anything said of those that do not matter.
+            let is_known = done.published.is_some();
+            let follows =
+                other.fit == audit::Fit::Whole || fixed.swapped && other.published.is_some() && !is_known;
+            if follows || !fixed.swapped && !is_known {
                 beside = Some(otherwise(without, &other));
             }
             if !follows {
@@ -336,6 +342,7 @@ fn other_kind(options: &Options, shader: bool) -> Result<(), CliError> {
             ("--raw-format", options.raw_format.is_some()),
             ("--symbol", options.symbol.is_some()),
             ("--layer", options.layer.is_some()),
+            ("--at", options.at.is_some()),
             ("--encoding", options.encoding.is_some()),
             (SAMPLES, options.samples.is_some()),
         ];
@@ -438,6 +445,7 @@ fn fixed(options: &Options, wanted: Wanted) -> Result<Fixed, CliError> {
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: wanted.1,
         floors: options.clamp.clone(),
+        at: options.at,
         encoding: options.encoding,
         samples: options.samples.map(NonZero::get),
         points: options.points,

@@ -39,6 +39,7 @@ pub(super) fn audit(options: &Options, (quantity, column): Wanted) -> Vec<String
         ("--raw-format", options.raw_format.map(|f| f.name().into())),
         ("--symbol", options.symbol.clone()),
         ("--layer", options.layer.clone()),
+        ("--at", options.at.map(|(input, x)| format!("{}={x}", input.name()))),
     ];
     let mut words = vec!["lobefit audit".to_string(), quoted(&super::file_name(options))];
     for (option, value) in given {

@@ -104,7 +104,7 @@ fn grouped(options: &Options, table: &foreign::ForeignTable) {
 
 /// The table that is meant, of a file that may hold several.
 fn chosen<'a>(options: &Options, wanted: Wanted, tables: &'a [Named]) -> Result<&'a Named, CliError> {
-    let inputs = audit::inputs_of(wanted.0);
+    let inputs = audit::inputs_of(wanted.0) - usize::from(options.at.is_some());
     let axes = |(t, ..): &&Named| t.size.iter().filter(|n| **n > 1).count() == inputs;
     let fitting: Vec<&Named> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {

@@ -77,6 +77,13 @@ pub(super) fn floor(text: &str) -> Result<(Input, f64), String> {
     if value >= 0.0 { Ok((input, value)) } else { Err("a clamp is no negative number".into()) }
 }
 
+/// The input that is the same throughout a slice.
+pub(super) fn at(text: &str) -> Result<(Input, f64), String> {
+    let (name, value) = setting(text)?;
+    let input = [Input::Ior, Input::Anisotropy].into_iter().find(|input| input.name() == name);
+    Ok((input.ok_or("ior or anisotropy is called for")?, value))
+}
+
 pub(super) fn wanted() -> Words<(&'static dyn Quantity, Option<Column>)> {
     quantity_column(|quantity, of| Ok((quantity, of.map(|c| column(quantity, c)).transpose()?)))
 }

@@ -174,7 +174,7 @@ impl Point {
 
 /// Why it is not known what every argument of a function is given, if it is not.
 pub fn unfit(function: &ShaderFunction, asked: &Asked) -> Option<AuditError> {
-    roles(function, &asked.roles, &asked.set).err()
+    roles(function, &asked.roles, &asked.set, &asked.roughness).err()
 }
 
 /// A BRDF in the furnace. `progress` hears of the stages.
@@ -187,7 +187,7 @@ pub fn furnace(
     progress: &dyn Fn(&str),
 ) -> Result<Furnace, AuditError> {
     progress("whether it holds the cosine of the light");
-    let roles = roles(function, &asked.roles, &asked.set)?;
+    let roles = roles(function, &asked.roles, &asked.set, &asked.roughness)?;
     let arguments = roles.named.clone();
     let all: Vec<usize> = (0..function.results.len()).collect();
     let cosine = Cosine { included: asked.cosine.unwrap_or(false), known: "stated" };

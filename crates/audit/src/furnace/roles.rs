@@ -93,7 +93,7 @@ pub(super) fn is_f0(name: &str) -> bool {
 }
 
 /// What the scalars of a function are given. `stated` names arguments, or scalars, with their roles,
-/// `set` with values.
+/// `set` with values, and `rough` are values of a roughness.
 ///
 /// # Errors
 /// A name that is no argument; an argument whose role is not known; no argument that is a light, or
@@ -102,6 +102,7 @@ pub(super) fn roles(
     function: &ShaderFunction,
     stated: &[(String, Role)],
     set: &[(String, f64)],
+    rough: &[f64],
 ) -> Result<Roles, AuditError> {
     let arguments = &function.inputs;
     let of = |name: &str, given: &str| {
@@ -122,7 +123,11 @@ pub(super) fn roles(
         let by_name = if function.whole[i] { None } else { guess(name, vector(arguments, i)) };
         let known = by_name.filter(|role| matches!(role, Role::Component(..) | Role::Cosine(..)));
         // Of a structure a function may read a few members alone.
-        let idle = || function.is_idle(i, &values).then_some(Role::Value(0.5));
+        let tried: Vec<f32> = match by_name {
+            Some(Role::Roughness) => rough.iter().map(|r| *r as f32).collect(),
+            _ => Vec::new(),
+        };
+        let idle = || function.is_idle(i, &values, &tried).then_some(Role::Value(0.5));
         found.push(values[i].map(Role::Value).or(said).or(known).or_else(idle).or(by_name));
     }
     let unknown: Vec<&str> =

@@ -88,11 +88,12 @@ pub fn judgement(name: &str, found: &Furnace, allowance: Allowance) -> Judgement
     let what = if grade == Grade::Unknown { format!("may be one that {what}") } else { what };
     let is_limited = limit.is_some() || allowance.loss.is_some();
     let allowed_by = if is_limited { format!("; the limit is {allowed}") } else { String::new() };
-    let gained = format!("; the largest energy is {} at {}{allowed_by}", energy(most), place(&cell.at));
+    let gained =
+        format!("; the largest energy sampled is {} at {}{allowed_by}", energy(most), place(&cell.at));
     let lost = allowance.loss.map(|loss| {
         let lost = Energy { value: 1.0 - least.value, ..least };
         format!(
-            "; the largest loss is {} at {}, where {loss} may be lost",
+            "; the largest loss sampled is {} at {}, where {loss} may be lost",
             energy(lost),
             place(&found.least.0.at)
         )

@@ -35,6 +35,9 @@ pub struct AuditFindings {
     /// What its values were decoded from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub encoding: Option<String>,
+    /// Of a function: the published formula whose values it has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub published: Option<AuditPublished>,
     /// Largest error that the user allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
@@ -74,10 +77,22 @@ pub struct AuditOtherwise {
 }
 
 impl AuditOtherwise {
-    /// As it is printed below the verdict.
+    /// As it is printed below the verdict: its first line.
     pub fn text(&self) -> String {
-        format!("Without {}: {}\n", self.without, self.verdict)
+        format!("Without {}: {} {}\n", self.without, self.verdict.grade.word(), self.verdict.headline)
     }
+}
+
+/// A published formula.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditPublished {
+    /// Its name here.
+    pub name: &'static str,
+    /// Where it was published.
+    pub publication: &'static str,
+    /// The shadowing that it was fitted to, by the word of `--smith`, if that is none of the quantity's own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub made_for: Option<&'static str>,
 }
 
 /// A table by the plain reading.

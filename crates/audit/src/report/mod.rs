@@ -7,7 +7,7 @@ mod page;
 pub use cost::{AuditCompiled, AuditCost, AuditFamily};
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditFindings, AuditFurnace,
-    AuditHeld, AuditOtherwise, AuditPlain,
+    AuditHeld, AuditOtherwise, AuditPlain, AuditPublished,
 };
 
 use lobefit::report::{ReportError, document, html};

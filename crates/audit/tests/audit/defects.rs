@@ -38,6 +38,12 @@ fn a_loss_without_its_tail_is_found() {
     let (stored, [kept, truth]) = missing.expect("the audit names the missing loss");
     assert!(stored > 0.1 && stored < 0.7 && kept < truth, "{stored} {kept} {truth}");
     assert!(said(&found).contains("tail of the lobe"), "{}", said(&found));
+    // It is missing in a split sum, too, neither half of which is a loss.
+    let b = |x: usize, y: usize| both(Smith::Separable, at(y) * at(y), at(x)).1;
+    let halves = plane([32, 32], &[("R", &|x, y| 1.0 - loss(x, y) - b(x, y)), ("G", &b)]);
+    let found = reflection_of(&halves);
+    assert_eq!(columns(&found), [Some(Column::A), Some(Column::B)]);
+    says(&found.verdict(None), "FAIL", &["tail of the lobe", "by sampling visible normals"]);
 }
 
 #[test]

@@ -86,16 +86,16 @@ fn gloss_is_told_and_so_is_the_lobe_that_was_fitted() {
 fn a_blend_over_f0_is_taken_apart() {
     let found = run("karis");
     assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
-    assert_eq!(found.best().lobe.form.smith, Some(Smith::Separable));
-    // .199/.108 against separable Smith.
+    assert_eq!(found.best().lobe.form.smith, Some(Smith::Correlated));
+    // .504/.134 against the lobe of the use, for mu >= 0.01: here it begins at 0.004.
     let e = found.channels[1].errors.as_ref().unwrap();
-    near(e.max, 0.199, 0.1);
-    near(e.rms, 0.108, 0.1);
+    near(e.max, 0.504, 0.1);
+    near(e.rms, 0.134, 0.1);
     assert!(said(&found).contains("B. Karis, Physically Based Shading on Mobile, 2014"), "{}", said(&found));
     // A sixth of the spread is no fit of anything, and that is said.
     assert_eq!(found.fit, Fit::None);
     assert!(
-        said(&found).contains("no approximation of ggx-reflection under any reading"),
+        said(&found).contains("no approximation of ggx-reflection: it is held against "),
         "{}",
         said(&found)
     );

@@ -213,6 +213,21 @@ fn arguments_are_known_by_name_or_said() {
     );
 }
 
+/// A roughness that shows nowhere but where it is stated was taken for one that the function does not use.
+#[test]
+fn a_stated_roughness_is_looked_at() {
+    let text = "fn f(l: vec3<f32>, v: vec3<f32>, roughness: f32) -> f32 {
+        return select(1.0, 1.5, roughness < 0.05) / 3.14159265;
+    }";
+    let found = measured(text, "f.wgsl", "f", &[0.04, 0.5]);
+    let verdict = judgement("f", &found, within(None));
+    assert!(verdict.grade == Grade::Fail && found.most.0.at["roughness"] == 0.04, "{verdict:?}");
+    assert!(verdict.line.contains("the largest energy sampled is 1.5 \u{b1} "), "{}", verdict.line);
+    let unused = "fn f(l: vec3<f32>, v: vec3<f32>, roughness: f32) -> f32 { return 0.3; }";
+    let unused = measured(unused, "f.wgsl", "f", &[0.04, 0.5]);
+    assert!(unused.cells.len() == 8 && !unused.most.0.at.contains_key("roughness"), "{:?}", unused.arguments);
+}
+
 #[test]
 fn names_of_arguments_tell_what_they_are() {
     let text = "struct Surface { float TdotH; vec3 baseColor; float specularF90; float metallic; };

@@ -1,14 +1,16 @@
 //! Tables of three axes, and of sheen, with the defects that published ones have.
 
 use lobefit::data::Smith;
-use lobefit_audit::audit::{AuditedTable, Column, Defect, Fit, Fixed, Form, Registration, Scale};
+use lobefit_audit::audit::{
+    AuditedTable, Column, Defect, Fit, Fixed, Form, Grade, Input, Registration, Scale,
+};
 use lobefit_truth::integrate::Path;
 use lobefit_truth::integrate::aniso::fast::{Place, many};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 use lobefit_truth::quantity::sheen;
 
-use crate::support::{axes, run, said, shipped};
+use crate::support::{axes, refused, run, said, shipped};
 
 /// A table of one channel.
 fn solid(size: &[usize], values: Vec<f64>) -> AuditedTable {
@@ -51,6 +53,28 @@ const CYCLES: [(Scale, Registration, bool); 3] = [
     (Scale::Mu, Registration::Endpoint, false),
     (Scale::FourthRootF0, Registration::Endpoint, false),
 ];
+
+/// A slice was read as an average of two inputs, and nothing said which it is of.
+#[test]
+fn a_slice_of_glass_is_judged_at_its_index() {
+    let z = N / 2;
+    let root = (z as f64 / (N - 1) as f64) * (z as f64 / (N - 1) as f64);
+    let ior = (1.0 + root) / (1.0 - root);
+    let all = glass(0, |e, _| e);
+    let slice = solid(&[N; 2], all[z * N * N..(z + 1) * N * N].to_vec());
+    let open = run(&slice, "ggx-glass", &Fixed::default());
+    assert_eq!(open.verdict(None).grade, Grade::Unknown);
+    assert!(said(&open).contains("say of which (`--at ior=1.5`)"), "{}", said(&open));
+    let laid_out = vec![(Scale::Roughness, false), (Scale::Mu, false)];
+    let at = |ior| Fixed { at: Some((Input::Ior, ior)), axes: Some(laid_out.clone()), ..Fixed::default() };
+    let found = run(&slice, "ggx-glass", &at(ior));
+    assert_eq!(axes(&found), CYCLES[..2]);
+    assert!(found.best().lobe.side == Some(Side::Outside) && found.worst() < 2e-3, "{}", found.worst());
+    assert_eq!(found.verdict(Some(2e-3)).grade, Grade::Pass);
+    assert_ne!(run(&slice, "ggx-glass", &at(ior + 0.3)).verdict(Some(2e-3)).grade, Grade::Pass);
+    assert!(refused(&slice, "ggx-glass", &at(3.5)).contains("judged above 1, up to 3"));
+    assert!(refused(&slice, "ggx-reflection", &at(1.5)).contains("no table of two axes at one ior"));
+}
 
 #[test]
 fn glass_from_outside_is_read_as_it_is() {

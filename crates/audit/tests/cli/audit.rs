@@ -381,6 +381,8 @@ fn a_shipped_file_is_named() {
         std::fs::write(folder.path().join(name), text).expect("written");
         let output = lobefit(folder.path(), &["audit", name, "--as", "ggx-reflection", "--json"], b"");
         let found: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let published = &found["published"];
+        assert!(published["name"] == "ggx_blend_karis" && published["made_for"] == "schlick", "{published}");
         found["verdict"]["convention"].as_str().expect("a sentence").to_string()
     };
     let known = audited("fit.wgsl", text);

@@ -239,9 +239,9 @@ fn overloads_are_chosen_by_their_arguments() {
     assert_eq!(kind.whole, [false, true, true, false, false, false, false]);
     let of = |kind_: f32, film: f32| at(&kind, &[0.1, kind_, film, 0.2, 0.3, 0.4, 0.5]);
     assert_eq!([of(0.0, 1.0), of(2.0, 1.0), of(2.0, 0.0)], [0.1, 0.5, 0.3]);
-    assert!(kind.is_idle(3, &[]) && !kind.is_idle(4, &[]) && !kind.is_idle(1, &[]));
+    assert!(kind.is_idle(3, &[], &[]) && !kind.is_idle(4, &[], &[]) && !kind.is_idle(1, &[], &[]));
     // Of a plain kind neither matters.
-    assert!(kind.is_idle(4, &[None, Some(0.0)]) && kind.is_idle(2, &[None, Some(0.0)]));
+    assert!(kind.is_idle(4, &[None, Some(0.0)], &[]) && kind.is_idle(2, &[None, Some(0.0)], &[]));
 }
 
 #[test]

@@ -30,8 +30,8 @@ pub(super) type Values = Vec<Base>;
 /// Values of a lobe at every combination of inputs.
 pub(super) type Truths<'a> = fn(&Truth<'a>, usize, &[&[f64]]) -> Result<Values, AuditError>;
 
-/// What is known of a lobe of a quantity, or of its averages, with so many knots.
-type OfLobe = ((&'static str, bool, usize, Lobe), Arc<Known>);
+/// What is known of a lobe of a quantity, of its averages or a slice of it, with so many knots.
+type OfLobe = ((&'static str, bool, Option<(Input, f64)>, usize, Lobe), Arc<Known>);
 
 /// What is integrated once for all audits of a process: for every channel, encoding and reading that
 /// asks for it.
@@ -77,7 +77,9 @@ impl<'a> Truth<'a> {
         sides: &[Side],
         is_rough: bool,
     ) -> Result<Truth<'a>, AuditError> {
-        let lobes = Lobe::of(spec.quantity, forms, sides);
+        let mut lobes = Lobe::of(spec.quantity, forms, sides);
+        // Of one index an axis of it runs over no sides.
+        lobes.retain(|lobe| !lobe.both || spec.inputs.contains(&Input::Ior));
         let of = |lobe: &Lobe| spec.of_form(lobe.form);
         let specs = lobes.iter().map(|l| if is_rough { of(l).rough() } else { of(l) }).collect();
         let mut truth = Truth { spec, lobes, specs, known: Vec::new(), domain: Vec::new() };
@@ -93,7 +95,8 @@ impl<'a> Truth<'a> {
     /// others in it may be given another audit.
     fn at_knots(&self, lobe: usize) -> Result<Arc<Known>, AuditError> {
         let count = self.specs[lobe].knots.iter().map(|knots| knots.count).sum();
-        let key = (self.spec.quantity.name(), self.spec.averaged, count, self.lobes[lobe]);
+        let Spec { quantity, averaged, at, .. } = self.spec;
+        let key = (quantity.name(), averaged, at, count, self.lobes[lobe]);
         let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known().iter().find(|(known, _)| *known == key).map(|(_, known)| known.clone());
         if let Some(known) = found {
@@ -247,6 +250,13 @@ impl<'a> Truth<'a> {
 
     /// Base values at points whose columns bear the audit's names.
     fn integrated(&self, lobe: usize, points: Points, tolerance: f64) -> Result<Values, AuditError> {
+        let points = match self.spec.at {
+            Some((input, x)) => {
+                let column = vec![x; points.len()];
+                points.with(input.name(), column)
+            }
+            None => points,
+        };
         if self.specs[lobe].averaged {
             return self.averaged(lobe, &points, tolerance);
         }

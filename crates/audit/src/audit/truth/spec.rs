@@ -2,6 +2,7 @@
 //! hold.
 
 use super::knots::Knots;
+use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::audit::lobe::Form;
@@ -17,6 +18,8 @@ pub(in crate::audit) struct Spec<'a> {
     pub inputs: &'static [Input],
     /// Knots along each input; nothing where every value is integrated.
     pub knots: &'static [Knots],
+    /// The input that is none of those, as it is the same throughout, and its value.
+    pub at: Option<(Input, f64)>,
     /// What channels may hold.
     pub columns: &'static [Column],
     /// Outputs that are the base values.
@@ -75,6 +78,29 @@ impl<'a> Spec<'a> {
         }
     }
 
+    /// The same at one value of its first input or its last.
+    ///
+    /// # Errors
+    /// Any other input, or a value outside the range of it.
+    pub(in crate::audit) fn slice(self, at: (Input, f64)) -> Result<Spec<'a>, AuditError> {
+        let (input, x) = at;
+        let refused =
+            |reason| AuditError::Option { option: "--at", value: format!("{}={x}", input.name()), reason };
+        let (inputs, knots) = match self.inputs {
+            [first, rest @ ..] if *first == input && rest.len() > 1 => (rest, &self.knots[1..]),
+            [rest @ .., last] if *last == input && rest.len() > 1 => (rest, &self.knots[..rest.len()]),
+            _ => {
+                let quantity = self.quantity.name();
+                return Err(refused(format!("{quantity} is no table of two axes at one {}", input.name())));
+            }
+        };
+        let [low, high] = self.range(input);
+        if input == Input::Ior && x <= low || !(low..=high).contains(&x) {
+            return Err(refused(format!("it is judged above {low}, up to {high}")));
+        }
+        Ok(Spec { inputs, knots, at: Some(at), ..self })
+    }
+
     /// The range of an input.
     pub(super) fn range(&self, input: Input) -> [f64; 2] {
         self.ranges.iter().find(|(own, _)| *own == input).map_or([0.0, 1.0], |(_, range)| *range)
@@ -118,6 +144,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
         quantity,
         inputs: &[Input::Alpha, Input::Mu],
         knots: &[ANALYTIC, ANALYTIC],
+        at: None,
         columns: &column::REFLECTION,
         outputs: &["E", "B"],
         normal: false,

@@ -7,7 +7,7 @@ use super::headline::{briefly, of_another};
 use super::words::{excluded, long, names, number, place};
 use crate::audit::errors::TexelErrors;
 use crate::audit::table::Source;
-use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, inputs_at};
+use crate::audit::{Audit, ChannelAudit, Defect, Fit, LookupErrors, Other, Plain, Published, inputs_at};
 use lobefit::data::Place;
 
 /// What a figure is.
@@ -72,7 +72,10 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     let (max, at) = (number(worst.max) + &of(audit, &column), place(&worst.at));
     let kind = if audit.source == Source::Table { Kind::Texel } else { Kind::Point };
     if audit.fit == Fit::None && audit.two_lobes.is_none() {
-        let nearest = format!(" {}; the nearest leaves {max} at {at}", nothing(audit));
+        let nearest = match (&audit.published, audit.excluded) {
+            (Some(known), None) => format!(" {} {max} at {at}", held(audit, known)),
+            _ => format!(" {}; the nearest leaves {max} at {at}", nothing(audit)),
+        };
         return Some(Told::new(kind, &column, own, nearest));
     }
     if let Some(plain) = audit.misread(limit) {
@@ -151,11 +154,22 @@ fn nothing(audit: &Audit) -> String {
     if let Some(said) = excluded(audit) {
         return format!("is not what {said}");
     }
-    match (audit.source, &audit.published) {
-        (Source::Table, _) => "fits no convention".into(),
-        (Source::Function, None) => "is no approximation of it".into(),
-        (Source::Function, Some(known)) => format!("is `{}`, no approximation of it", known.name),
+    match audit.source {
+        Source::Table => "fits no convention".into(),
+        Source::Function => "is no approximation of it".into(),
     }
+}
+
+/// Which published formula it is, of what lobe, and what that is held against.
+fn held(audit: &Audit, known: &Published) -> String {
+    let lobe = audit.best().lobe;
+    let made_for = known.made_for.filter(|form| *form != lobe.form);
+    let made_for = made_for.map_or_else(String::new, |form| format!(", made for {}", briefly(form.words)));
+    let against = match lobe.words() {
+        words if words.is_empty() => String::new(),
+        words => format!("against {} ", briefly(&words)),
+    };
+    format!("is `{}`{made_for}: {against}off by at most", known.name)
 }
 
 /// ` of A`, of several columns.

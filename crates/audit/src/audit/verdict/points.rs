@@ -201,6 +201,9 @@ fn of_function(audit: &Audit, reading: &str) -> String {
     match audit.fit {
         Fit::Whole => format!("{reading}."),
         Fit::Part => format!("{reading}, but not everywhere."),
+        Fit::None if audit.published.is_some() && audit.excluded.is_none() => {
+            format!("no approximation of {quantity}: it is held against {reading}.")
+        }
         Fit::None => format!(
             "no approximation of {quantity} under any reading of its arguments{given}; the nearest, which it does not follow, is {reading}."
         ),

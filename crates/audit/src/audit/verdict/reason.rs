@@ -45,6 +45,10 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         let given = if done.fixed { " that the options leave open" } else { "" };
         let limit = limit.map_or(String::new(), |limit| format!(", the limit is {}", number(limit)));
         let off = format!("; by the nearest it is off by {}{limit}", number(done.worst()));
+        // The first line has the name of what is known.
+        if done.published.is_some() && done.fit == Fit::None && done.excluded.is_none() {
+            return None;
+        }
         if let Some(said) = excluded(done) {
             return Some(format!("it follows a convention, but not what {said}{off}"));
         }

@@ -340,8 +340,9 @@ impl ShaderFunction {
     }
 
     /// Whether its results do not depend on one of its scalars, by points of a lattice at which others
-    /// have the values given: what cannot be run there depends.
-    pub fn is_idle(&self, input: usize, given: &[Option<f32>]) -> bool {
+    /// have the values given, and it two of its own and those that are `tried`: what cannot be run there
+    /// depends.
+    pub fn is_idle(&self, input: usize, given: &[Option<f32>], tried: &[f32]) -> bool {
         // Multiples of the golden ratio, another for each scalar; whole numbers are 0, 1 and 2.
         let fraction = |k: usize, i: usize| (k as f64 * (i + 2) as f64 * 0.618_033_988_749).fract() as f32;
         let scaled = |i: usize, x: f32| if self.whole[i] { (3.0 * x).floor() } else { x };
@@ -350,11 +351,17 @@ impl ShaderFunction {
             let of = |i: usize| given.get(i).copied().flatten().unwrap_or_else(|| scaled(i, free(i)));
             (0..self.inputs.len()).map(of).collect()
         };
+        let bits = |at: &[f32]| Some(self.at(at).ok()?.into_iter().map(f32::to_bits).collect::<Vec<_>>());
         (1..=IDLE).all(|k| {
-            let (one, other) = (point(k, 0.0), point(k, 1.0));
-            let bits =
-                |at: &[f32]| self.at(at).map(|found| found.into_iter().map(f32::to_bits).collect::<Vec<_>>());
-            matches!((bits(&one), bits(&other)), (Ok(a), Ok(b)) if a == b)
+            let first = point(k, 0.0);
+            let at = |x: &f32| {
+                let mut other = first.clone();
+                other[input] = *x;
+                other
+            };
+            let found = bits(&first);
+            found.is_some()
+                && [point(k, 1.0)].into_iter().chain(tried.iter().map(at)).all(|at| bits(&at) == found)
         })
     }
 

@@ -248,6 +248,23 @@ fn clamps_are_seen() {
     assert!(found.fit == Fit::Whole && found.worst() < 0.02, "{}", found.worst());
 }
 
+/// The same under the noise of some thousand samples, where lines that the clamp makes one differ: it was
+/// found at 0.005, a number of the list, or at one between.
+#[test]
+fn clamps_are_seen_under_noise() {
+    let centre = |i: usize| (i as f64 + 0.5) / 32.0;
+    for (least, noise, within) in [(1.0 / 256.0, 1e-3, 1e-9), (4.6e-3, 5e-4, 3e-4)] {
+        let value = |x: usize, y: usize| {
+            let alpha = (centre(y) * centre(y)).max(least);
+            (both(Smith::Correlated, alpha, centre(x)).0 + noise * jitter(x, y)).min(1.0)
+        };
+        let found = reflection_of(&plane([32; 2], &[("R", &value)]));
+        let floor = found.best().axes[1].floor;
+        assert!((floor - least).abs() <= within, "{floor}, {least}");
+        says(&found.verdict(None), "PASS", &["alpha clamped to 0.00"]);
+    }
+}
+
 /// A cosine and an alpha with a floor each, of which some show in a corner alone and some in one line, near
 /// to it: the texels there were "of other code".
 #[test]
