@@ -8,9 +8,10 @@ use super::page::best;
 use crate::approximate::{Fit, FitStageError, Region};
 use crate::report::{Image, SkySpheres};
 use lobefit_math::{ops, sum, vector};
+use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::optics::ggx::Vec3;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{Quantity, Seen};
+use lobefit_truth::quantity::{Quantity, Seen, Variant};
 use rayon::prelude::*;
 
 /// Roughness of the columns, as far as a region has it; of a region without any of these, its middle.
@@ -68,7 +69,7 @@ fn turned([x, y, z]: Vec3) -> impl Fn(Vec3) -> f64 {
 /// The pictures of the lobe itself, of the most accurate fit and of what is published; `None` of a quantity
 /// that is no roughness.
 pub(super) fn spheres(
-    quantity: &dyn Quantity,
+    (quantity, variant): (&dyn Quantity, &Variant),
     (region, shown): (&Region, &[(&'static str, f64)]),
     fits: &[Fit],
     of: &str,
@@ -83,13 +84,14 @@ pub(super) fn spheres(
     let normals = normals();
     let published = fits.iter().filter(|fit| fit.norm() == "published");
     let chosen: Vec<&Fit> = best(fits).into_iter().chain(published).collect();
-    let truth = roughness.iter().map(|r| drawn(seen, &normals, (*r, shown), None)).collect::<Vec<_>>();
+    let pictures = |r: &f64| drawn((seen, variant), &normals, (*r, shown), None);
+    let truth = roughness.iter().map(pictures).collect::<Result<Vec<_>, _>>()?;
     let mut rows = vec![("the lobe itself".to_string(), truth.clone())];
     let mut errors = Vec::new();
     for fit in chosen {
         let of_one = |r: &f64| {
             let widths = widths(fit, &normals, (*r, shown), region)?;
-            Ok(drawn(seen, &normals, (*r, shown), Some(&widths)))
+            drawn((seen, variant), &normals, (*r, shown), Some(&widths))
         };
         let pictures: Vec<Vec<f64>> = roughness.iter().map(of_one).collect::<Result<_, BakeError>>()?;
         let off = pictures.iter().flatten().zip(truth.iter().flatten()).map(|(a, b)| (a - b) * (a - b));
@@ -136,19 +138,20 @@ fn widths(
 
 /// The pixels of a sphere, by its lobe or by those of a roughness at each.
 fn drawn(
-    seen: &dyn Seen,
+    (seen, variant): (&dyn Seen, &Variant),
     normals: &[Option<Vec3>],
     (roughness, shown): (f64, &[(&'static str, f64)]),
     widths: Option<&[f64]>,
-) -> Vec<f64> {
+) -> Result<Vec<f64>, BakeError> {
     let pixel = |(i, normal): (usize, &Option<Vec3>)| {
-        let Some(normal) = normal else { return AROUND };
+        let Some(normal) = normal else { return Ok(AROUND) };
         let (sky, further) = (turned(*normal), shown.iter().map(|(_, value)| *value));
         let x: Vec<f64> = [roughness * roughness, normal[2]].into_iter().chain(further).collect();
         match widths {
-            None => seen.shown(&x, DRAWN, &sky),
+            None => seen.shown(variant, &x, DRAWN, &sky),
             Some(widths) => seen.in_place(widths[i].max(1e-2), &x, DRAWN, &sky),
         }
     };
-    normals.par_iter().enumerate().map(pixel).collect()
+    let pixels: Result<Vec<f64>, IntegrateError> = normals.par_iter().enumerate().map(pixel).collect();
+    Ok(pixels?)
 }

@@ -311,8 +311,8 @@ impl ValueFits<'_> {
         let (map, lines) = (Grid::map(region).at(shown), Grid::curves(region, self.curves).at(shown));
         let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
         let is_width = self.quantity.outputs()[0] == self.column;
-        let spheres =
-            if is_width { sky::spheres(self.quantity, (region, shown), fits, self.of)? } else { None };
+        let of = (self.quantity, &self.variant(context.scene));
+        let spheres = if is_width { sky::spheres(of, (region, shown), fits, self.of)? } else { None };
         let residual = self.used_as().residual;
         let [shown_as, error_of, _] = self.words();
         let along: Vec<f64> = along.iter().map(|truth| residual.ideal(*truth)).collect();

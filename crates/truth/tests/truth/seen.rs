@@ -37,14 +37,18 @@ fn half_of_either_lobe_lies_within_the_stated_cone() {
                 f64::from(u8::from(cosine >= cos(radius)))
             };
             let seen = quantity.seen().expect("a lobe");
-            let shares = [seen.shown(x, DRAWN, &disk), seen.in_place(roughness, x, DRAWN, &disk)];
+            let shares = [seen.shown(&variant, x, DRAWN, &disk), seen.in_place(roughness, x, DRAWN, &disk)];
+            let shares = shares.map(|share| share.expect("a mean"));
             println!("{} {x:?}: {shares:?}", quantity.name());
             assert!(
                 shares.iter().all(|share| (share - 0.5).abs() < 0.01),
                 "{} {x:?}: {shares:?}",
                 quantity.name()
             );
-            assert!((seen.shown(x, 256, &|_| 0.7) - 0.7).abs() < 1e-12);
+            let even = seen.shown(&variant, x, 256, &|_| 0.7).expect("a mean");
+            assert!((even - 0.7).abs() < 1e-12);
+            // Nothing is shown of no light at all.
+            assert!(seen.shown(&variant, x, 0, &|_| 0.7).is_err());
         }
     }
     assert!(lobefit_truth::quantity::GGX_GLASS.seen().is_none());
