@@ -71,9 +71,11 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     lines.extend(columns::lines([("arguments", Left), ("", Left)], &all));
     if rows.iter().any(|(_, names)| names.len() > NAMED) || calls.iter().any(|call| call.without.is_some()) {
         let taken = callers(calls).into_iter();
-        lines.extend(
-            taken.map(|Callers { names, calls }| format!("{}: {}", names.join(", "), calls.join(", "))),
-        );
+        lines.extend(taken.map(|Callers { names, calls, cost: Cost { ops, fetches, bytes } }| {
+            let fetches = words::count(fetches as usize, "fetch", "fetches");
+            let all = format!("{}, {fetches}, {bytes} bytes in all", words::operations(ops));
+            format!("{}: {}; {all}", names.join(", "), calls.join(", "))
+        }));
     }
     lines
 }

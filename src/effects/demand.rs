@@ -184,7 +184,7 @@ impl Span {
         if job == self.range || (is_one && self.one != One::Never) {
             return own;
         }
-        format!("{own}, widened to {} to {}", job[0], job[1])
+        format!("{own}, widened to {}", range_text(job))
     }
 }
 
@@ -193,8 +193,9 @@ fn tidy(x: f64) -> f64 {
     (x * 1e9).round() / 1e9
 }
 
-/// `0.3`, `0.1 to 0.4`.
-pub fn range_text([lo, hi]: [f64; 2]) -> String {
+/// `0.3`, `0.1 to 0.4`, in four digits.
+pub fn range_text(range: [f64; 2]) -> String {
+    let [lo, hi] = range.map(|x| format!("{x:.3e}").parse().unwrap_or(x));
     if lo == hi { format!("{lo}") } else { format!("{lo} to {hi}") }
 }
 

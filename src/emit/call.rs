@@ -223,6 +223,8 @@ pub struct Callers<'a> {
     /// What they call for each purpose, and what may stand for it:
     /// `ggx_energy_compensation (or ggx_albedo then ggx_compensate_reflection)`.
     pub calls: Vec<String>,
+    /// What the first of each takes in all; a file that several fetch from counts once.
+    pub cost: Cost,
 }
 
 impl Call {
@@ -279,18 +281,37 @@ pub fn callers(calls: &[Call]) -> Vec<Callers<'_>> {
         }
     }
     let mut sets: Vec<Callers> = Vec::new();
-    let mut places: BTreeMap<Vec<String>, usize> = BTreeMap::new();
+    let mut places: BTreeMap<(Vec<String>, [u64; 3]), usize> = BTreeMap::new();
     for (name, mut choices) in each {
         // From the inside out.
         choices.sort_by_key(|choice| LAYERS.iter().position(|layer| choice[0].layer.as_deref() == *layer));
         let calls: Vec<String> = choices.iter().map(|choice| worded(choice)).collect();
-        let place = *places.entry(calls.clone()).or_insert(sets.len());
+        let cost = in_all(choices.iter().filter_map(|choice| taken(choice)));
+        let key = [u64::from(cost.ops), u64::from(cost.fetches), cost.bytes];
+        let place = *places.entry((calls.clone(), key)).or_insert(sets.len());
         match sets.get_mut(place) {
             Some(set) => set.names.push(name),
-            None => sets.push(Callers { names: vec![name], calls }),
+            None => sets.push(Callers { names: vec![name], calls, cost }),
         }
     }
     sets
+}
+
+/// The one to take of calls that stand for one another.
+fn taken<'a>(choice: &[&'a Call]) -> Option<&'a Call> {
+    choice.iter().find(|call| call.recommended).or(choice.first()).copied()
+}
+
+/// What calls take together; a file that several fetch from counts once.
+fn in_all<'a>(calls: impl Iterator<Item = &'a Call>) -> Cost {
+    let (mut all, mut files) = (Cost::default(), BTreeSet::new());
+    for Call { cost, file, .. } in calls {
+        let is_new = file.as_ref().is_none_or(|file| files.insert(file));
+        all.ops += cost.ops;
+        all.fetches += cost.fetches;
+        all.bytes += if is_new { cost.bytes } else { 0 };
+    }
+    all
 }
 
 /// Calls that stand for one another, the recommended one first; what takes the value of each or calls it is

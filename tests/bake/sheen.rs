@@ -69,6 +69,7 @@ fn who_calls_what_is_a_row_for_all_that_call_the_same() {
     let [first, others] = [metals.calls[0].split(" (or ").next(), metals.calls[0].split(" (or ").nth(1)];
     let preferred = baked.calls.iter().find(|call| call.of == "steel" && call.recommended);
     assert_eq!(first, preferred.map(|call| call.function.as_str()), "{metals:?}");
+    assert_eq!(Some(&metals.cost), preferred.map(|call| &call.cost), "{metals:?}");
     assert_eq!(others.map(|list| list.split(", ").count()), Some(several - 1), "{metals:?}");
     assert!(
         satins.calls.len() == 1 && satins.calls[0].ends_with(" of the sheen then sheen_base_scale as e_v"),
@@ -103,6 +104,11 @@ fn the_lobe_above_a_base_is_what_the_base_is_made_for() {
         (&["single"], "ggx_albedo"),
         (&["brushed"], "ggx_energy_compensation_rgb then f*N, anisotropy left out"),
     ];
+    // The metal's two tables are two files, and its compensation one of the two that may be taken.
+    let metal: Vec<&Call> =
+        baked.calls.iter().filter(|call| call.of == "metal" && call.recommended).collect();
+    let bytes = metal.iter().map(|call| call.cost.bytes).sum::<u64>();
+    assert!(metal.len() == 2 && found[0].cost.bytes == bytes, "{metal:?}");
     let found: Vec<(&[&str], &str)> = found.iter().map(|row| (&row.names[..], &row.calls[0][..])).collect();
     assert_eq!(found, expected);
     let mut tables = baked.calls.iter().filter(|call| call.function == "ggx_dfg");

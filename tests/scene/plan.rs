@@ -172,6 +172,9 @@ fn a_scene_without_rough_speculars_plans_nothing_and_says_why() {
     assert!(why.ends_with(": `m` stays below alpha 0.0001, which is smooth"), "{why}");
     let why = reason(&smooth, "reflection");
     assert!(why.contains("`mirror`, `window`") && why.contains("smooth"), "{why}");
+    // Nor does a smooth one vanish beside a rough one.
+    let both = plan(&metals(&[("m", "0", "{\"fit\":{}}"), ("r", "0.5", "{\"fit\":{}}")]));
+    assert_eq!(reason(&both, "reflection"), "`m` stays below alpha 0.0001, which is smooth");
 }
 
 #[test]

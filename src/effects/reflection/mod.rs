@@ -159,6 +159,10 @@ impl Effect for Reflection {
         self.why_not(scene)
     }
 
+    fn unserved(&self, scene: &Scene) -> Option<String> {
+        self.unserved_smooth(scene)
+    }
+
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
         self.summaries(scene, jobs)
     }

@@ -105,10 +105,14 @@ fn states_error(scene: &Value) -> bool {
 
 /// A row for all that call the same.
 fn of_callers(manifest: &Manifest) -> Block {
-    let columns = "materials and probes|call";
-    let row = |Callers { names, calls }: Callers| vec![names.join(", "), calls.join(", ")];
+    let columns = "materials and probes|call|operations|fetches|bytes";
+    let row = |Callers { names, calls, cost }: Callers| {
+        let figures = [cost.ops, cost.fetches].map(|n| n.to_string());
+        let words = [names.join(", "), calls.join(", ")].into_iter();
+        words.chain(figures).chain([numbers::grouped(cost.bytes)]).collect()
+    };
     let rows = callers(&manifest.entries.calls).into_iter().map(row).collect();
-    let caption = "Of functions that stand for one another the recommended one comes first.";
+    let caption = "Of functions that stand for one another the recommended one comes first; it is what counts in operations, fetches and bytes, which are in all.";
     Block::Table(words::table(columns, rows, caption))
 }
 
