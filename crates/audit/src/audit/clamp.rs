@@ -402,8 +402,8 @@ impl<'a> Clampable<'a> {
         eighths([nodes[lines[same - 1]], nodes[lines[same]]])
     }
 
-    /// What an input may have been clamped to by a floor that makes several lines one but for noise, which has
-    /// no sign: between the last of them and the next.
+    /// What an input may have been clamped to by a floor that makes several lines one but for noise, which
+    /// has no sign: between the last of them and the next.
     fn about(&self, axis: usize, reading: &AxisReading, floor: f64) -> Vec<f64> {
         let nodes = self.sample.nodes(axis, reading);
         let (lines, all) = (self.below(axis, reading, floor), self.below(axis, reading, f64::INFINITY));

@@ -193,31 +193,9 @@ pub fn audit(
         }
     }
     scan::through(&truth, &case, &mut done)?;
-    done.published = published::named(&table, &done);
-    if done.published.is_none()
-        && fixed.axes.is_none()
-        && let Some(meant) = published::meant(&table, quantity.name())
-    {
-        let meant = Fixed { axes: Some(meant), ..fixed.clone() };
-        progress("a published formula");
-        return Ok(Audit { fixed: done.fixed, ..audit(audited, quantity, &meant, progress)? });
-    }
-    let is_used = done.fit != Fit::None;
-    let others = |known: &&Published| !is_used || known.columns != done.best().columns;
-    if let Some(known) = done.published.as_ref().filter(others) {
-        // It is judged as what it is known to hold, and where it fits no lobe by that of its use.
-        let usual = if is_used { None } else { Some(Form::of(quantity)[0]) };
-        let used = known.used(fixed, done.best(), usual);
-        if used != *fixed {
-            let Audit { fixed: is_fixed, excused, .. } = done;
-            let used = audit(audited, quantity, &used, progress)?;
-            return Ok(Audit { fixed: is_fixed, excused, form: fixed.form, ..used });
-        }
-        if let Some(own) = known.made_for.filter(|own| fixed.form != Some(*own)) {
-            let of_its_own = Fixed { form: Some(own), ..fixed.clone() };
-            let remark = published::held(own, audit(audited, quantity, &of_its_own, progress)?.worst());
-            done.remarks.push(remark);
-        }
+    let under = |fixed: &Fixed| audit(audited, quantity, fixed, progress);
+    if let Some(known) = published::again(&mut done, &table, (fixed, quantity), &under)? {
+        return Ok(known);
     }
     let done = apart::with_others(done, &case, quantity, &sieved)?;
     apart::with_half(done, &case, quantity)

@@ -7,10 +7,11 @@ use super::column::{Base, Column};
 use super::lobe::Form;
 use super::table::{AuditedTable, Source, place};
 use super::verdict::number;
-use super::{Audit, Convention, Fixed, Input};
+use super::{Audit, AuditError, Fit, Fixed, Input};
 use lobefit::approximate::Entry;
 use lobefit::effects::{eon, reflection, sheen};
 use lobefit_shade::Hypothesis;
+use lobefit_truth::quantity::Quantity;
 
 /// Largest difference from a published formula, or from what of it is above 0, or in [0, 1]: those who
 /// ship one round its constants and order its operations in their own way, and clamp what it gives.
@@ -32,32 +33,52 @@ pub struct Published {
     pub columns: Vec<Option<Column>>,
 }
 
-impl Published {
-    /// What is fixed of its use, beside what the user fixes; with the shadowing where none is stated.
-    pub(super) fn used(&self, fixed: &Fixed, read: &Convention, usual: Option<&'static Form>) -> Fixed {
-        let axes = || read.axes.iter().map(|axis| (axis.scale, axis.reversed)).collect();
-        let columns = Some(&self.columns).filter(|_| fixed.column.is_none()).cloned();
-        Fixed {
-            form: fixed.form.or(usual),
-            axes: Some(fixed.axes.clone().unwrap_or_else(axes)),
-            meanings: fixed.meanings.clone().or(columns),
-            ..fixed.clone()
-        }
-    }
-}
-
 /// One point in so many is compared.
 const STRIDE: usize = 7;
 
-/// The published formula that a function is; none of a table, or of what is published by nobody that is
-/// known here.
-pub(super) fn named(table: &AuditedTable, done: &Audit) -> Option<Published> {
-    of_axes(table, done.quantity, &done.best().axes)
+/// Names the published formula that a function is. Its audit as what that is known to hold, by the shadowing
+/// that is stated, or where it fits none by that of its use; none where it is `done` as that, or is no such
+/// formula.
+pub(super) fn again(
+    done: &mut Audit,
+    table: &AuditedTable,
+    (fixed, quantity): (&Fixed, &dyn Quantity),
+    audit: &dyn Fn(&Fixed) -> Result<Audit, AuditError>,
+) -> Result<Option<Audit>, AuditError> {
+    done.published = of_axes(table, done.quantity, &done.best().axes);
+    let Some(known) = &done.published else {
+        let meant = if fixed.axes.is_none() { meant(table, done.quantity) } else { None };
+        let of_usual =
+            |meant| Ok(Audit { fixed: done.fixed, ..audit(&Fixed { axes: Some(meant), ..fixed.clone() })? });
+        return meant.map(of_usual).transpose();
+    };
+    let fits = done.fit != Fit::None;
+    if fits && known.columns == done.best().columns {
+        return Ok(None);
+    }
+    let read = || done.best().axes.iter().map(|axis| (axis.scale, axis.reversed)).collect();
+    let columns = Some(&known.columns).filter(|_| fixed.column.is_none()).cloned();
+    let used = Fixed {
+        form: fixed.form.or_else(|| (!fits).then(|| Form::of(quantity)[0])),
+        axes: Some(fixed.axes.clone().unwrap_or_else(read)),
+        meanings: fixed.meanings.clone().or(columns),
+        ..fixed.clone()
+    };
+    if used != *fixed {
+        let used = audit(&used)?;
+        return Ok(Some(Audit { fixed: done.fixed, excused: done.excused, form: fixed.form, ..used }));
+    }
+    if let Some(own) = known.made_for.filter(|own| fixed.form != Some(*own)) {
+        let off = number(audit(&Fixed { form: Some(own), ..fixed.clone() })?.worst());
+        let remark = format!("It was made for {}: held against that it is off by at most {off}.", own.words);
+        done.remarks.push(remark);
+    }
+    Ok(None)
 }
 
 /// The inputs, within what the names of its arguments say, under which a function is a published formula:
 /// roughness or alpha, rising or falling, before mu or behind it.
-pub(super) fn meant(table: &AuditedTable, quantity: &str) -> Option<Vec<(Scale, bool)>> {
+fn meant(table: &AuditedTable, quantity: &str) -> Option<Vec<(Scale, bool)>> {
     if table.size.len() != 2 {
         return None;
     }
@@ -90,12 +111,6 @@ fn of_axes(table: &AuditedTable, quantity: &str, axes: &[AxisReading]) -> Option
     let (name, publication) = (entry.name(), entry.publication?);
     let made_for = MADE_FOR.iter().find(|(known, _)| *known == name);
     Some(Published { name, publication, made_for: made_for.and_then(|(_, form)| Form::find(form)), columns })
-}
-
-/// What is said of a formula that is held against another lobe than that which it was made for: how far it is
-/// from its own.
-pub(super) fn held(made_for: &Form, worst: f64) -> String {
-    format!("It was made for {}: held against that it is off by at most {}.", made_for.words, number(worst))
 }
 
 /// Places of the points that are compared, with alpha and mu there; mu of an average is 1.

@@ -29,7 +29,8 @@ pub trait Seen: Sync {
     fn in_place(&self, roughness: f64, x: &[f64], drawn: usize, sky: Sky) -> Result<f64, IntegrateError>;
 }
 
-/// The mean of a sky over lights with their energy, each drawn by numbers of a sequence; NaN where none has any.
+/// The mean of a sky over lights with their energy, each drawn by numbers of a sequence; NaN where none has
+/// any.
 fn mean(drawn: usize, light: impl Fn(&[f64; DIMENSIONS]) -> Option<(Vec3, f64)>, sky: Sky) -> f64 {
     let sequence = Recurrence::new(DIMENSIONS);
     let (mut sum, mut whole) = (0.0, 0.0);

@@ -142,8 +142,8 @@ fn karis(head: &str, result: &str) -> String {
 }
 
 /// Karis' fit had "no approximation under any reading": it is named with the lobe that it was made for,
-/// also behind a floor or a clamp, as engines ship it, and held against the one of the use, or the one that is
-/// stated. Its error was that of the nearest lobe, 0.196 of A.
+/// also behind a floor or a clamp, as engines ship it, and held against the one of the use, or the one
+/// that is stated. Its error was that of the nearest lobe, 0.196 of A.
 #[test]
 fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
     for (head, result, far) in [
