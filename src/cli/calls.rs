@@ -72,9 +72,11 @@ pub(super) fn table(calls: &[Call], vendor: Option<Vendor>, scene: &Scene) -> Ve
     if rows.iter().any(|(_, names)| names.len() > NAMED) || calls.iter().any(|call| call.without.is_some()) {
         let taken = callers(calls).into_iter();
         lines.extend(taken.map(|Callers { names, calls, cost: Cost { ops, fetches, bytes } }| {
-            let fetches = words::count(fetches as usize, "fetch", "fetches");
-            let all = format!("{}, {fetches}, {bytes} bytes in all", words::operations(ops));
-            format!("{}: {}; {all}", names.join(", "), calls.join(", "))
+            let fetched = (fetches > 0).then(|| words::count(fetches as usize, "fetch", "fetches"));
+            let held = (bytes > 0).then(|| format!("{bytes} bytes"));
+            let all = [Some(words::operations(ops)), fetched, held].into_iter().flatten();
+            let all = all.collect::<Vec<_>>().join(", ");
+            format!("{}: {}; {all} in all", names.join(", "), calls.join(", "))
         }));
     }
     lines

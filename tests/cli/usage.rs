@@ -220,7 +220,7 @@ fn bake_names_everything_that_calls_a_function() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(
         text.contains("|E N - 1|  4 metals\n")
-            && text.contains("\na, b, c, d: ggx_energy_compensation_rgb then f*N\n"),
+            && text.contains("\na, b, c, d: ggx_energy_compensation_rgb then f*N; 8 operations in all\n"),
         "{text}"
     );
     let include = std::fs::read_to_string(folder.path().join("fits/lobefit.wgsl")).unwrap();

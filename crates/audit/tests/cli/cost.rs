@@ -80,8 +80,8 @@ fn a_published_fit_stands_beside_ours_and_a_multiply_add_more_is_counted() {
         let audited = &glsl["audited"];
         assert_eq!(audited, &wgsl["audited"], "the language is no cost");
         let ([vector, issued], error) = (counts(audited), audited["error"].as_f64().expect("compared"));
-        // Published: 0.2 at most against separable Smith for E, and less for B.
-        assert!((0.1..0.25).contains(&error), "{error}");
+        // Published: 0.504 at most against height-correlated Smith for E, and less for B.
+        assert!((0.4..0.55).contains(&error), "{error}");
         assert!((10..30).contains(&vector) && issued == vector + 4, "one exp2: {audited}");
         assert!(counts(&dearer["audited"])[0] > vector, "{audited}, {dearer}");
         let [cheapest, accurate] = ["cheapest", "most_accurate"].map(|which| &glsl[which]);
@@ -92,7 +92,7 @@ fn a_published_fit_stands_beside_ours_and_a_multiply_add_more_is_counted() {
     }
 
     let text = run(cache, folder, "karis.wgsl", &["--out", "report"]).expect("as before");
-    let domain = "Max error: that of f0 A + B for the worst f0 of separable Smith, over alpha 0.0004 to 1 and mu 0.01 to 1.";
+    let domain = "Max error: that of f0 A + B for the worst f0 of height-correlated Smith, over alpha 0.0004 to 1 and mu 0.01 to 1.";
     let (_, table) = text.split_once(domain).unwrap_or_else(|| panic!("{text}"));
     let page = include_str!("../../../../docs/audit.md");
     let compiler = text.split("by ").find(|rest| rest.starts_with("radv-")).expect("a compiler");

@@ -47,7 +47,7 @@ fn a_whole_brdf_is_measured_and_reported() {
         let (found, said, _) = run(&["--set", "brightness=0.5", "--max-loss", most]);
         assert!(found == Some(code) && said.contains("loses energy") == (code == 1), "{most}: {said}");
         // The line says what failed, and by how much.
-        let decides = [("; the limit is 0.005", 0), ("the largest loss is 0.5 \u{b1} ", 1)];
+        let decides = [("; the limit is 0.005", 0), ("the largest loss sampled is 0.5 \u{b1} ", 1)];
         assert!(
             decides.iter().all(|(part, of)| *of != code || said.lines().next().unwrap().contains(part)),
             "{said}"
