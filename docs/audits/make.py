@@ -195,6 +195,12 @@ def reading(found):
     return (f"{axes}; {first['lobe']}" if first.get("lobe") else axes) + decoded
 
 
+def stands(found):
+    """How a file stands to the convention that was found: a published fit that fits none is held against one."""
+    held = found["fits"] == "none" and "published" in found
+    return f"is {found['published']['name']}; held against" if held else FITS[found["fits"]]
+
+
 def integrated():
     """The entries of recompute.py, by artefact."""
     file = os.path.join(HERE, "recomputed.json")
@@ -307,7 +313,7 @@ def section(project, found, compares, entries, lights):
             here, said = f"FOLDER/audits/{name}{ending(artefact)}", options("FOLDER", artefact)
         lines.append(shlex.join(["lobefit", "audit", here, *said]))
         if isinstance(found[name], dict):
-            lines.append(f"# {FITS[found[name]['fits']]} {reading(found[name])}")
+            lines.append(f"# {stands(found[name])} {reading(found[name])}")
     for entry, _ in lights[project["project"]]:
         lines += command_of(entry)
     lines += ["```", ""]

@@ -166,8 +166,7 @@ impl Reflection {
     /// Materials that ask for it and are smooth throughout.
     pub(super) fn unserved_smooth(&self, scene: &Scene) -> Option<String> {
         let asks = |m: &Material| m.wants.fit.is_some() || table::wanted(m, 2).next().is_some();
-        let own =
-            scene.materials.iter().filter(|m| (m.lobe(), m.distribution) == (Lobe::Isotropic, self.ndf));
+        let own = scene.materials.iter().filter(|m| !m.lobe().is_glass() && m.distribution == self.ndf);
         let smooth: Vec<&Material> = own.filter(|m| asks(m) && !is_rough(scene, m)).collect();
         about(&smooth, stay_smooth)
     }

@@ -103,7 +103,7 @@ fn states_error(scene: &Value) -> bool {
     }
 }
 
-/// A row for all that call the same.
+/// A row for all that call the same at the same cost.
 fn of_callers(manifest: &Manifest) -> Block {
     let columns = "materials and probes|call|operations|fetches|bytes";
     let row = |Callers { names, calls, cost }: Callers| {

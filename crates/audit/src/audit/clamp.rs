@@ -12,9 +12,9 @@ use super::truth::Truth;
 use super::{AuditError, CLEAR};
 
 /// Least values that tables clamp alpha and mu to; the last three are the first centre of 16 texels, which
-/// a table keeps that was made larger, the least alpha of a sheen that Khronos ships, and that of a roughness
-/// of 1/16, which Dassault ships.
-const FLOORS: [f64; 10] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2, 1.0 / 256.0];
+/// a table keeps that was made larger, the least alpha of a sheen that Khronos ships, and that of a table of
+/// Dassault's.
+const FLOORS: [f64; 10] = [1e-4, 1e-3, 1e-2, 1e-5, 2e-3, 5e-3, 2e-2, 1.0 / 32.0, 7e-2, 4e-3];
 
 /// Lines are the same that differ by no more than this share of what the table spans.
 const SAME: f64 = 1e-6;
@@ -217,16 +217,21 @@ impl Search<'_> {
         self.between(at, axis)
     }
 
-    /// A reading with a clamp of the list in place of one that is near to it, where that is hardly worse: a
+    /// A reading with a clamp of the list, or of one digit, in place of one that is near to it, where that is hardly worse: a
     /// clamp is a round number.
     fn rounded(&self, at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
         let floor = at.axes[axis].floor;
         let listed = FLOORS.map(|listed| self.least(axis) + listed);
-        let near =
-            listed.into_iter().find(|listed| *listed != floor && (listed - floor).abs() < ROUND * floor);
-        let raised = near.map(|near| self.raised(&at, &[(axis, near)])).transpose()?.flatten();
-        let is_as_good = |t: &Candidate| WORTH * t.fitted.rank <= at.fitted.rank;
-        Ok(raised.map(|(raised, _)| raised).filter(is_as_good).unwrap_or(at))
+        let digit = format!("{floor:.0e}").parse().unwrap_or(floor);
+        let is_near = |near: &f64| !listed.contains(&floor) && (near - floor).abs() < ROUND * floor;
+        let mut best: Option<Candidate> = None;
+        for near in listed.into_iter().chain([digit]).filter(is_near) {
+            let raised = self.raised(&at, &[(axis, near)])?.map(|(raised, _)| raised);
+            let is_as_good = |t: &Candidate| WORTH * t.fitted.rank <= at.fitted.rank;
+            let is_better = |t: &Candidate| best.as_ref().is_none_or(|best| t.fitted.rank < best.fitted.rank);
+            best = raised.filter(|t| is_as_good(t) && is_better(t)).or(best);
+        }
+        Ok(best.unwrap_or(at))
     }
 
     /// A reading with the clamp of an axis that its first lines, or the first alone, show between two lines.
@@ -242,6 +247,7 @@ impl Search<'_> {
         }
         // Of those between two lines that explain something the nearest is taken, and looked about, and so is
         // one of the list.
+        // Where no lines are the same but for noise.
         let is_noisy = seen.is_empty();
         let seen =
             if is_noisy { self.lines.about(axis, &self.bare.axes[axis], at.axes[axis].floor) } else { seen };

@@ -20,6 +20,9 @@ pub(super) const NAMES: &str = "the names of its arguments";
 /// The column that is asked for behind the quantity.
 pub(super) const COLUMN: &str = "the column of --as";
 
+/// The option that states what channels hold.
+pub(super) const MEANING: &str = "--meaning";
+
 /// One way to read a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convention {
@@ -91,7 +94,7 @@ impl Fixed {
             ("--side", Fixed { side: None, ..own() }),
             ("--registration", Fixed { registrations: None, ..own() }),
             ("--axes", Fixed { axes: None, ..own() }),
-            ("--meaning", Fixed { meanings: None, ..own() }),
+            (MEANING, Fixed { meanings: None, ..own() }),
             ("--encoding", Fixed { encoding: None, ..own() }),
             ("--clamp", Fixed { floors: Vec::new(), ..own() }),
             (COLUMN, Fixed { column: None, ..own() }),

@@ -140,6 +140,8 @@ pub enum Defect {
     /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's
     /// tail.
     MissingLoss {
+        /// What holds it: of A and B, or R and T, their sum.
+        column: Column,
         /// Share of the true loss that a quarter of the smooth texels do not even hold.
         stored: f64,
         /// Largest alpha of those texels.
@@ -487,7 +489,7 @@ pub(super) fn missing_loss(
     }
     let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);
     let worst = shares.into_iter().max_by(|a, b| (a.2[1] - a.2[0]).total_cmp(&(b.2[1] - b.2[0])))?;
-    Some(Defect::MissingLoss { stored: quarter, alpha, worst: worst.2, texel: worst.3 })
+    Some(Defect::MissingLoss { column: r.column, stored: quarter, alpha, worst: worst.2, texel: worst.3 })
 }
 
 /// Bits of a channel of the formats that pictures of 8 bits are made of: 4444, 565.

@@ -19,6 +19,8 @@ pub(super) struct Sum {
     pub channel: usize,
     column: Column,
     values: Vec<f64>,
+    /// Whether no channel holds it itself.
+    is_alone: bool,
 }
 
 impl Sum {
@@ -28,7 +30,8 @@ impl Sum {
         let both = |[a, b, column]: [Column; 3]| Some((place(a)?, place(b)?, column));
         let (a, b, column) = HALVES.into_iter().find_map(both)?;
         let values = sample.values[a].iter().zip(&sample.values[b]).map(|(a, b)| a + b).collect();
-        Some(Sum { channel: live[a], column, values })
+        let is_alone = !live.iter().filter_map(|k| convention.columns[*k]).any(|c| c.albedo(0.5).is_some());
+        Some(Sum { channel: live[a], column, values, is_alone })
     }
 }
 
@@ -79,9 +82,9 @@ const LEAST_GAIN: f64 = 1e-4;
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// Adds a gain of energy by a channel, or by its `sum` with another, to its defects, and of the sum a loss
-/// that is missing, of which a part that stands out comes. Where there is a gain that is part of it.
-pub(super) fn gains(
+/// Adds to the defects of a channel what is wrong with the energy of it, or of its `sum` with another: a gain,
+/// and of a sum a loss that is missing, of which a part that stands out comes. A gain has that loss in it.
+pub(super) fn energy(
     r: &Residuals,
     sum: Option<&Sum>,
     grain: Grain,
@@ -91,7 +94,8 @@ pub(super) fn gains(
     let whole = sum.map(|sum| Residuals::new(r.sample, r.judgement, sum.column, &sum.values));
     let steps = if whole.is_some() { 2.0 } else { 1.0 };
     let is_other = |d: &Defect| matches!(d, Defect::Factor { .. } | Defect::Flipped { .. });
-    let whole_loss = whole.as_ref().filter(|_| !defects.iter().any(is_other));
+    let is_alone = sum.is_some_and(|sum| sum.is_alone) && !defects.iter().any(is_other);
+    let whole_loss = whole.as_ref().filter(|_| is_alone);
     if let Some(missing) = whole_loss.and_then(|whole| missing_loss(whole, grain, steps, alpha)) {
         defects.retain(|defect| !matches!(defect, Defect::Part { .. }));
         defects.push(missing);

@@ -1,5 +1,6 @@
 //! What an audit finds out, as plain data.
 
+use super::axis::Input;
 use super::column::Column;
 use super::convention::{Convention, Misfit};
 use super::defects::Defect;
@@ -123,6 +124,8 @@ pub struct Audit {
     pub fixed: bool,
     /// The shadowing form that the user stated.
     pub form: Option<&'static Form>,
+    /// Of a slice: the input that is the same throughout, and its value.
+    pub at: Option<(Input, f64)>,
     /// Without which options it follows a convention, where it follows none that they leave open: one, as
     /// `--smith`, or all.
     pub excluded: Option<&'static str>,
@@ -261,6 +264,11 @@ impl Audit {
             }
         };
         decides.then_some(plain)
+    }
+
+    /// The published formula that a function is, which is no approximation of what it is held against.
+    pub(super) fn misfit(&self) -> Option<&Published> {
+        self.published.as_ref().filter(|_| self.fit == Fit::None && self.excluded.is_none())
     }
 
     /// The figure that the verdict is on: of the error, the place and the kind; none where nothing is judged.

@@ -379,7 +379,7 @@ fn finish(
         optimised::mend(&residuals, &defects, &mut mended.channels[k].values);
         if two_lobes.is_none() && table.source == Source::Table {
             let sum = sum.as_ref().filter(|sum| sum.channel == k);
-            energy::gains(&residuals, sum, grain, alpha, &mut defects);
+            energy::energy(&residuals, sum, grain, alpha, &mut defects);
         }
         let left = defects::left(&residuals, &defects);
         channels.push(ChannelAudit {
@@ -400,6 +400,12 @@ fn finish(
             plain_lookup: looked(Some(Registration::Centre))?,
             ..ChannelAudit::default()
         });
+    }
+    // What is missing of a sum is a part of neither half.
+    let is_missing = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::MissingLoss { .. }));
+    if channels.iter().any(|c| is_missing(c) && c.column.is_some_and(Column::is_part)) {
+        let halves = channels.iter_mut().filter(|c| c.column.is_some_and(Column::is_part));
+        halves.for_each(|c| c.defects.retain(|d| !matches!(d, Defect::Part { .. })));
     }
     if let Some(points) = &points {
         optimised::excused(points, &convention, [table, &mended], &mut channels);
@@ -424,6 +430,7 @@ fn finish(
         margin: two_lobes.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
         fixed: !fixed.is_free(),
         form: fixed.form,
+        at: fixed.at,
         excluded: None,
         excused: fixed.meanings.is_some() || fixed.column.is_some(),
         channels,

@@ -34,6 +34,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
             options: p.options.clone(),
         }),
         encoding: audit.encoding.map(|encoding| encoding.name.into()),
+        slice: audit.at.iter().map(|(input, x)| (input.name().to_string(), *x)).collect(),
         published: audit.published.as_ref().map(|known| AuditPublished {
             name: known.name,
             publication: known.publication,

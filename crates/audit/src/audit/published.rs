@@ -4,6 +4,7 @@
 use super::arguments::role;
 use super::axis::{AxisReading, Registration, Scale};
 use super::column::{Base, Column};
+use super::convention::{COLUMN, MEANING};
 use super::lobe::Form;
 use super::table::{AuditedTable, Source, place};
 use super::verdict::number;
@@ -36,9 +37,10 @@ pub struct Published {
 /// One point in so many is compared.
 const STRIDE: usize = 7;
 
-/// Names the published formula that a function is. Its audit as what that is known to hold, by the shadowing
-/// that is stated, or where it fits none by that of its use; none where it is `done` as that, or is no such
-/// formula.
+/// Notes in an audit which published formula the function is. Returns an audit of it under what that formula
+/// is known to hold, and where it fits no shadowing, under the one that is stated or that of its use; nothing
+/// where the audit at hand is that one (to which it adds how far the formula is from its own lobe), or the
+/// function is no such formula.
 pub(super) fn again(
     done: &mut Audit,
     table: &AuditedTable,
@@ -57,7 +59,10 @@ pub(super) fn again(
         return Ok(None);
     }
     let read = || done.best().axes.iter().map(|axis| (axis.scale, axis.reversed)).collect();
-    let columns = Some(&known.columns).filter(|_| fixed.column.is_none()).cloned();
+    // Those of the channels that are judged.
+    let live = table.live(None)?;
+    let columns = || live.iter().map(|k| known.columns[*k]).collect();
+    let columns = fixed.column.is_none().then(columns);
     let used = Fixed {
         form: fixed.form.or_else(|| (!fits).then(|| Form::of(quantity)[0])),
         axes: Some(fixed.axes.clone().unwrap_or_else(read)),
@@ -67,6 +72,18 @@ pub(super) fn again(
     if used != *fixed {
         let used = audit(&used)?;
         return Ok(Some(Audit { fixed: done.fixed, excused: done.excused, form: fixed.form, ..used }));
+    }
+    // What is stated of every channel, or of those that are judged.
+    let own = |k: usize, meanings: &[_]| {
+        known.columns[if meanings.len() == known.columns.len() { k } else { live[k] }]
+    };
+    let is_other = |meanings: &Vec<Option<Column>>| {
+        (0..meanings.len()).any(|k| meanings[k].is_some() && meanings[k] != own(k, meanings))
+    };
+    if fixed.meanings.as_ref().is_some_and(is_other) {
+        done.excluded = Some(MEANING);
+    } else if fixed.column.is_some_and(|column| !known.columns.contains(&Some(column))) {
+        done.excluded = Some(COLUMN);
     }
     if let Some(own) = known.made_for.filter(|own| fixed.form != Some(*own)) {
         let off = number(audit(&Fixed { form: Some(own), ..fixed.clone() })?.worst());

@@ -229,11 +229,11 @@ fn verb(options: Options) -> Result<Outcome, CliError> {
     };
     let mut beside = said.as_ref().map(|_| otherwise("its statement", &done));
     if done.fit == audit::Fit::None {
+        // What is known as it is needs no other names, nor is anything said of those that do not matter.
+        let is_known = done.published.is_some();
         for (without, fixed) in own.without(&audited) {
             progress.stage(&format!("the same without {without}"));
             let other = judge(&fixed)?;
-            // What is known as it is needs no other names, nor is anything said of those that do not matter.
-            let is_known = done.published.is_some();
             let follows =
                 other.fit == audit::Fit::Whole || fixed.swapped && other.published.is_some() && !is_known;
             if follows || !fixed.swapped && !is_known {

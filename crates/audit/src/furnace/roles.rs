@@ -124,7 +124,8 @@ pub(super) fn roles(
         let known = by_name.filter(|role| matches!(role, Role::Component(..) | Role::Cosine(..)));
         // Of a structure a function may read a few members alone.
         let tried: Vec<f32> = match by_name {
-            Some(Role::Roughness) => rough.iter().map(|r| *r as f32).collect(),
+            // An alpha beside it is its square.
+            Some(Role::Roughness) => rough.iter().flat_map(|r| [*r, r * r]).map(|r| r as f32).collect(),
             _ => Vec::new(),
         };
         let idle = || function.is_idle(i, &values, &tried).then_some(Role::Value(0.5));

@@ -35,6 +35,9 @@ pub struct AuditFindings {
     /// What its values were decoded from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub encoding: Option<String>,
+    /// Of a slice: the input that is the same throughout, and its value.
+    #[serde(skip_serializing_if = "Place::is_empty")]
+    pub slice: Place,
     /// Of a function: the published formula whose values it has.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub published: Option<AuditPublished>,

@@ -223,6 +223,11 @@ fn a_stated_roughness_is_looked_at() {
     let verdict = judgement("f", &found, within(None));
     assert!(verdict.grade == Grade::Fail && found.most.0.at["roughness"] == 0.04, "{verdict:?}");
     assert!(verdict.line.contains("the largest energy sampled is 1.5 \u{b1} "), "{}", verdict.line);
+    let squared = "fn f(l: vec3<f32>, v: vec3<f32>, roughness: f32, alpha: f32) -> f32 {
+        return (select(0.5, 1.5, alpha < 0.01) + 0.1 * roughness) / 3.14159265;
+    }";
+    let squared = measured(squared, "f.wgsl", "f", &[0.05, 0.5]);
+    assert!(squared.most.0.energy[0].value > 1.5, "{:?}", squared.arguments);
     let unused = "fn f(l: vec3<f32>, v: vec3<f32>, roughness: f32) -> f32 { return 0.3; }";
     let unused = measured(unused, "f.wgsl", "f", &[0.04, 0.5]);
     assert!(unused.cells.len() == 8 && !unused.most.0.at.contains_key("roughness"), "{:?}", unused.arguments);

@@ -44,6 +44,7 @@ pub fn findings(
         figure: found.figure(limit),
         plain: None,
         encoding: None,
+        slice: Default::default(),
         published: None,
         limit,
         passed: passed(limit, found.passes(limit)),

@@ -78,7 +78,7 @@ impl<'a> Truth<'a> {
         is_rough: bool,
     ) -> Result<Truth<'a>, AuditError> {
         let mut lobes = Lobe::of(spec.quantity, forms, sides);
-        // Of one index an axis of it runs over no sides.
+        // A slice has no axis of an index, so no lobe of both sides.
         lobes.retain(|lobe| !lobe.both || spec.inputs.contains(&Input::Ior));
         let of = |lobe: &Lobe| spec.of_form(lobe.form);
         let specs = lobes.iter().map(|l| if is_rough { of(l).rough() } else { of(l) }).collect();

@@ -95,8 +95,11 @@ impl<'a> Spec<'a> {
             }
         };
         let [low, high] = self.range(input);
-        if input == Input::Ior && x <= low || !(low..=high).contains(&x) {
-            return Err(refused(format!("it is judged above {low}, up to {high}")));
+        // At an index of 1 there is no interface.
+        let is_open = input == Input::Ior;
+        if is_open && x <= low || !(low..=high).contains(&x) {
+            let from = if is_open { "above" } else { "from" };
+            return Err(refused(format!("it is judged {from} {low} to {high}")));
         }
         Ok(Spec { inputs, knots, at: Some(at), ..self })
     }

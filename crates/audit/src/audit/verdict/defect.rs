@@ -86,9 +86,10 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 number(*left)
             )
         }
-        Defect::MissingLoss { stored, alpha, worst, texel } => format!(
-            "A quarter of the texels of smooth surfaces (alpha up to {}) hold less than {} % of the true loss; worst at texel {texel:?}, {} \
+        Defect::MissingLoss { column, stored, alpha, worst, texel } => format!(
+            "Of {} a quarter of the texels of smooth surfaces (alpha up to {}) hold less than {} % of the true loss; worst at texel {texel:?}, {} \
              where {} is true: a sampling that misses the tail of the lobe does this.",
+            column.name(),
             number(*alpha),
             (100.0 * stored.max(0.0)).ceil(),
             number(worst[0]),

@@ -72,9 +72,9 @@ pub(super) fn figure(audit: &Audit, limit: Option<f64>) -> Option<Told> {
     let (max, at) = (number(worst.max) + &of(audit, &column), place(&worst.at));
     let kind = if audit.source == Source::Table { Kind::Texel } else { Kind::Point };
     if audit.fit == Fit::None && audit.two_lobes.is_none() {
-        let nearest = match (&audit.published, audit.excluded) {
-            (Some(known), None) => format!(" {} {max} at {at}", held(audit, known)),
-            _ => format!(" {}; the nearest leaves {max} at {at}", nothing(audit)),
+        let nearest = match audit.misfit() {
+            Some(known) => format!(" {} {max} at {at}", held(audit, known)),
+            None => format!(" {}; the nearest leaves {max} at {at}", nothing(audit)),
         };
         return Some(Told::new(kind, &column, own, nearest));
     }
@@ -273,10 +273,11 @@ fn damaged(audit: &Audit, column: &str, defect: &Defect) -> Option<Told> {
                 format!(" has {} of {lobe} beside others that are not: off by at most {max}{of}", own.name());
             (Kind::Damage, *most, texel, found)
         }
-        Defect::MissingLoss { worst: [held, truth], texel, .. } => {
+        Defect::MissingLoss { column, worst: [held, truth], texel, .. } => {
             let (stored, loss) = (number(*held), number(*truth));
             let found = format!(" holds {stored} of a loss of {loss} at texel {texel:?}");
-            (Kind::Damage, truth - held, texel, found)
+            let at = inputs_at(audit.best(), &audit.size, texel);
+            return Some(Told::new(Kind::Damage, column.name(), (truth - held, &at), found));
         }
         _ => return None,
     };

@@ -44,7 +44,11 @@ pub(in crate::audit) fn of(audit: &Audit, limit: Option<f64>) -> Verdict {
     errors.extend(limit.map(|limit| judged(audit, limit)));
     errors.extend(audit.remarks.iter().cloned());
     let named = audit.published.iter().map(|known| {
-        format!("It has the values of a published formula, `{}`: {}.", known.name, known.publication)
+        let made_for = known.made_for.map_or_else(String::new, |form| format!(", made for {}", form.words));
+        format!(
+            "It has the values of a published formula, `{}`: {}{made_for}.",
+            known.name, known.publication
+        )
     });
     let convention: Vec<String> =
         [opening(audit)].into_iter().chain(audit.shipped.clone()).chain(named).chain(idle(audit)).collect();
@@ -201,7 +205,7 @@ fn of_function(audit: &Audit, reading: &str) -> String {
     match audit.fit {
         Fit::Whole => format!("{reading}."),
         Fit::Part => format!("{reading}, but not everywhere."),
-        Fit::None if audit.published.is_some() && audit.excluded.is_none() => {
+        Fit::None if audit.misfit().is_some() => {
             format!("no approximation of {quantity}: it is held against {reading}.")
         }
         Fit::None => format!(

@@ -3,7 +3,7 @@
 use super::figure::damage;
 use super::points::{has_unknown, is_ambiguous, is_loose};
 use super::words::{excluded, number};
-use crate::audit::{Audit, Fit, Source};
+use crate::audit::{Audit, FUNCTION_FITS, Fit, Source};
 
 /// Which of the figures is over the limit, or what else is wrong.
 pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
@@ -41,14 +41,16 @@ pub(crate) fn reason(done: &Audit, limit: Option<f64>) -> Option<String> {
         // The first line of a table has its damage, that of a function its error.
         return damage(done).filter(|_| function).map(|told| format!("it{}", told.found));
     }
+    if done.misfit().is_some() {
+        let left = number(done.channels.iter().map(|c| c.left).fold(0.0, f64::max));
+        return Some(format!(
+            "its root mean square error is {left} of what the truth spans, where approximations leave {FUNCTION_FITS} at most"
+        ));
+    }
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
         let given = if done.fixed { " that the options leave open" } else { "" };
         let limit = limit.map_or(String::new(), |limit| format!(", the limit is {}", number(limit)));
         let off = format!("; by the nearest it is off by {}{limit}", number(done.worst()));
-        // The first line has the name of what is known.
-        if done.published.is_some() && done.fit == Fit::None && done.excluded.is_none() {
-            return None;
-        }
         if let Some(said) = excluded(done) {
             return Some(format!("it follows a convention, but not what {said}{off}"));
         }

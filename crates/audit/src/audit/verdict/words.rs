@@ -21,9 +21,10 @@ pub(super) fn reading(audit: &Audit) -> String {
     // Of a table of two lobes they are printed before.
     let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
+    let slice = audit.at.map_or_else(String::new, |(input, x)| format!(", at {} {x}", input.name()));
     let decoded =
         audit.encoding.map_or_else(String::new, |e| format!(", its values {}", e.said("decoded from ")));
-    format!("{}{lobe}, with {}{decoded}", holds.join(", "), axes(audit, audit.best()))
+    format!("{}{lobe}{slice}, with {}{decoded}", holds.join(", "), axes(audit, audit.best()))
 }
 
 /// Every axis in words.

@@ -159,6 +159,11 @@ fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
         );
         let own = "held against that it is off by at most 0.";
         says(&found.verdict(None), "FAIL", &[&usual, ": B. Karis, ", own, "say so (`--smith schlick`)"]);
+        // What is said of its results is told from what they are known to be.
+        let swapped: Vec<_> = known.columns.iter().rev().copied().collect();
+        let stated = Fixed { meanings: Some(swapped), ..Fixed::default() };
+        let swapped = audit(&table, of("ggx-reflection"), &stated, &|_| ()).unwrap();
+        says(&swapped.verdict(None), "FAIL", &["is not what --meaning says"]);
         let stated = Fixed { form: Form::find("schlick"), ..Fixed::default() };
         let found = audit(&table, of("ggx-reflection"), &stated, &|_| ()).unwrap();
         let text = found.verdict(None).to_string();
