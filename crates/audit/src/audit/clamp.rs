@@ -217,8 +217,8 @@ impl Search<'_> {
         self.between(at, axis)
     }
 
-    /// A reading with a clamp of the list, or of one digit, in place of one that is near to it, where that is hardly worse: a
-    /// clamp is a round number.
+    /// A reading with a clamp of the list, or of one digit, in place of one that is near to it, where that is
+    /// hardly worse: a clamp is a round number.
     fn rounded(&self, at: Candidate, axis: usize) -> Result<Candidate, AuditError> {
         let floor = at.axes[axis].floor;
         let listed = FLOORS.map(|listed| self.least(axis) + listed);
@@ -245,12 +245,12 @@ impl Search<'_> {
             let raised = self.raised(&at, &[(axis, floor)])?.map(|(raised, _)| raised);
             return Ok(raised.filter(is_better).unwrap_or(at));
         }
-        // Of those between two lines that explain something the nearest is taken, and looked about, and so is
-        // one of the list.
-        // Where no lines are the same but for noise.
+        // Where no lines are the same they may be but for noise.
         let is_noisy = seen.is_empty();
         let seen =
             if is_noisy { self.lines.about(axis, &self.bare.axes[axis], at.axes[axis].floor) } else { seen };
+        // Of those between two lines that explain something the nearest is taken, and looked about, and so is
+        // one of the list.
         let mut width = seen.get(1).map_or(0.0, |next| next - seen[0]);
         let is_between =
             |floor: &f64| seen.first().is_some_and(|last| (*last..last + 8.0 * width).contains(floor));
@@ -444,7 +444,8 @@ fn is_round(x: f64) -> bool {
 /// Times that the clamps of two axes are looked for again beside each other.
 const AGAIN: usize = 3;
 
-/// A clamp of the list is taken for one that is within this share of it, and leaves this share of its rank.
+/// A clamp of the list, or of one digit, is taken for one that is within this share of it, and leaves this
+/// share of its rank.
 const ROUND: f64 = 0.05;
 const WORTH: f64 = 0.8;
 

@@ -82,8 +82,8 @@ const LEAST_GAIN: f64 = 1e-4;
 /// How many times the errors that jump from texel to texel a gain is above.
 const ABOVE_NOISE: f64 = 6.0;
 
-/// Adds to the defects of a channel what is wrong with the energy of it, or of its `sum` with another: a gain,
-/// and of a sum a loss that is missing, of which a part that stands out comes. A gain has that loss in it.
+/// Adds to the defects of a channel what is wrong with the energy of it, or of its `sum` with another: a
+/// gain, and of a sum a missing loss, which is why a part of it stands out. A gain has that loss in it.
 pub(super) fn energy(
     r: &Residuals,
     sum: Option<&Sum>,

@@ -266,6 +266,11 @@ impl Audit {
         decides.then_some(plain)
     }
 
+    /// The shadowing that a published formula was fitted to, where it is held against another.
+    pub(super) fn made_for(&self) -> Option<&'static Form> {
+        self.published.as_ref()?.made_for.filter(|form| *form != self.best().lobe.form)
+    }
+
     /// The published formula that a function is, which is no approximation of what it is held against.
     pub(super) fn misfit(&self) -> Option<&Published> {
         self.published.as_ref().filter(|_| self.fit == Fit::None && self.excluded.is_none())

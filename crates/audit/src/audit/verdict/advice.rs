@@ -12,7 +12,7 @@ use crate::audit::convention::NAMES;
 use crate::audit::enlarged::Enlarged;
 use crate::audit::plain::Plain;
 use crate::audit::table::Source;
-use crate::audit::{Audit, Column, Defect, Fit, Form, Tried, TwoLobes};
+use crate::audit::{Audit, Column, Defect, Fit, Tried, TwoLobes};
 use crate::foreign::words;
 
 /// The steps that mend it; none where there is nothing to mend.
@@ -30,7 +30,7 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
                 format!("{} stand in the wrong order, in it or where it calls another", listed(&names))
             }
             Some(said) => format!("read it as it is, or make it again as {said}"),
-            None if let Some(made_for) = made_for(audit) => format!(
+            None if let Some(made_for) = audit.made_for() => format!(
                 "use a fit of {}, or if {} is meant, say so (`--smith {}`)",
                 audit.best().lobe.words(),
                 briefly(made_for.words),
@@ -40,7 +40,7 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
         }];
         steps.extend(dead.filter_map(|d| mending(d, &audit.axes, audit.source)));
         let is_average = audit.best().axes.iter().all(|axis| axis.scale.input() != Input::Mu);
-        if is_average && audit.size.len() == 2 {
+        if audit.source == Source::Table && is_average && audit.size.len() == 2 {
             steps.push("if it is a slice of one index of refraction, say of which (`--at ior=1.5`)".into());
         }
         steps.dedup();
@@ -66,11 +66,6 @@ pub(super) fn advice(audit: &Audit, limit: Option<f64>) -> Vec<String> {
     let is_poor = !is_scaled && audit.channels.iter().flat_map(|c| &c.defects).any(is_poor);
     steps.extend(drop_in(audit).filter(|_| is_poor && audit.source == Source::Table));
     steps
-}
-
-/// The shadowing that a published formula was fitted to, where it is held against another.
-fn made_for(audit: &Audit) -> Option<&'static Form> {
-    audit.published.as_ref()?.made_for.filter(|form| *form != audit.best().lobe.form)
 }
 
 /// What to do about an encoding, axes and an average of which nobody said that they are meant.

@@ -163,8 +163,8 @@ fn nothing(audit: &Audit) -> String {
 /// Which published formula it is, of what lobe, and what that is held against.
 fn held(audit: &Audit, known: &Published) -> String {
     let lobe = audit.best().lobe;
-    let made_for = known.made_for.filter(|form| *form != lobe.form);
-    let made_for = made_for.map_or_else(String::new, |form| format!(", made for {}", briefly(form.words)));
+    let made_for =
+        audit.made_for().map_or_else(String::new, |form| format!(", made for {}", briefly(form.words)));
     let against = match lobe.words() {
         words if words.is_empty() => String::new(),
         words => format!("against {} ", briefly(&words)),

@@ -159,7 +159,7 @@ fn point_04_karis_fit_is_named_with_the_lobe_that_it_was_made_for() {
         );
         let own = "held against that it is off by at most 0.";
         says(&found.verdict(None), "FAIL", &[&usual, ": B. Karis, ", own, "say so (`--smith schlick`)"]);
-        // What is said of its results is told from what they are known to be.
+        // A meaning that its results do not have is named.
         let swapped: Vec<_> = known.columns.iter().rev().copied().collect();
         let stated = Fixed { meanings: Some(swapped), ..Fixed::default() };
         let swapped = audit(&table, of("ggx-reflection"), &stated, &|_| ()).unwrap();
